@@ -122,7 +122,7 @@ void say_stresses(Derivation& steps, const ReducedPlate& plate, const PanelStres
   }
   steps.given("tau", Stress(abs(stress.shear)),
               "the shear flow of the section over the clear width of the plate, mean");
-  if (is_flange(plate.sheared.plate))
+  if (plate.sheared.as_flange)
     steps.note([] { return "at least half of its largest shear stress, as 7.1(5)"; });
   steps.note([&] { return plate.sheared.name; });
   steps.note([&] { return instant_of(check); });
@@ -136,6 +136,15 @@ void derive_reduced_factor(Derivation& steps, const Project& project, const Redu
   }
   const Traced use = derive_reduced_use(steps, plate.panel, stress, project.strength.gamma_M1);
   steps.define("factor", 1.0 / loaded(steps, load_factor, use));
+}
+
+template <class Basis>
+void derive_reduced_plate(Derivation& steps, const Project& project, const Check& check,
+                          const Basis& basis) {
+  const ReducedPlate& plate = *basis.reduced;
+  const PanelStress stress = plate.under(basis.cut);
+  say_stresses(steps, plate, stress, basis.cut, check);
+  derive_reduced_factor(steps, project, plate, stress, basis.load_factor);
 }
 
 void derive_reduced_web(Derivation& steps, const Project& project, const Check& check,
@@ -181,9 +190,13 @@ void derive_seam(Derivation& steps, const Project& project, const PatchedSeam& o
 Steps path_steps(const Project& project, const CheckResult& result) {
   const PathBasis& basis = *result.path;
   Derivation steps;
+  if (result.check.criterion == Criterion::reduced_stress) {
+    derive_reduced_plate(steps, project, result.check, basis);
+    return steps_of(steps);
+  }
   if (result.check.criterion == Criterion::effective_section) {
     const CornerSteps of =
-        derive_place(steps, project, result.check, basis, basis.path->section, basis.use);
+        derive_place(steps, project, result.check, basis, *basis.section, basis.use);
     steps.define("factor", of.resisting / of.acting);
     return steps_of(steps);
   }
@@ -193,7 +206,7 @@ Steps path_steps(const Project& project, const CheckResult& result) {
     return steps_of(steps);
   }
   const CornerSteps normal =
-      derive_place(steps, project, result.check, basis, basis.path->section, basis.use);
+      derive_place(steps, project, result.check, basis, *basis.section, basis.use);
   const Traced eta_1 = steps.define("eta_1", normal.acting / normal.resisting);
   const ShearSteps shear = derive_shear(steps, project, result.check, basis, *basis.wall);
   const Traced eta_3 = steps.define("eta_3", shear.acting / shear.resisting);
@@ -225,13 +238,9 @@ Steps plate_steps(const Project& project, const CheckResult& result) {
       steps.define("factor", of.resisting / of.acting);
       break;
     }
-    case Criterion::reduced_stress: {
-      const ReducedPlate& plate = *basis.reduced;
-      const PanelStress stress = plate.under(basis.cut);
-      say_stresses(steps, plate, stress, basis.cut, result.check);
-      derive_reduced_factor(steps, project, plate, stress, basis.load_factor);
+    case Criterion::reduced_stress:
+      derive_reduced_plate(steps, project, result.check, basis);
       break;
-    }
     default: {
       const CornerSteps normal = derive_corner(steps, project, result.check, basis, *basis.box);
       const Traced eta_1 = steps.define("eta_1", normal.acting / normal.resisting);

@@ -8,6 +8,7 @@
 
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/section/torsion.hpp"
 #include "boxbeam/strength/weld_throat.hpp"
 #include "boxbeam/verification/plausibility.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
@@ -158,10 +159,7 @@ void add_slender_plates(const Project& project, const Verification& verification
         "by the section where it acts alone, step by step until that stays (EN 1993-1-5, clause "
         "4), "
         "in shear (clause 5) without the flanges' part, and by both together (7.1); " +
-        panels +
-        (project.strength.effective_widths == WidthRule::at_yield
-             ? ""
-             : "; at yield, whatever [strength] effective_widths asks for, on the safe side"));
+        panels);
   }
   if (judged_by(PlateRoute::reduced_stresses)) {
     remarks.push_back(
@@ -277,6 +275,33 @@ void add_warping(const Project& project, std::vector<std::string>& remarks) {
       "as "
       "at a clamped end, an open section has normal stresses of warping besides, which are not "
       "counted");
+}
+
+/// What is taken for granted of the shape of sections and their torsion.
+std::string shape_text(const Project& project) {
+  const auto is_open = [](const Segment& segment) {
+    const auto* const path = std::get_if<ThinWalled>(&segment.from.outer);
+    return path != nullptr && !segment.from.inner && !(enclosed_area_of(*path).value() > 0.0);
+  };
+  const auto& segments = project.beam.segments;
+  const bool all = std::all_of(segments.begin(), segments.end(), is_open);
+  if (project.in_space) {
+    return all ? "warping, whether open sections keep their shape"
+               : "warping, distortion but of boxes and rectangular tubes";
+  }
+  std::string text =
+      all ? ""
+          : "warping and distortion of the box (diaphragms where forces act are taken for granted; "
+            "a case in the plane has no torque, and forces beside the middle of a box, as of an "
+            "eccentric rail, are a case in space)";
+  if (std::any_of(segments.begin(), segments.end(), is_open)) {
+    text += text.empty() ? "" : ", ";
+    text +=
+        "torsion and warping of open sections (a case in the plane has no torque: forces are taken "
+        "to act through the shear centre, beside which they are a case in space; that sections "
+        "keep their shape where forces act is taken for granted)";
+  }
+  return text;
 }
 
 /// Elastic links: what a sudden start adds to the steady vibration, in the joint where it is most.
@@ -498,17 +523,12 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
   if (const auto& lateral = stability.lateral)
     remarks.push_back(
         lateral_text(*lateral) +
-        (lateral->part <= no_turning_over_below
+        (lateral->part > 0.0 && lateral->part <= no_turning_over_below
              ? fmt::format(", which does not count (up to {}, EN 1993-1-1, 6.3.2.2(4))",
                            no_turning_over_below)
              : std::string()));
   remarks.push_back(
-      std::string(project.in_space
-                      ? "not checked here: warping, distortion but of boxes and rectangular tubes"
-                      : "not checked here: warping and distortion of the box (diaphragms where "
-                        "forces act are taken for granted; a case in the plane has no torque, and "
-                        "forces beside the middle of a box, as of an eccentric rail, are a case in "
-                        "space)") +
+      "not checked here: " + shape_text(project) +
       (std::any_of(verification.checks.begin(), verification.checks.end(),
                    [](const CheckResult& of) { return of.patch.has_value(); })
            ? std::string()

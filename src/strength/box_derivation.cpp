@@ -30,11 +30,10 @@ Traced reduction_of(Derivation& steps, const BoxWall& wall, std::optional<Length
       short_plate_of(wall.clear(), wall.thickness, width.k_sigma, wall.class_strength, length);
   const bool slender = internal_reduction(width.lambda_p, psi.value()) < 1.0;
   if (!column && wall.level.share < 1.0) {
-    const Traced share = steps.given("sigma_com/f_y", wall.level.share, {ValueKind::number},
-                                     "largest compression of the plate where the corner yields");
-    const Traced lambda_red = steps.define("lambda_p,red", lambda * sqrt(share), "4.4(4)");
-    return wall.level.annex_E ? plate::annex_E_reduction(steps, lambda, lambda_red, psi)
-                              : plate::internal_reduction(steps, lambda_red, psi);
+    const Traced lambda_red = plate::reduced_slenderness(steps, lambda, wall.level.share);
+    return wall.level.annex_E
+               ? plate::annex_E_reduction(steps, lambda, lambda_red, plate::internal_loss(psi))
+               : plate::internal_reduction(steps, lambda_red, psi);
   }
   if (!column) return plate::internal_reduction(steps, lambda, psi);
   const Traced rho = slender ? plate::internal_reduction(steps, lambda, psi)

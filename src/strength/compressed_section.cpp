@@ -4,25 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <optional>
 
 #include "boxbeam/section/section_properties.hpp"
-#include "boxbeam/section/torsion.hpp"
 #include "boxbeam/strength/effective_path.hpp"
 #include "boxbeam/strength/plate_slenderness.hpp"
 #include "plate_formulas.hpp"
 
 namespace boxbeam {
 namespace {
-
-/// A steel of one strength at every thickness: all plates are judged by the section's own.
-Material of_strength(Stress yield_strength) {
-  Material material;
-  material.steps = {{si<Length>(std::numeric_limits<double>::max()), yield_strength, {}}};
-  return material;
-}
 
 /// Thickness of the flanges and of the webs of a profile whose slender plates leave its centroid
 /// where it is; nothing of others.
@@ -41,22 +31,6 @@ std::optional<Walls> symmetric_walls_of(const Profile& profile) {
   return Walls{box->top_flange, box->left_web};
 }
 
-/// Whether walls enclose anything: more of them than a tree of their nodes has.
-bool has_cell(const ThinWalled& path) {
-  std::vector<std::size_t> part(path.nodes.size());
-  std::iota(part.begin(), part.end(), std::size_t{0});
-  const auto root = [&](std::size_t node) {
-    while (part[node] != node) node = part[node];
-    return node;
-  };
-  for (const ThinWall& wall : path.walls) {
-    const std::size_t from = root(wall.from), to = root(wall.to);
-    if (from == to) return true;
-    part[from] = to;
-  }
-  return false;
-}
-
 bool is_convex(const std::vector<SectionPlace>& loop) {
   bool left = false, right = false;
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -70,29 +44,8 @@ bool is_convex(const std::vector<SectionPlace>& loop) {
   return left != right;
 }
 
-/// Whether a section of walls around cells may buckle by twisting before it yields: where
-/// G I_T/i_0^2 is below 25 A f_y, lambda_T above 0.2 (EN 1993-1-1, 6.3.1.2(4)).
-bool may_twist(const Profile& profile, Stress yield_strength) {
-  constexpr double G = 8.1e10, stocky = 25.0;  // EN 1993-1-1, 3.2.6 [Pa]
-  const TorsionProperties torsion = torsion_properties_of({profile, {}});
-  if (!torsion.I_T || !torsion.shear_centre) return true;
-  const SectionProperties p = properties_of({profile, {}});
-  const double y = (torsion.shear_centre->y - p.centroid_y).value();
-  const double z = (torsion.shear_centre->z - p.centroid_z).value();
-  const double polar = (p.I_y + p.I_z).value() + p.area.value() * (y * y + z * z);
-  return G * torsion.I_T->value() < stocky * polar * yield_strength.value();
-}
-
 /// Why no plate of a profile can be judged, whatever its slenderness.
-std::string obstacle_of(const Profile& profile, Stress yield_strength) {
-  if (const auto* path = std::get_if<ThinWalled>(&profile); path != nullptr && !has_cell(*path)) {
-    return "an open thin-walled section may twist as it buckles, and its torsional and "
-           "flexural-torsional buckling is not computed (EN 1993-1-1, 6.3.1.4)";
-  }
-  if (std::holds_alternative<ThinWalled>(profile) && may_twist(profile, yield_strength)) {
-    return "its cells hardly resist twisting, and torsional buckling is not computed (EN 1993-1-1, "
-           "6.3.1.4)";
-  }
+std::string obstacle_of(const Profile& profile) {
   if (const auto* solid = std::get_if<Polygon>(&profile);
       solid != nullptr && (!solid->hollows.empty() || !is_convex(solid->outer))) {
     return "the walls of a polygon that is hollow or not convex are not known, and so its class is "
@@ -151,7 +104,6 @@ void reduce(CompressedPlate& plate, Length thickness, double epsilon) {
 
 /// Why the effective area of a path in class 4 is not taken, "" where it is.
 std::string path_obstacle(const PathSection& section) {
-  const PathAlone alone = path_alone(section, ActingAlone::compression);
   for (const PathPlate& of : section.plates) {
     if (!may_buckle(of)) continue;
     if (std::string why = width_obstacle(of); !why.empty()) return why;
@@ -161,19 +113,33 @@ std::string path_obstacle(const PathSection& section) {
     if (std::any_of(of.parts.begin(), of.parts.end(), differs))
       return of.name + ": its thickness changes along it";
   }
-  const double size = std::sqrt(section.gross.area);
-  const EffectiveCentroid moved = effective_centroid_of(section.gross, alone.sums, 1e-9 * size);
+  return "";
+}
+
+/// Says by how much the centroid of a path moves; why that is not counted of one with another
+/// profile.
+void move_centroid(const PathSection& section, bool alone, CompressedSection& result) {
+  const AreaSums left = path_alone(section, ActingAlone::compression).sums;
+  const EffectiveCentroid moved =
+      effective_centroid_of(section.gross, left, 1e-9 * std::sqrt(section.gross.area));
+  if (alone) {
+    result.shift_y = moved.shift_y;
+    result.shift_z = moved.shift_z;
+    return;
+  }
   const double shift = std::hypot(moved.shift_y.value(), moved.shift_z.value());
-  if (!(shift > 0.0)) return "";
-  return fmt::format(
+  if (!(shift > 0.0)) return;
+  result.obstacle = fmt::format(
       "its effective centroid moves by {:.3g} mm (EN 1993-1-5, 4.3(3)), and what "
       "that bends is not counted",
       1e3 * shift);
 }
 
-/// The plates of a path around cells in class 4; false where it is none.
-bool add_slender_path(const ThinWalled& path, Stress yield_strength, CompressedSection& result) {
-  const Material steel = of_strength(yield_strength);
+/// The plates of a path in class 4; false where it is none.
+bool add_slender_path(const ThinWalled& path, Stress yield_strength, bool alone,
+                      CompressedSection& result) {
+  // All plates are judged by the section's own.
+  const Material steel = steel_of(yield_strength);
   const PathSection section = *path_section_of(path, steel);
   if (std::none_of(section.plates.begin(), section.plates.end(),
                    [](const PathPlate& of) { return may_buckle(of); }))
@@ -181,6 +147,7 @@ bool add_slender_path(const ThinWalled& path, Stress yield_strength, CompressedS
   const double epsilon = epsilon_of(yield_strength);
   result.class_4 = true;
   if (result.obstacle.empty()) result.obstacle = path_obstacle(section);
+  if (result.obstacle.empty()) move_centroid(section, alone, result);
   for (const PathPlate& of : section.plates) {
     CompressedPlate plate;
     plate.name = of.name;
@@ -195,16 +162,17 @@ bool add_slender_path(const ThinWalled& path, Stress yield_strength, CompressedS
   return true;
 }
 
-void add_plates(const Profile& profile, Stress yield_strength, CompressedSection& result) {
-  if (result.obstacle.empty()) result.obstacle = obstacle_of(profile, yield_strength);
+void add_plates(const Profile& profile, Stress yield_strength, bool alone,
+                CompressedSection& result) {
+  if (result.obstacle.empty()) result.obstacle = obstacle_of(profile);
   if (const auto* const path = std::get_if<ThinWalled>(&profile);
-      path != nullptr && has_cell(*path) && add_slender_path(*path, yield_strength, result))
+      path != nullptr && add_slender_path(*path, yield_strength, alone, result))
     return;
   const double epsilon = epsilon_of(yield_strength);
   const double compressed = internal_part_limits(1.0, 1.0, epsilon).class_3;
   const bool round = std::holds_alternative<RoundTube>(profile);
   const std::optional<Walls> walls = symmetric_walls_of(profile);
-  for (const SlenderPlate& of : plate_slenderness_of(profile, of_strength(yield_strength))) {
+  for (const SlenderPlate& of : plate_slenderness_of(profile, steel_of(yield_strength))) {
     CompressedPlate plate;
     plate.name = of.plate;
     plate.round = round;
@@ -232,8 +200,9 @@ void add_plates(const Profile& profile, Stress yield_strength, CompressedSection
 CompressedSection compressed_section_of(const Section& section, Stress yield_strength) {
   CompressedSection result;
   result.area = properties_of(section).area;
-  add_plates(section.outer, yield_strength, result);
-  if (section.inner) add_plates(*section.inner, yield_strength, result);
+  const bool alone = !section.inner;
+  add_plates(section.outer, yield_strength, alone, result);
+  if (section.inner) add_plates(*section.inner, yield_strength, alone, result);
   result.effective = result.area;
   for (const CompressedPlate& plate : result.plates) result.effective -= plate.idle;
   return result;

@@ -139,7 +139,8 @@ PlateAlone plate_alone(const PathPlate& plate, Stress strength, std::optional<Le
   const double epsilon = epsilon_of(strength), clear = plate.high - plate.low;
   if (!plate.outstand()) {
     of.psi = std::max(-3.0, psi);
-    of.width = *panel_effective_width(plate.clear(), plate.thickness, of.psi, strength, length);
+    of.width = *panel_effective_width(plate.clear(), plate.thickness, of.psi, strength, length,
+                                      plate.level);
     const double idle = clear / std::max(1.0, 1.0 - of.psi) - of.width.b_eff.value();
     const double first = of.width.b_e1.value();
     of.idle_low = of.more_at_high ? plate.high - first - idle : plate.low + first;
@@ -151,7 +152,8 @@ PlateAlone plate_alone(const PathPlate& plate, Stress strength, std::optional<Le
   of.psi = std::max(at_support ? -1.0 : -3.0, psi);
   of.width = *outstand_effective_width(
       plate.clear(), plate.thickness, of.psi,
-      at_support ? LargestCompression::at_support : LargestCompression::at_tip, epsilon);
+      at_support ? LargestCompression::at_support : LargestCompression::at_tip, epsilon,
+      plate.level);
   const double pressed = clear / std::max(1.0, 1.0 - of.psi), works = of.width.b_eff.value();
   // From the support: what works, what does not, what is stretched; or from the tip: what does not.
   const double from = at_support ? works : clear - (pressed - works);
@@ -251,6 +253,13 @@ EffectivePath::EffectivePath(const PathSection& path) : path_(path) {
     place.yield_strength = path_.yield_strengths[walls.front()];
     for (const std::size_t wall : walls)
       place.yield_strength = std::min(place.yield_strength, path_.yield_strengths[wall]);
+    for (std::size_t k = 0; k < path_.plates.size(); ++k) {
+      const std::vector<PathPlate::Part>& parts = path_.plates[k].parts;
+      if (std::any_of(parts.begin(), parts.end(), [&](const PathPlate::Part& part) {
+            return std::find(walls.begin(), walls.end(), part.wall) != walls.end();
+          }))
+        place.plates.push_back(k);
+    }
   }
 }
 
@@ -267,18 +276,57 @@ SectionModulus EffectivePath::least_modulus(bool about_y) const {
   return si<SectionModulus>(least);
 }
 
-PathUse EffectivePath::worst_place(const CutForces& cut) const {
-  PathUse worst;
-  worst.use = -1.0;
+template <class Look>
+void EffectivePath::look_at_places(const CutForces& cut, const Look& look) const {
   for (std::size_t k = 0; k < resist_.size(); ++k) {
     look_at_shifts(centroid_, cut, [&](const Shifts& shifts) {
       PathUse of{stress_at(resist_[k], centroid_, cut, shifts), k};
       of.yield_strength = cut.N.value() < 0.0 ? least_strength_ : resist_[k].yield_strength;
       of.use = std::abs(of.stress.value()) / of.yield_strength.value();
-      if (of.use > worst.use) worst = of;
+      look(of);
     });
   }
+}
+
+PathUse EffectivePath::worst_place(const CutForces& cut) const {
+  PathUse worst;
+  worst.use = -1.0;
+  look_at_places(cut, [&](const PathUse& of) {
+    if (of.use > worst.use) worst = of;
+  });
   return worst;
+}
+
+std::vector<double> EffectivePath::compressed_shares(const CutForces& cut) const {
+  std::vector<double> most(path_.plates.size(), 0.0);
+  look_at_places(cut, [&](const PathUse& of) {
+    // Parts that add up by their sizes say no sense: all of it may be compression.
+    const Stress pressed = of.sizes ? Stress(abs(of.stress)) : Stress(-of.stress);
+    for (const std::size_t k : resist_[of.place].plates)
+      most[k] = std::max(most[k], (pressed / path_.plates[k].class_strength).value());
+  });
+  const double yielding = use(cut);
+  for (double& share : most) share = yielding > 0.0 ? std::min(1.0, share / yielding) : 1.0;
+  return most;
+}
+
+std::optional<EffectivePath> EffectivePath::below_yield(const CutForces& cut, bool annex_E) const {
+  constexpr int most_steps = 60;
+  constexpr double close = 1e-9;
+  EffectivePath of = *this;
+  for (int i = 0; i < most_steps; ++i) {
+    const std::vector<double> shares = of.compressed_shares(cut);
+    PathSection path = of.path_;
+    bool same = true;
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      same = same && std::abs(shares[k] - path.plates[k].level.share) < close;
+      path.plates[k].level = {shares[k], annex_E};
+    }
+    if (same && of.settled()) return of;
+    if (same) return std::nullopt;
+    of = EffectivePath(path);
+  }
+  return std::nullopt;
 }
 
 }  // namespace boxbeam

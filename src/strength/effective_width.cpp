@@ -51,13 +51,23 @@ double internal_reduction(double lambda_p, double psi, const StressLevel& level)
   const double rho = internal_reduction(lambda_red, psi);
   if (!level.annex_E || rho == 1.0) return rho;
   constexpr NoDerivation record;
-  return std::min(1.0, plate::annex_E_reduction(record, lambda_p, lambda_red, psi));
+  return std::min(
+      1.0, plate::annex_E_reduction(record, lambda_p, lambda_red, plate::internal_loss(psi)));
 }
 
 double outstand_reduction(double lambda_p) {
   if (lambda_p <= 0.748) return 1.0;
   constexpr NoDerivation record;
   return std::min(1.0, plate::outstand_reduction(record, lambda_p));
+}
+
+double outstand_reduction(double lambda_p, const StressLevel& level) {
+  const double lambda_red = lambda_p * std::sqrt(level.share);
+  const double rho = outstand_reduction(lambda_red);
+  if (!level.annex_E || rho == 1.0) return rho;
+  constexpr NoDerivation record;
+  return std::min(1.0,
+                  plate::annex_E_reduction(record, lambda_p, lambda_red, plate::outstand_loss));
 }
 
 std::optional<EffectiveWidth> internal_effective_width(Length width, Length thickness, double psi,
@@ -75,13 +85,14 @@ std::optional<EffectiveWidth> internal_effective_width(Length width, Length thic
 }
 
 std::optional<EffectiveWidth> outstand_effective_width(Length width, Length thickness, double psi,
-                                                       LargestCompression where, double epsilon) {
+                                                       LargestCompression where, double epsilon,
+                                                       const StressLevel& level) {
   const auto k_sigma = outstand_buckling_factor(psi, where);
   if (!k_sigma) return std::nullopt;
   EffectiveWidth result;
   result.k_sigma = *k_sigma;
   result.lambda_p = relative_plate_slenderness(width / thickness, epsilon, *k_sigma);
-  result.rho = outstand_reduction(result.lambda_p);
+  result.rho = outstand_reduction(result.lambda_p, level);
   result.b_eff = result.rho * width / std::max(1.0, 1.0 - psi);
   result.b_e1 = result.b_eff;
   return result;

@@ -1,6 +1,7 @@
 #include "boxbeam/strength/material.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace boxbeam {
 namespace {
@@ -26,6 +27,12 @@ std::optional<Stress> tensile_strength_of(const Material& material, Length thick
   const ThicknessStep* step = step_of(material, thickness);
   if (step == nullptr) return std::nullopt;
   return step->tensile_strength;
+}
+
+Material steel_of(Stress yield_strength) {
+  Material material;
+  material.steps = {{si<Length>(std::numeric_limits<double>::max()), yield_strength, {}}};
+  return material;
 }
 
 Material lower_of(const Material& one, const Material& other) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
 #include "boxbeam/core/derivation.hpp"
 #include "boxbeam/strength/section_class.hpp"
@@ -134,13 +135,29 @@ auto bearing(Record& record, const BearingStiffener& of, double gamma_M1) {
                                       within(of.web_behind, of.web_thickness) + of.thickness,
                                   "of the web beside the diaphragm, at most 15 eps t on each side");
   const auto b_d =
-      record.given("b_d", within(of.width, of.thickness), "of the diaphragm, at most 15 eps t_d");
-  const auto A = record.define("A", strip * t + b_d * t_d);
-  const auto from_web = record.define("e", b_d * t_d * (t + b_d) / (2.0 * A));
-  const auto out = record.define("d", (t + b_d) / 2.0 - from_web);
-  const auto I = record.define("I", strip * t * t * t / 12.0 + strip * t * from_web * from_web +
-                                        t_d * b_d * b_d * b_d / 12.0 + b_d * t_d * out * out);
-  const auto length = record.define("L_cr", 0.75 * record.given("h_w", of.web_depth));
+      record.given("b_d", within(of.width, of.thickness),
+                   of.both_sides ? "of the diaphragm on each side of the web, at most 15 eps t_d"
+                                 : "of the diaphragm, at most 15 eps t_d");
+  const auto both = [&] {
+    const auto A = record.define("A", strip * t + 2.0 * b_d * t_d);
+    const auto out = record.define("d", (t + b_d) / 2.0);
+    return std::pair(
+        A, record.define("I", strip * t * t * t / 12.0 +
+                                  2.0 * (t_d * b_d * b_d * b_d / 12.0 + b_d * t_d * out * out)));
+  };
+  const auto one = [&] {
+    const auto A = record.define("A", strip * t + b_d * t_d);
+    const auto from_web = record.define("e", b_d * t_d * (t + b_d) / (2.0 * A));
+    const auto out = record.define("d", (t + b_d) / 2.0 - from_web);
+    return std::pair(A,
+                     record.define("I", strip * t * t * t / 12.0 + strip * t * from_web * from_web +
+                                            t_d * b_d * b_d * b_d / 12.0 + b_d * t_d * out * out));
+  };
+  const auto [A, I] = of.both_sides ? both() : one();
+  const auto length =
+      record.define("L_cr", (of.ends_clamped ? 0.75 : 1.0) * record.given("h_w", of.web_depth));
+  if (!of.ends_clamped)
+    record.note([] { return "no [[beam.restraints]] hold the flanges sideways here"; });
   const auto f_y = record.given("f_y", of.yield_strength);
   const auto N_cr =
       column::euler_force(record, record.constant("210 GPa", steel * pascal), I, length);

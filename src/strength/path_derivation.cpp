@@ -18,7 +18,8 @@ bool lose_the_same(const PathSection& path, const PathAlone& section, std::size_
   const auto same = [](double x, double y) { return std::abs(x - y) <= 1e-9 * std::abs(x); };
   return one.outstand() == other.outstand() && same(one.clear().value(), other.clear().value()) &&
          one.thickness == other.thickness && one.class_strength == other.class_strength &&
-         same(of.psi, and_of.psi) && same(of.idle(), and_of.idle()) && of.lag == and_of.lag;
+         same(of.psi, and_of.psi) && same(of.idle(), and_of.idle()) && of.lag == and_of.lag &&
+         same(one.level.share, other.level.share);
 }
 
 /// rho of an internal plate, between plate and column where it is short.
@@ -26,6 +27,12 @@ Traced internal_rho(Derivation& steps, const PathPlate& plate, std::optional<Len
                     const PlateAlone& of, const Traced& lambda, const Traced& psi) {
   const auto column = short_plate_of(plate.clear(), plate.thickness, of.width.k_sigma,
                                      plate.class_strength, length);
+  if (!column && plate.level.share < 1.0) {
+    const Traced lambda_red = plate::reduced_slenderness(steps, lambda, plate.level.share);
+    return plate.level.annex_E
+               ? plate::annex_E_reduction(steps, lambda, lambda_red, plate::internal_loss(psi))
+               : plate::internal_reduction(steps, lambda_red, psi);
+  }
   if (!column) return plate::internal_reduction(steps, lambda, psi);
   const Traced rho = steps.given("rho", internal_reduction(of.width.lambda_p, of.psi),
                                  {ValueKind::factor}, "4.4(2)");
@@ -34,6 +41,15 @@ Traced internal_rho(Derivation& steps, const PathPlate& plate, std::optional<Len
   const Traced xi = steps.given("xi", column->xi, {ValueKind::number},
                                 "k_sigma sigma_E/sigma_cr,c - 1, at least 0");
   return steps.define("rho_c", stiffened::interpolated(rho, chi, xi), "short: 4.4(6), 4.5.4");
+}
+
+/// rho of an outstand.
+Traced outstand_rho(Derivation& steps, const PathPlate& plate, const Traced& lambda) {
+  if (!(plate.level.share < 1.0)) return plate::outstand_reduction(steps, lambda);
+  const Traced lambda_red = plate::reduced_slenderness(steps, lambda, plate.level.share);
+  return plate.level.annex_E
+             ? plate::annex_E_reduction(steps, lambda, lambda_red, plate::outstand_loss)
+             : plate::outstand_reduction(steps, lambda_red);
 }
 
 /// The plates of a section that do not work whole, and what of them does not.
@@ -73,7 +89,7 @@ void derive_plates(Derivation& steps, const PathSection& path, const PathAlone& 
     const Traced k_sigma = steps.given("k_sigma", of.width.k_sigma, {ValueKind::number},
                                        plate.outstand() ? "table 4.2" : "table 4.1");
     const Traced lambda = plate::slenderness(steps, c / t, epsilon, k_sigma);
-    const Traced rho = plate.outstand() ? plate::outstand_reduction(steps, lambda)
+    const Traced rho = plate.outstand() ? outstand_rho(steps, plate, lambda)
                                         : internal_rho(steps, plate, path.length, of, lambda, psi);
     const char* const where = plate.outstand() ? (tip ? "at its free edge" : "beside what works")
                               : of.psi < 0.0   ? "from 0.4 of what works of the compressed width on"

@@ -22,23 +22,39 @@ auto slenderness(Record& record, const Ratio& width_to_thickness, const Epsilon&
   return record.define("lambda_p", width_to_thickness / (28.4 * epsilon * sqrt(k_sigma)));
 }
 
+/// What Winter's curve takes off lambda_p, of an internal part and of an outstand one.
+template <class Psi>
+auto internal_loss(const Psi& psi) {
+  return 0.055 * (3.0 + psi);
+}
+inline constexpr double outstand_loss = 0.188;
+
 /// Beyond the slenderness up to which all of the plate is effective.
 template <class Record, class Number, class Psi>
 auto internal_reduction(Record& record, const Number& lambda_p, const Psi& psi) {
-  return record.define("rho", (lambda_p - 0.055 * (3.0 + psi)) / (lambda_p * lambda_p));
+  return record.define("rho", (lambda_p - internal_loss(psi)) / (lambda_p * lambda_p));
 }
 
 /// Of an outstand part, likewise.
 template <class Record, class Number>
 auto outstand_reduction(Record& record, const Number& lambda_p) {
-  return record.define("rho", (lambda_p - 0.188) / (lambda_p * lambda_p));
+  return record.define("rho", (lambda_p - outstand_loss) / (lambda_p * lambda_p));
 }
 
-/// An internal part below yield, by annex E.
-template <class Record, class Number, class Psi>
+/// lambda_p of a part below yield.
+template <class Record, class Number>
+auto reduced_slenderness(Record& record, const Number& lambda_p, double share) {
+  using std::sqrt;
+  const auto part = record.given("sigma_com/f_y", share, {ValueKind::number},
+                                 "largest compression of the plate where the worst place yields");
+  return record.define("lambda_p,red", lambda_p * sqrt(part), "4.4(4)");
+}
+
+/// A part below yield, by annex E.
+template <class Record, class Number, class Loss>
 auto annex_E_reduction(Record& record, const Number& lambda_p, const Number& lambda_red,
-                       const Psi& psi) {
-  return record.define("rho", (1.0 - 0.055 * (3.0 + psi) / lambda_red) / lambda_red +
+                       const Loss& loss) {
+  return record.define("rho", (1.0 - loss / lambda_red) / lambda_red +
                                   0.18 * (lambda_p - lambda_red) / (lambda_p - 0.6));
 }
 

@@ -110,7 +110,7 @@ class ReducedPanel {
       const Number k(record_->given("k_sigma", k_sigma(), {ValueKind::number}));
       p_x = Number(record_->define("p_x", *pressed_ / (k * sigma_E), "acting over critical"));
     }
-    if (tau_.value() != 0.0) {
+    if (tau_.value() != 0.0 && !on_->outstand) {
       const Number k =
           plate::bare_shear_factor<Number>(*record_, "k_tau", b, panel_->depth, panel_->length);
       p_tau = Number(record_->define("p_tau", tau_ / (k * sigma_E), "acting over critical"));
@@ -125,7 +125,10 @@ class ReducedPanel {
 
   Number known_psi() const { return Number(record_->known("psi", on_->psi, {ValueKind::number})); }
 
-  double k_sigma() const { return *internal_buckling_factor(on_->psi); }
+  double k_sigma() const {
+    return on_->outstand ? *outstand_buckling_factor(on_->psi, *on_->outstand)
+                         : *internal_buckling_factor(on_->psi);
+  }
 
   Number unreduced(const char* symbol, std::string_view note) {
     return Number(record_->given(symbol, 1.0, {ValueKind::factor}, note));
@@ -133,6 +136,11 @@ class ReducedPanel {
 
   Number along(const Number& lambda) {
     if (!pressed_) return Number(1.0);
+    if (on_->outstand) {
+      return outstand_reduction(plain(lambda)) < 1.0
+                 ? Number(plate::outstand_reduction(*record_, lambda))
+                 : unreduced("rho", "of sigma_x: not slender, 4.4(2)");
+    }
     const bool slender = internal_reduction(plain(lambda), on_->psi) < 1.0;
     Number rho = slender ? Number(plate::internal_reduction(*record_, lambda, known_psi()))
                          : unreduced("rho", "of sigma_x: not slender, 4.4(2)");
@@ -159,7 +167,7 @@ class ReducedPanel {
   }
 
   Number sheared(const Number& lambda) {
-    if (tau_.value() == 0.0) return Number(1.0);
+    if (tau_.value() == 0.0 || on_->outstand) return Number(1.0);
     return plate::shear_reduction(*record_, lambda, 1.0, panel_->rigid_end_post);
   }
 

@@ -127,6 +127,7 @@ void check_station(const Project& project, const std::vector<BendingZone>& zones
   }
   if (const auto path = slender_path_at(project, zones, station)) {
     append(check_path(project, station, path, histories), beam.checks);
+    keep_worst(check_reduced_path(project, station, path, histories), beam.beside);
     add_route(project, station, PlateRoute::effective_widths, false, beam.routes);
   }
 }

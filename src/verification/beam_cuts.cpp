@@ -7,6 +7,7 @@
 
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/verification/judged_section.hpp"
+#include "boxbeam/verification/slender_path.hpp"
 
 namespace boxbeam {
 namespace {
@@ -149,8 +150,11 @@ using Choices = std::vector<int>;
 class ChoicesInSegment {
  public:
   ChoicesInSegment(const Project& project, const std::vector<BendingZone>& zones,
-                   const Segment& segment)
-      : limits_(thickness_limits_of(project)), zones_(&zones), segment_(&segment) {}
+                   std::size_t segment)
+      : limits_(thickness_limits_of(project)),
+        materials_(materials_of(project, segment)),
+        zones_(&zones),
+        segment_(&project.beam.segments[segment]) {}
 
   Choices at(double fraction) const {
     const Section section = interpolate(segment_->from, segment_->to, fraction);
@@ -163,8 +167,9 @@ class ChoicesInSegment {
     for (const BendingAxis axis : {BendingAxis::y, BendingAxis::z}) {
       const auto lag = shear_lag_at(*zones_, section, {s}, axis);
       // The laws of EN 1993-1-5, table 3.1.
-      choices.push_back(!lag ? 0 : (lag->kappa <= 0.02 ? 1 : (lag->kappa <= 0.7 ? 2 : 3)));
+      choices.push_back(law_of(lag));
     }
+    add_path_lags(section, {s}, choices);
     return choices;
   }
 
@@ -179,16 +184,35 @@ class ChoicesInSegment {
   }
 
  private:
+  static int law_of(const std::optional<ShearLag>& lag) {
+    return !lag ? 0 : (lag->kappa <= 0.02 ? 1 : (lag->kappa <= 0.7 ? 2 : 3));
+  }
+
+  /// Of each plate of a path, whichever there are here.
+  void add_path_lags(const Section& section, const Station& station, Choices& choices) const {
+    const auto* const path = std::get_if<ThinWalled>(&section.outer);
+    if (path == nullptr || section.inner || zones_->empty()) return;
+    const auto of = path_section_of(*path, materials_);
+    if (!of) return;
+    for (const PathPlate& plate : of->plates) {
+      for (const BendingAxis axis : {BendingAxis::y, BendingAxis::z})
+        choices.push_back(law_of(
+            plate_lag_at(*zones_, station, axis, lagging_width_of(*of, plate), plate.thickness)));
+    }
+  }
+
   std::vector<Length> limits_;
+  PlateMaterials materials_;
   const std::vector<BendingZone>* zones_;
   const Segment* segment_;
 };
 
 /// Sizes vary linearly, so that a plate crosses a limit once; shear lag's kappa may turn.
-void add_choices(const Project& project, const std::vector<BendingZone>& zones,
-                 const Segment& segment, Gathered& cuts) {
+void add_choices(const Project& project, const std::vector<BendingZone>& zones, std::size_t index,
+                 Gathered& cuts) {
+  const Segment& segment = project.beam.segments[index];
   if (segment.from == segment.to) return;
-  const ChoicesInSegment choices(project, zones, segment);
+  const ChoicesInSegment choices(project, zones, index);
   constexpr int parts = 8;
   double from = 0.0;
   Choices before = choices.at(from);
@@ -235,7 +259,7 @@ std::vector<BeamCut> beam_cuts_of(const Project& project, const std::deque<Situa
     cuts.add(zone.from, true);
     cuts.add(zone.to, true);
   }
-  for (const Segment& segment : beam.segments) add_choices(project, zones, segment, cuts);
+  for (std::size_t i = 0; i < beam.segments.size(); ++i) add_choices(project, zones, i, cuts);
   return std::move(cuts).cuts();
 }
 

@@ -6,6 +6,7 @@
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/section/torsion.hpp"
+#include "boxbeam/section/warping.hpp"
 
 namespace boxbeam {
 namespace {
@@ -64,6 +65,13 @@ std::array<double, 2> turned_stresses_of(const Section& section) {
   return turned;
 }
 
+/// I_w of a segment; none of one that tapers, whose flanges, no longer parallel, make it bend
+/// otherwise, nor of what is not open.
+double warping_constant_in(const Segment& segment) {
+  if (segment.from.inner || !(segment.from == segment.to)) return 0.0;
+  return warping_constant_of(segment.from.outer).value_or(0.0);
+}
+
 }  // namespace
 
 bool LateralEstimate::is_known() const {
@@ -83,6 +91,9 @@ void LateralEstimate::hold(const std::vector<double>& at) {
   beam_.held.assign(count, false);
   for (const double s : at) beam_.held[nearest_of(beam_.nodes, s)] = true;
   beam_.turning_stiffness.resize(count - 1);
+  beam_.warping_stiffness.assign(count - 1, 0.0);
+  std::vector<double> I_w;
+  for (const Segment& segment : beam.segments) I_w.push_back(warping_constant_in(segment));
   by_M_y_.resize(count - 1);
   by_M_z_.resize(count - 1);
   turned_.assign(count - 1, {});
@@ -91,6 +102,7 @@ void LateralEstimate::hold(const std::vector<double>& at) {
   edges_.resize(count);
   for (std::size_t e = 0; e + 1 < count; ++e) {
     const std::array<double, 2> places = gauss_places(beam_, e);
+    beam_.warping_stiffness[e] = E * I_w[segment_at(beam, {si<Length>(places[0])})];
     for (std::size_t g = 0; g < 2; ++g) {
       const Section section = section_at(beam, {si<Length>(places[g])});
       const SectionProperties of = properties_of(section);
@@ -146,7 +158,6 @@ double LateralEstimate::part_with_turned(const CutForceDiagram& diagram, double 
         const CutForces cut = diagram.at({si<Length>(places[g])});
         const double more = cut.M_y.value() * turned_[e][g][0] + cut.M_z.value() * turned_[e][g][1];
         turned.turning_stiffness[e][g] = beam_.turning_stiffness[e][g] + times * more;
-        if (!(turned.turning_stiffness[e][g] > 0.0)) return false;
       }
     }
     return lateral_buckling_part(turned, twisting_, tipping_, 1.0 / times) <= 1.0 / times;

@@ -11,7 +11,8 @@
 namespace boxbeam {
 
 /// Lateral torsional buckling of the beam of a case by its cut forces: held sideways and against
-/// turning at one or two places, without warping stiffness, bent about both axes. Every force is
+/// turning at one or two places, bent about both axes. Of segments of open paths that do not taper
+/// E I_w resists as well where the section goes on; nothing holds against warping. Every force is
 /// taken to act at the edge of the section at which it turns the beam over, line loads at the axis.
 /// In open sections the longitudinal stresses turn with the section: G I_T + int sigma r^2 dA about
 /// the shear centre resists (Wagner), less where the narrower flange is compressed.

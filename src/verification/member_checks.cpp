@@ -10,6 +10,7 @@
 #include "boxbeam/verification/judged_section.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
 #include "boxbeam/verification/slender_path.hpp"
+#include "plate_panels.hpp"
 
 namespace boxbeam {
 namespace {
@@ -42,15 +43,16 @@ CheckResult check_of(const Project& project, double use, const std::string& poin
   return result;
 }
 
-/// What slender plates take from a member, the most of some stations of each segment:
+/// What slender plates and shear lag take from a member, the most of some stations of each segment:
 /// A/A_eff and W/W_eff, by which N/(A f_y) and M/(W f_y) grow, and how much of the latter the shift
 /// of N's centroid makes of the former.
 struct MemberLoss {
   double area = 1.0, modulus = 1.0, shift = 0.0;
 };
 
-void add_loss(const Project& project, const Station& station, MemberLoss& loss) {
-  const auto path = slender_path_at(project, {}, station);
+void add_loss(const Project& project, const std::vector<BendingZone>& zones, const Station& station,
+              MemberLoss& loss) {
+  const auto path = slender_path_at(project, zones, station);
   if (!path) return;
   const EffectivePath& of = path->section;
   const AreaSums& gross = of.path().gross;
@@ -71,36 +73,65 @@ void add_loss(const Project& project, const Station& station, MemberLoss& loss) 
   loss.shift = std::max(loss.shift, shift);
 }
 
-/// The same of a box, shear lag left out.
-void add_box_loss(const Project& project, const Station& station, MemberLoss& loss) {
-  const auto plates = slender_plates_at(project, {}, station);
-  if (!plates) return;
+double least_modulus_of(const EffectiveBox& box, bool about_y) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const double sign : {1.0, -1.0}) {
+    CutForces cut;
+    (about_y ? cut.M_y : cut.M_z) = si<Moment>(sign);
+    const CornerUse worst = box.worst_corner(cut);
+    least = std::min(least, std::abs((about_y ? worst.W_y : worst.W_z).value()));
+  }
+  return least;
+}
+
+/// What shear lag alone takes from the moduli of a box whose plates do not buckle.
+void add_lag_loss(const Project& project, const std::vector<BendingZone>& zones,
+                  const Station& station, MemberLoss& loss) {
+  if (zones.empty()) return;
+  const LagShares lag = lag_shares_at(zones, judged_section_at(project, station), station);
+  if (lag.flanges == 1.0 && lag.webs == 1.0) return;
+  const auto walls = judged_walls_at(project, station);
+  if (!walls) return;
+  const EffectiveBox whole(*walls), left(*walls, lag);
+  for (const bool about_y : {true, false})
+    loss.modulus =
+        std::max(loss.modulus, least_modulus_of(whole, about_y) / least_modulus_of(left, about_y));
+}
+
+/// The same of a box.
+void add_box_loss(const Project& project, const std::vector<BendingZone>& zones,
+                  const Station& station, MemberLoss& loss) {
+  const auto plates = slender_plates_at(project, zones, station);
+  if (!plates) {
+    add_lag_loss(project, zones, station, loss);
+    return;
+  }
   const EffectiveBox& of = plates->box;
   const double area = of.alone(ActingAlone::compression).sums.area;
   loss.area = std::max(loss.area, of.box().gross.area / area);
   const SectionProperties whole = properties_of(judged_section_at(project, station));
   double shift = 0.0;
   for (const bool about_y : {true, false}) {
-    double left = std::numeric_limits<double>::infinity();
-    for (const double sign : {1.0, -1.0}) {
-      CutForces cut;
-      (about_y ? cut.M_y : cut.M_z) = si<Moment>(sign);
-      const CornerUse worst = of.worst_corner(cut);
-      left = std::min(left, std::abs((about_y ? worst.W_y : worst.W_z).value()));
-    }
+    const double left = least_modulus_of(of, about_y);
     loss.modulus = std::max(loss.modulus, (about_y ? whole.W_y : whole.W_z).value() / left);
     shift += area * std::abs((about_y ? of.shift_z() : of.shift_y()).value()) / left;
   }
   loss.shift = std::max(loss.shift, shift);
 }
 
-MemberLoss loss_of(const Project& project) {
+MemberLoss loss_of(const Project& project, const std::vector<BendingZone>& zones) {
   constexpr int inside = 8;
   MemberLoss loss;
   const auto look_at = [&](const Station& station) {
-    add_loss(project, station, loss);
-    add_box_loss(project, station, loss);
+    add_loss(project, zones, station, loss);
+    add_box_loss(project, zones, station, loss);
   };
+  // Of shear lag the widths that work change at the ends of zones and in them.
+  for (const BendingZone& zone : zones) {
+    look_at({zone.from, Side::behind});
+    look_at({zone.to, Side::before});
+    look_at({0.5 * (zone.from + zone.to)});
+  }
   for (const Segment& segment : project.beam.segments) {
     look_at({segment.start, Side::behind});
     look_at({segment.end(), Side::before});
@@ -112,8 +143,9 @@ MemberLoss loss_of(const Project& project) {
 
 }  // namespace
 
-std::vector<CheckResult> check_member(const Project& project, const SecondOrderEstimate& estimate,
-                                      const std::optional<BucklingLoad>& twisting) {
+std::vector<CheckResult> check_member(const Project& project, const std::vector<BendingZone>& zones,
+                                      const SecondOrderEstimate& estimate) {
+  const std::optional<BucklingLoad>& twisting = estimate.twisting;
   std::vector<CheckResult> checks;
   const double gamma_M1 = project.strength.gamma_M1;
   const auto counts = [](const auto& of, double least) { return of && of->part > least; };
@@ -121,7 +153,7 @@ std::vector<CheckResult> check_member(const Project& project, const SecondOrderE
                          counts(estimate.across, no_buckling_below) || twisting ||
                          counts(estimate.lateral, no_turning_over_below);
   if (!looked_at) return checks;
-  const MemberLoss loss = loss_of(project);
+  const MemberLoss loss = loss_of(project, zones);
   MemberLoad load{loss.area * estimate.compressed, 0.0, 0.0};
   load.bent = loss.modulus * bent_by(estimate) + loss.shift * load.compressed;
   const auto bends = [&](const BucklingLoad& of, const char* plane) {

@@ -287,21 +287,48 @@ NeighbourResult check_tension(const Project& project, const RodInput& rod, const
                          rod.yield_strength,
                          rod.tensile_strength,
                          rod.gamma_M0,
-                         rod.gamma_M2};
+                         rod.gamma_M2,
+                         eccentric_force_of(rod.section, rod.yield_strength)};
   return {check_of(Criterion::rod, project, rod, worst, tension_resistance_of(pulled).least,
                    "EN 1993-1-1:2005, 6.2.3"),
           pulled};
 }
 
+std::optional<EccentricForce> force_beside(const RodInput& rod, const CompressedSection& section) {
+  return eccentric_force_of(rod.section, rod.yield_strength, section.shift_y, section.shift_z);
+}
+
+/// Why a rod is not judged under compression, "" where it is.
+std::string compression_obstacle_of(const RodInput& rod, const CompressedSection& section) {
+  if (!section.obstacle.empty()) return section.obstacle;
+  const auto is_path = [](const Profile& of) { return std::holds_alternative<ThinWalled>(of); };
+  const bool thin =
+      is_path(rod.section.outer) || (rod.section.inner && is_path(*rod.section.inner));
+  if (thin && !twisting_rod_of(rod.section, youngs_modulus, rod.buckling_length, {}))
+    return "how it twists is not known, and so its torsional buckling is not (EN 1993-1-1, "
+           "6.3.1.4)";
+  const auto beside = force_beside(rod, section);
+  return beside ? turning_obstacle_of(rod.section, *beside) : std::string();
+}
+
 NeighbourResult check_compression(const Project& project, const RodInput& rod,
-                                  CompressedSection section, const Extreme& worst) {
+                                  const CompressedSection& section, const Extreme& worst) {
   const SectionProperties properties = properties_of(rod.section);
   const char* const source = section.class_4
                                  ? "EN 1993-1-1:2005, 6.3.1; effective area EN 1993-1-5:2006, 4.4"
                                  : "EN 1993-1-1:2005, 6.3.1";
-  PressedRod pressed{std::move(section),  properties.I_2, properties.I_z < properties.I_y,
-                     rod.buckling_length, youngs_modulus, rod.yield_strength,
-                     rod.curve,           rod.gamma_M0,   rod.gamma_M1};
+  const Length between = si<Length>((rod.to.p - rod.from.p).norm());
+  PressedRod pressed{section,
+                     properties.I_2,
+                     properties.I_z < properties.I_y,
+                     rod.buckling_length,
+                     youngs_modulus,
+                     rod.yield_strength,
+                     rod.curve,
+                     rod.gamma_M0,
+                     rod.gamma_M1,
+                     twisting_rod_of(rod.section, youngs_modulus, rod.buckling_length, between),
+                     force_beside(rod, section)};
   const Force resistance = compression_resistance_of(pressed).least;
   return {check_of(Criterion::buckling, project, rod, worst, resistance, source),
           std::move(pressed)};
@@ -333,11 +360,12 @@ NeighbourChecks check_rods(const Project& project, const std::deque<SituationRun
       checks.results.push_back(check_tension(project, rod, tension));
     }
     if (compression.value > nothing) {
-      CompressedSection section = compressed_section_of(rod.section, rod.yield_strength);
-      if (section.obstacle.empty()) {
-        checks.results.push_back(check_compression(project, rod, std::move(section), compression));
+      const CompressedSection section = compressed_section_of(rod.section, rod.yield_strength);
+      const std::string obstacle = compression_obstacle_of(rod, section);
+      if (obstacle.empty()) {
+        checks.results.push_back(check_compression(project, rod, section, compression));
       } else {
-        checks.gates.push_back(rod_gate(rod, section.obstacle));
+        checks.gates.push_back(rod_gate(rod, obstacle));
       }
     }
     std::vector<std::string> bending;

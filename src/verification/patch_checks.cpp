@@ -267,7 +267,8 @@ Gate gate_of(const Project& project, const std::string& name, bool open, const P
                      "; [[beam.diaphragms]] say what takes it"
                : what +
                      " where a diaphragm is taken to bear it, which is not judged (EN 1993-1-5, "
-                     "9.4)",
+                     "9.4): " +
+                     of.why,
           open};
 }
 

@@ -48,6 +48,7 @@ struct Borne {
   bool is_seam() const { return std::holds_alternative<PatchedSeam>(basis.bears); }
 };
 
+struct PathWeb;
 struct PathWebs;
 
 /// What forces do to the webs that they come into, of the loads of one instant.
@@ -124,6 +125,12 @@ class PatchSearch {
   void look_at_path(const Station& station, Slender& of);
   /// Why what a path bears of a patch is not judged, "" where it is.
   std::string path_obstacle_of(const Patch& patch, const PathWebs& of) const;
+  /// A web where a diaphragm takes a patch, and why it is not judged as one, "" where it is: of a
+  /// single web by plates on both sides of it that do not twist.
+  BearingStiffener path_stiffener_of(const Patch& patch, const PathWebs& of, const PathWeb& web,
+                                     const Station& station) const;
+  std::string bearing_obstacle_of(const Patch& patch, const PathWebs& of,
+                                  const Station& station) const;
   std::vector<Borne> path_ways_at(const Patch& patch, const Station& station,
                                   const JudgedSection& judged, const CutForces& cut) const;
   /// Loads along the beam, each by the largest of it over a plate's depth.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct PathWeb {
   Length place;          ///< of its mid-line, across the force
   PatchedWeb bears;      ///< far from an end, under no force yet
   bool slender = false;  ///< it may buckle in shear
+  /// How far a plate across it reaches on both sides within the flanges at both its ends; 0 where
+  /// one of these stands on one side of it alone.
+  Length beside;
 };
 
 /// The walls of a path that bear forces along z, or along y, between two flanges.
@@ -28,6 +32,10 @@ struct PathWebs {
 /// plates that meet the wall there: outstands, and half of those that lead on to another one.
 /// Source: EN 1993-1-5:2006, 6.1, 6.5.
 PathWebs webs_of_path(const PathSection& path, bool along_z, bool onto_high);
+
+/// How long the panel of a path at a station is; nothing where it is not between two diaphragms, or
+/// where one of these is, beside a single web, too weak to bound it (9.3.3).
+std::optional<Length> path_panel_length_at(const Project& project, const Station& station);
 
 /// The place of a force across its own direction, by its couple.
 Length place_of(const Patch& patch);

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "boxbeam/strength/shear_buckling.hpp"
+#include "boxbeam/strength/stiffened_plate.hpp"
+#include "boxbeam/strength/transverse_stiffener.hpp"
 #include "boxbeam/verification/slender_path.hpp"
 #include "patched_path.hpp"
 #include "plate_panels.hpp"
@@ -81,9 +84,11 @@ PathWebs webs_of_path(const PathSection& path, bool along_z, bool onto_high) {
                                      shear_hardening_factor(plate.class_strength))
                      .check_needed();
     const std::size_t end = (b > a) == onto_high ? 1 : 0;
+    of.beside = si<Length>(std::numeric_limits<double>::infinity());
     for (const std::size_t k : {1 - end, end}) {
       found.obstacle = lead_by_flange(path, plate, k, along, of.bears);
       if (!found.obstacle.empty()) return found;
+      of.beside = std::min({of.beside, of.bears.flange_inside, of.bears.flange_outside});
     }
   }
   if (found.webs.empty())
@@ -94,6 +99,39 @@ PathWebs webs_of_path(const PathSection& path, bool along_z, bool onto_high) {
   std::sort(found.webs.begin(), found.webs.end(),
             [](const PathWeb& a, const PathWeb& b) { return a.place > b.place; });
   return found;
+}
+
+namespace {
+
+/// Whether a diaphragm bounds panels so long: across two webs always, beside one by what of it lies
+/// within the flanges.
+bool bounds_panels(const Project& project, Length s, Length length) {
+  const auto at = std::find_if(project.beam.diaphragms.begin(), project.beam.diaphragms.end(),
+                               [&](const Diaphragm& of) { return of.s == s; });
+  const auto path = judged_path_at(project, {}, {s, Side::both});
+  if (at == project.beam.diaphragms.end() || !path) return true;
+  for (const bool along_z : {true, false}) {
+    const std::vector<PathWeb> webs = webs_of_path(*path, along_z, true).webs;
+    if (webs.size() != 1) continue;
+    const PathWeb& web = webs.front();
+    const bool both = web.beside > Length{};
+    const Length width = (both ? web.beside : web.bears.flange_inside) - 0.5 * at->opening;
+    const SecondMoment there =
+        stiffener_inertia(web.bears.thickness, std::max(Length{}, width), at->thickness, both);
+    if (there < rigid_stiffener_inertia(web.bears.depth, web.bears.thickness, length)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<Length> path_panel_length_at(const Project& project, const Station& station) {
+  const auto length = panel_length_at(project.beam, station);
+  const Supports of = supports_around(project.beam, station);
+  if (!length || !of.before || !of.behind) return length;
+  const bool bounded =
+      bounds_panels(project, *of.before, *length) && bounds_panels(project, *of.behind, *length);
+  return bounded ? length : std::nullopt;
 }
 
 Length place_of(const Patch& patch) {
@@ -115,6 +153,37 @@ std::string PatchSearch::path_obstacle_of(const Patch& patch, const PathWebs& of
                      1e3 * beside.value(), (above > below ? first : last).plate->name);
 }
 
+BearingStiffener PatchSearch::path_stiffener_of(const Patch& patch, const PathWebs& of,
+                                                const PathWeb& web, const Station& station) const {
+  const bool alone = of.webs.size() == 1;
+  const PathWeb &first = of.webs.front(), &last = of.webs.back();
+  const Length inside =
+      first.place - last.place - 0.5 * (first.bears.thickness + last.bears.thickness);
+  BearingStiffener stiffener =
+      stiffener_of(web.bears.depth, web.bears.thickness, web.bears.yield_strength,
+                   alone ? 2.0 * web.beside : inside, *patch.diaphragm, station);
+  stiffener.both_sides = alone;
+  const std::vector<Restraint>& holds = project_->restraints;
+  stiffener.ends_clamped =
+      !alone || std::any_of(holds.begin(), holds.end(), [&](const Restraint& at) {
+        const Length near = 1e-6 * project_->beam.length();
+        return patch.along_z && at.along_y && at.turning && abs(at.s - patch.s) <= near;
+      });
+  return stiffener;
+}
+
+std::string PatchSearch::bearing_obstacle_of(const Patch& patch, const PathWebs& of,
+                                             const Station& station) const {
+  if (of.webs.size() == 2) return "";
+  const BearingStiffener flats = path_stiffener_of(patch, of, of.webs.front(), station);
+  if (!(flats.width > Length{}))
+    return "its plates do not stand on both sides of the web within the flanges";
+  if (resists_torsional_buckling({{}, flats.width, flats.thickness}, flats.yield_strength))
+    return "";
+  return fmt::format("its plates beside the web twist, {:.3g} wide by their thickness (9.2.1(8))",
+                     (flats.width / flats.thickness).value());
+}
+
 std::optional<PatchSearch::OnPath> PatchSearch::unjudged_on_path(const Patch& patch) {
   std::optional<OnPath> found;
   for (const Side side : {Side::before, Side::behind}) {
@@ -126,9 +195,12 @@ std::optional<PatchSearch::OnPath> PatchSearch::unjudged_on_path(const Patch& pa
     if (!judged.path || !(slender || asked)) continue;
     const PathWebs of = webs_of_path(judged.path->path(), patch.along_z, patch.force < Force{});
     const std::string why = path_obstacle_of(patch, of);
-    const bool column = why.empty() && of.webs.size() == 2;
-    if (patch.diaphragm != nullptr ? column : why.empty()) continue;
-    if (!found || patch.diaphragm == nullptr) found = {patch.diaphragm == nullptr, why};
+    if (patch.diaphragm == nullptr) {
+      if (!why.empty()) found = {true, why};
+      continue;
+    }
+    const std::string bears = why.empty() ? bearing_obstacle_of(patch, of, station) : why;
+    if (!bears.empty() && !found) found = {false, bears};
   }
   return found;
 }
@@ -157,17 +229,16 @@ std::vector<Borne> PatchSearch::path_ways_at(const Patch& patch, const Station& 
     }
     borne.wall = web.plate->name;
     if (patch.diaphragm != nullptr) {
-      if (of.webs.size() != 2) continue;
-      const Length inside = between - 0.5 * (first.bears.thickness + last.bears.thickness);
-      const BearingStiffener stiffener =
-          stiffener_of(web.bears.depth, web.bears.thickness, web.bears.yield_strength, inside,
-                       *patch.diaphragm, station);
+      if (!bearing_obstacle_of(patch, of, station).empty()) continue;
+      const BearingStiffener stiffener = path_stiffener_of(patch, of, web, station);
       basis.resistance = bearing_resistance_of(stiffener, project_->strength.gamma_M1);
       basis.bears = stiffener;
       ways.push_back(borne);
       continue;
     }
-    for (const PatchedWeb& way : in_every_way(web_under(web.bears, patch, station), patch)) {
+    PatchedWeb under = web_under(web.bears, patch, station);
+    under.length = path_panel_length_at(*project_, station);
+    for (const PatchedWeb& way : in_every_way(under, patch)) {
       bear_by_effective_widths(way, basis);
       ways.push_back(borne);
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "below_yield.hpp"
 #include "boxbeam/verification/judged_section.hpp"
 #include "boxbeam/verification/slender_path.hpp"
 #include "plate_panels.hpp"
@@ -12,14 +13,6 @@
 
 namespace boxbeam {
 namespace {
-
-/// The box below yield, where it settles and is used less.
-std::optional<EffectiveBox> lower_box(const EffectiveBox& box, const CutForces& cut, WidthRule rule,
-                                      double at_yield) {
-  auto below = box.below_yield(cut, rule == WidthRule::annex_E);
-  if (below && below->use(cut) > at_yield) below.reset();
-  return below;
-}
 
 /// The uses of a station's plates under cut forces, with gamma_M0 and gamma_M1.
 class PlateUses {
@@ -44,8 +37,7 @@ class PlateUses {
  private:
   CornerUse corner(const CutForces& cut) const {
     CornerUse at_yield = plates_->box.worst_corner(cut);
-    if (rule_ == WidthRule::at_yield) return at_yield;
-    const auto below = lower_box(plates_->box, cut, rule_, at_yield.use);
+    const auto below = lower_section(plates_->box, cut, rule_, at_yield.use);
     return below ? below->worst_corner(cut) : at_yield;
   }
 
@@ -130,7 +122,8 @@ class StationPlates {
     PlateBasis& basis = result.plates.emplace();
     basis.plates = plates_;
     basis.cut = worst.at->history.at(worst.largest.time);
-    basis.box = box_under(plates_, basis.cut, project_->strength.effective_widths);
+    basis.box =
+        section_under(plates_, plates_->box, basis.cut, project_->strength.effective_widths);
     basis.corner = basis.box->worst_corner(basis.cut);
     basis.load_factor = worst.at->situation->load_factor;
     basis.plate = plate;
@@ -155,8 +148,9 @@ class StationPlates {
       case Criterion::effective_section:
         check.resisting = Stress(basis.corner.yield_strength / project_->strength.gamma_M0);
         check.acting = Stress(check.resisting.value() * use * pascal);
-        check.source = fmt::format("EN 1993-1-5:2006, 4.6, equation 4.15 (effective widths, {})",
-                                   rule_of(*basis.box));
+        check.source = fmt::format(
+            "EN 1993-1-5:2006, 4.6, equation 4.15 (effective widths, {})",
+            clause_of(basis.box.get() != &plates_->box, project_->strength.effective_widths));
         break;
       case Criterion::shear_buckling:
         check.resisting = basis.plate->resists.resistance;
@@ -175,12 +169,6 @@ class StationPlates {
                            ? "EN 1993-1-5:2006, 7.1(1), equation 7.1"
                            : "EN 1993-1-5:2006, 7.1(5), equation 7.1";
     }
-  }
-
-  /// The clause by which the plates of a box are reduced.
-  const char* rule_of(const EffectiveBox& box) const {
-    if (&box == &plates_->box) return "4.4";
-    return project_->strength.effective_widths == WidthRule::annex_E ? "annex E" : "4.4(4)";
   }
 
   const Project* project_;
@@ -202,16 +190,6 @@ bool says_more_together(const Project& project, const CheckResult& of) {
 }
 
 }  // namespace
-
-std::shared_ptr<const EffectiveBox> box_under(const std::shared_ptr<const SlenderPlates>& plates,
-                                              const CutForces& cut, WidthRule rule) {
-  const EffectiveBox& box = plates->box;
-  if (rule != WidthRule::at_yield) {
-    if (auto below = lower_box(box, cut, rule, box.use(cut)))
-      return std::make_shared<EffectiveBox>(std::move(*below));
-  }
-  return {plates, &box};
-}
 
 WebInteraction interaction_of(const ShearedPlate& plate, const PlasticBox& plastic,
                               const CornerUse& corner, const CutForces& cut, double gamma_M0) {
@@ -320,7 +298,7 @@ void leave_out_covered(const Project& project, std::vector<CheckResult>& checks)
   drop(Criterion::interaction, std::max({yield, section, use_by(Criterion::shear_buckling)}),
        [&](const CheckResult& of) { return says_more_together(project, of); });
   drop(Criterion::effective_section, yield, [](const CheckResult& of) {
-    return of.path ? buckles_under(of.path->path->section, of.path->cut)
+    return of.path ? buckles_under(*of.path->section, of.path->cut)
                    : buckles_under(*of.plates->box, of.plates->cut);
   });
   drop(Criterion::reduced_stress, yield, [&](const CheckResult& of) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "boxbeam/project/plate_material.hpp"
+#include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
 #include "plate_panels.hpp"
 
@@ -57,7 +58,12 @@ void make_rectangles(const Project& project, const Station& station,
 PanelStress ReducedPlate::under(const CutForces& cut) const {
   const PlateStress of = ends.under(cut);
   const Stress shear = sheared.force_of(cut) / (sheared.panel.depth * sheared.panel.thickness);
-  return {along_edge * of.compression, along_edge * of.tension, of.psi, shear};
+  PanelStress stress{along_edge * of.compression, along_edge * of.tension, of.psi, shear};
+  if (!held_at_high) return stress;
+  const bool at_tip = of.psi == 1.0 || of.more_at_high != *held_at_high;
+  stress.outstand = at_tip ? LargestCompression::at_tip : LargestCompression::at_support;
+  if (!at_tip) stress.psi = std::max(-1.0, stress.psi);
+  return stress;
 }
 
 std::array<Stress, 2> ReducedPlate::edges_under(const CutForces& cut) const {
@@ -86,6 +92,29 @@ std::vector<ReducedPlate> reduced_plates_at(const Project& project,
     plates.push_back({of, PlateEnds(walls, of.plate, sums), of.panel});
   if (is_steep(project.beam.segments[segment_at(project.beam, station)]))
     make_rectangles(project, station, plates);
+  return plates;
+}
+
+std::vector<ReducedPlate> reduced_plates_of(const PathSection& path,
+                                            const std::vector<ShearedWall>& held,
+                                            const std::vector<ShearedWall>& outstands) {
+  std::vector<ReducedPlate> plates;
+  if (std::any_of(path.lag.begin(), path.lag.end(),
+                  [](const std::array<double, 2>& of) { return of[0] < 1.0 || of[1] < 1.0; }))
+    return plates;
+  for (const PathPlate& plate : path.plates) {
+    const auto named = [&](const ShearedWall& of) { return of.name == plate.name; };
+    const std::vector<ShearedWall>& among = plate.outstand() ? outstands : held;
+    const auto sheared = std::find_if(among.begin(), among.end(), named);
+    if (sheared == among.end()) continue;
+    const auto at = [&](double along) {
+      const Eigen::Vector2d place = plate.at(along);
+      return normal_influence(path.gross, place.x(), place.y());
+    };
+    ReducedPlate& of = plates.emplace_back(
+        ReducedPlate{{*sheared, {}}, PlateEnds(at(plate.low), at(plate.high)), sheared->panel});
+    if (plate.outstand()) of.held_at_high = plate.held_at_high();
+  }
   return plates;
 }
 

@@ -387,6 +387,8 @@ std::vector<std::string> assumed_holds_of(const SecondOrderEstimate& of, bool in
   if (of.across)
     say(in_space ? "along y" : "across the plane of motion", "along y", *of.across,
         no_buckling_below, "N/N_cr");
+  if (of.twisting)
+    say("against twisting", "turning over", *of.twisting, no_buckling_below, "N/N_cr");
   if (of.lateral)
     say("against turning over", "turning over", *of.lateral, no_turning_over_below, "M/M_cr");
   return texts;
@@ -394,11 +396,11 @@ std::vector<std::string> assumed_holds_of(const SecondOrderEstimate& of, bool in
 
 std::string lateral_text(const LateralLoad& of) {
   // Of a beam that nothing turns over nobody has asked how it is held.
+  if (!(of.part > 0.0)) return "lateral torsional buckling: nothing turns the beam over";
   return fmt::format(
-      "lateral torsional buckling: M/M_cr = {:.3g} at most, {}forces at the edge where they turn "
-      "it "
-      "over",
-      of.part, of.held.empty() ? "" : "the beam " + of.held + ", ");
+      "lateral torsional buckling: M/M_cr = {:.3g} at most, the beam {}, forces at the edge where "
+      "they turn it over",
+      of.part, of.held);
 }
 
 std::string second_order_text(const SecondOrderEstimate& of) {

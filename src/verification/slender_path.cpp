@@ -7,9 +7,11 @@
 #include <numbers>
 #include <utility>
 
+#include "below_yield.hpp"
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/strength/shear_buckling.hpp"
 #include "boxbeam/verification/judged_section.hpp"
+#include "patched_path.hpp"
 #include "plate_panels.hpp"
 #include "worst_instant.hpp"
 
@@ -95,17 +97,50 @@ std::string induced_buckling(const EffectivePath& of) {
   return "";
 }
 
+/// The uses of a station's path under cut forces, with gamma_M0 and gamma_M1.
+class PathUses {
+ public:
+  PathUses(const Project& project, const SlenderPath& path)
+      : gamma_M0_(project.strength.gamma_M0),
+        gamma_M1_(project.strength.gamma_M1),
+        rule_(project.strength.effective_widths),
+        path_(&path) {}
+
+  double normal(const CutForces& cut) const { return gamma_M0_ * place(cut).use; }
+  WebInteraction together(const ShearedWall& wall, const CutForces& cut) const {
+    return interaction_of(*path_, wall, place(cut), cut, gamma_M0_);
+  }
+  double reduced(const ReducedPlate& plate, const CutForces& cut) const {
+    return plate.use(cut, gamma_M1_);
+  }
+
+ private:
+  PathUse place(const CutForces& cut) const {
+    PathUse at_yield = path_->section.worst_place(cut);
+    const auto below = lower_section(path_->section, cut, rule_, at_yield.use);
+    return below ? below->worst_place(cut) : at_yield;
+  }
+
+  double gamma_M0_, gamma_M1_;
+  WidthRule rule_;
+  const SlenderPath* path_;
+};
+
 /// The checks of a station's path as they are gathered.
 class StationPath {
  public:
   StationPath(const Project& project, const Station& station,
               const std::shared_ptr<const SlenderPath>& path,
               const std::vector<SituationHistory>& histories)
-      : project_(&project), station_(station), path_(path), histories_(&histories) {}
+      : project_(&project),
+        station_(station),
+        path_(path),
+        histories_(&histories),
+        uses_(project, *path) {}
 
   std::vector<CheckResult> checks() {
-    add(Criterion::effective_section, worst([&](const CutForces& cut) { return normal(cut); }),
-        nullptr);
+    add(Criterion::effective_section,
+        worst([&](const CutForces& cut) { return uses_.normal(cut); }), nullptr);
     WorstInstant together{&histories_->front(), {}, 0.0};
     const ShearedWall* in_wall = nullptr;
     for (const ShearedWall& wall : path_->sheared) {
@@ -114,7 +149,7 @@ class StationPath {
             worst([&](const CutForces& cut) { return shear_use_of(wall, cut); }), &wall);
       }
       const WorstInstant of =
-          worst([&](const CutForces& cut) { return together_under(wall, cut).use; });
+          worst([&](const CutForces& cut) { return uses_.together(wall, cut).use; });
       if (in_wall != nullptr && of.use <= together.use) continue;
       together = of;
       in_wall = &wall;
@@ -123,29 +158,33 @@ class StationPath {
     return std::move(results_);
   }
 
+  std::vector<CheckResult> reduced_checks() {
+    for (const ReducedPlate& plate : path_->reduced) {
+      add(Criterion::reduced_stress,
+          worst([&](const CutForces& cut) { return uses_.reduced(plate, cut); }), &plate.sheared,
+          &plate);
+    }
+    return std::move(results_);
+  }
+
  private:
-  WebInteraction together_under(const ShearedWall& wall, const CutForces& cut) const {
-    return interaction_of(*path_, wall, path_->section.worst_place(cut), cut,
-                          project_->strength.gamma_M0);
-  }
-
-  double normal(const CutForces& cut) const {
-    return project_->strength.gamma_M0 * path_->section.use(cut);
-  }
-
   template <class Use>
   WorstInstant worst(const Use& use) const {
     return worst_instant_of(*histories_, use);
   }
 
-  void add(Criterion criterion, const WorstInstant& worst, const ShearedWall* wall) {
+  void add(Criterion criterion, const WorstInstant& worst, const ShearedWall* wall,
+           const ReducedPlate* reduced = nullptr) {
     if (!(worst.use > no_use)) return;
     CheckResult result;
     PathBasis& basis = result.path.emplace();
     basis.path = path_;
     basis.wall = wall;
+    basis.reduced = reduced;
     basis.cut = worst.at->history.at(worst.largest.time);
-    basis.use = path_->section.worst_place(basis.cut);
+    basis.section =
+        section_under(path_, path_->section, basis.cut, project_->strength.effective_widths);
+    basis.use = basis.section->worst_place(basis.cut);
     basis.load_factor = worst.at->situation->load_factor;
     Check& check = result.check;
     check.criterion = criterion;
@@ -159,15 +198,21 @@ class StationPath {
     if (criterion == Criterion::effective_section) {
       check.resisting = Stress(basis.use.yield_strength / project_->strength.gamma_M0);
       check.acting = Stress(worst.use / project_->strength.gamma_M0 * basis.use.yield_strength);
-      check.source = "EN 1993-1-5:2006, 4.6, equation 4.15 (effective widths, 4.4)";
+      check.source = fmt::format(
+          "EN 1993-1-5:2006, 4.6, equation 4.15 (effective widths, {})",
+          clause_of(basis.section.get() != &path_->section, project_->strength.effective_widths));
     } else if (criterion == Criterion::shear_buckling) {
       check.resisting = wall->resists.resistance;
       check.acting = Force(worst.use * wall->resists.resistance);
       check.source = "EN 1993-1-5:2006, 5.5, equation 5.10 (without the flanges' part)";
+    } else if (reduced != nullptr) {
+      check.resisting = Stress(reduced->panel.yield_strength / project_->strength.gamma_M1);
+      check.acting = Stress(check.resisting.value() * worst.use * pascal);
+      check.source = "EN 1993-1-5:2006, clause 10, equation 10.5";
     } else {
       check.resisting = 1.0;
       check.acting = worst.use;
-      check.source = together_under(*wall, basis.cut).share > 0.0
+      check.source = uses_.together(*wall, basis.cut).share > 0.0
                          ? "EN 1993-1-5:2006, 7.1(1), equation 7.1"
                          : "EN 1993-1-5:2006, 7.1(5), equation 7.1";
     }
@@ -178,6 +223,7 @@ class StationPath {
   Station station_;
   std::shared_ptr<const SlenderPath> path_;
   const std::vector<SituationHistory>* histories_;
+  PathUses uses_;
   std::vector<CheckResult> results_;
 };
 
@@ -230,7 +276,7 @@ std::optional<PathSection> judged_path_at(const Project& project,
 SlenderPath slender_path_of(const ThinWalled& profile, const PathSection& path, const Taper& taper,
                             std::optional<Length> panel_length, double gamma_M1,
                             const std::vector<PathPlate>& looked_at) {
-  SlenderPath of{EffectivePath(path), {}, {}, {}};
+  SlenderPath of{EffectivePath(path), {}, {}, {}, {}};
   of.plastic = PlasticBox::of_path(of.section);
   const auto is = [&](const ShearedWall& wall, const auto& what) {
     return std::any_of(looked_at.begin(), looked_at.end(), [&](const PathPlate& plate) {
@@ -248,6 +294,7 @@ SlenderPath slender_path_of(const ThinWalled& profile, const PathSection& path, 
     });
   }
   of.outstands = sheared_walls_of(profile, path, taper, true);
+  of.reduced = reduced_plates_of(path, of.sheared, of.outstands);
   std::erase_if(of.outstands, [&](const ShearedWall& wall) {
     return !is(wall, [](const PathPlate& plate) { return may_buckle(plate); });
   });
@@ -297,30 +344,36 @@ std::shared_ptr<const SlenderPath> slender_path_at(const Project& project,
   const Section section = judged_section_at(project, station);
   return std::make_shared<SlenderPath>(slender_path_of(
       *path_in(section), *judged_path_at(project, zones, station), taper_at(project.beam, station),
-      panel_length_at(project.beam, station), project.strength.gamma_M1, ends));
+      path_panel_length_at(project, station), project.strength.gamma_M1, ends));
 }
 
 Utilisations path_uses_of(const Project& project, const SlenderPath& path,
                           const StationSamples& samples) {
+  const PathUses uses(project, path);
   Utilisations found;
   const auto look = [&](Criterion criterion, const auto& use) {
     double& of = found.of(criterion);
     of = std::max(of, project.strength.required * samples.largest_use(use));
   };
-  look(Criterion::effective_section,
-       [&](const CutForces& cut) { return project.strength.gamma_M0 * path.section.use(cut); });
+  look(Criterion::effective_section, [&](const CutForces& cut) { return uses.normal(cut); });
   for (const ShearedWall& wall : path.sheared) {
     if (wall.may_buckle) {
       look(Criterion::shear_buckling,
            [&](const CutForces& cut) { return shear_use_of(wall, cut); });
     }
-    look(Criterion::interaction, [&](const CutForces& cut) {
-      return interaction_of(path, wall, path.section.worst_place(cut), cut,
-                            project.strength.gamma_M0)
-          .use;
-    });
+    look(Criterion::interaction,
+         [&](const CutForces& cut) { return uses.together(wall, cut).use; });
+  }
+  for (const ReducedPlate& plate : path.reduced) {
+    look(Criterion::reduced_stress, [&](const CutForces& cut) { return uses.reduced(plate, cut); });
   }
   return found;
+}
+
+std::vector<CheckResult> check_reduced_path(const Project& project, const Station& station,
+                                            const std::shared_ptr<const SlenderPath>& path,
+                                            const std::vector<SituationHistory>& histories) {
+  return StationPath(project, station, path, histories).reduced_checks();
 }
 
 std::vector<CheckResult> check_path(const Project& project, const Station& station,

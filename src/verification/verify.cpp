@@ -128,10 +128,10 @@ Verification judge(const Project& project, const std::deque<SituationRun>& runs,
   leave_out_without_effect(beam.checks);
   NeighbourChecks neighbours = check_neighbours(project, runs);
 
-  const auto twisting = twisting_load_of(project, runs, model.second_order);
-  std::vector<CheckResult> checks = all_checks(std::move(beam.checks), neighbours,
-                                               check_member(project, model.second_order, twisting),
-                                               check_deflection(project, runs));
+  model.second_order.twisting = twisting_load_of(project, runs, model.second_order);
+  std::vector<CheckResult> checks =
+      all_checks(std::move(beam.checks), neighbours,
+                 check_member(project, zones, model.second_order), check_deflection(project, runs));
   require_numbers(beam.stations, checks, model);
   sort_worst_first(checks);
   sort_worst_first(beam.beside);

@@ -103,12 +103,17 @@ TEST_CASE("The derivation of a rod comes to the resistance that decides its chec
     const auto mm = [&](double low, double high) { return si<Length>(1e-3 * between(low, high)); };
     const Stress f_y = si<Stress>(1e6 * between(200.0, 500.0));
     const Force force = si<Force>(between(1e2, 1e6));
-    const PulledRod pulled{si<Area>(between(1e-4, 1e-2)),
-                           i % 2 == 0 ? std::optional(si<Area>(between(1e-4, 1e-2))) : std::nullopt,
-                           f_y,
-                           f_y * between(1.05, 1.5),
-                           between.factor(1.0, 1.2),
-                           between.factor(1.0, 1.5)};
+    const PulledRod pulled{
+        si<Area>(between(1e-4, 1e-2)),
+        i % 2 == 0 ? std::optional(si<Area>(between(1e-4, 1e-2))) : std::nullopt,
+        f_y,
+        f_y * between(1.05, 1.5),
+        between.factor(1.0, 1.2),
+        between.factor(1.0, 1.5),
+        i % 4 == 1 ? std::optional(EccentricForce{mm(0, 50), mm(0, 50),
+                                                  si<SectionModulus>(between(1e-5, 1e-3)),
+                                                  si<SectionModulus>(between(1e-5, 1e-3))})
+                   : std::nullopt};
     Derivation tension;
     derive_tension_factor(tension, tension.given("N", force), pulled);
     CHECK(tension.steps().back().value.value() == tension_resistance_of(pulled).least / force);
@@ -123,6 +128,13 @@ TEST_CASE("The derivation of a rod comes to the resistance that decides its chec
     pressed.yield_strength = f_y;
     pressed.curve = static_cast<BucklingCurve>(i % 5);
     pressed.gamma_M0 = between.factor(0.9, 1.3);
+    if (i % 3 == 0) {
+      const auto N = [&] { return si<Force>(between(1e5, 1e8)); };
+      pressed.twisting = TwistingRod{N(), N(), N(), mm(500, 9000), between(0.0, 0.6)};
+    }
+    if (i % 4 == 0)
+      pressed.beside = EccentricForce{mm(0, 50), mm(0, 50), si<SectionModulus>(between(1e-5, 1e-3)),
+                                      si<SectionModulus>(between(1e-5, 1e-3))};
     const CompressionResistance resistance = compression_resistance_of(pressed);
     of_class_4 += pressed.section.class_4 ? 1 : 0;
     stout += resistance.least < resistance.buckling ? 1 : 0;

@@ -25,6 +25,9 @@ struct Case {
   AlongBeam GI_T, EI, moment;
   bool fork_at_end = true;
   double tip_height = 0.0;  ///< of a force of one newton at the end, or in the middle between forks
+  double EI_w = 0.0;
+  /// E I_w behind the middle, where warping is free then.
+  double EI_w_behind = -1.0;
 };
 
 double part_of(const Case& of, std::size_t elements = 64) {
@@ -40,6 +43,9 @@ double part_of(const Case& of, std::size_t elements = 64) {
     beam.turning_stiffness.push_back({of.GI_T(at[0]), of.GI_T(at[1])});
     const auto twist = [&](double s) { return std::pow(of.moment(s), 2) / of.EI(s); };
     twisting.push_back({twist(at[0]), twist(at[1])});
+    if (of.EI_w > 0.0)
+      beam.warping_stiffness.push_back(of.EI_w_behind < 0.0 || 2 * e < elements ? of.EI_w
+                                                                                : of.EI_w_behind);
   }
   std::vector<double> tipping(elements + 1, 0.0);
   (of.fork_at_end ? tipping[elements / 2] : tipping.back()) = of.tip_height;
@@ -58,7 +64,8 @@ struct ByDifferences {
   double per_height;  ///< of a force of one newton: by how much it falls, by perturbation
 };
 
-/// (G I_T phi')' + alpha^2 M^2/(E I) phi = 0 by central differences and Eigen's dense solver.
+/// (G I_T phi')' - (E I_w phi'')'' + alpha^2 M^2/(E I) phi = 0 by central differences, of the
+/// energy of phi'' at all nodes but those where warping is free, and Eigen's dense solver.
 ByDifferences by_differences(const Case& of, int n) {
   const double h = of.length / n;
   const int count = of.fork_at_end ? n - 1 : n;
@@ -70,6 +77,15 @@ ByDifferences by_differences(const Case& of, int n) {
     if (i > 1) K(i - 1, i - 2) = -left;
     if (i < count) K(i - 1, i) = -right;
     B(i - 1, i - 1) = std::pow(of.moment(i * h), 2) / of.EI(i * h) * (i < n ? h : 0.5 * h);
+  }
+  for (int i = 1; i < n; ++i) {
+    const bool behind = of.EI_w_behind >= 0.0 && 2 * i > n;
+    if (of.EI_w_behind >= 0.0 && 2 * i == n) continue;
+    Eigen::VectorXd bend = Eigen::VectorXd::Zero(count);
+    if (i > 1) bend[i - 2] = 1.0;
+    bend[i - 1] = -2.0;
+    if (i < count) bend[i] = 1.0;
+    K += (behind ? of.EI_w_behind : of.EI_w) / (h * h * h) * bend * bend.transpose();
   }
   // B may vanish somewhere, K does not.
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> found(B, K);
@@ -157,6 +173,60 @@ TEST_CASE("tapered beams buckle laterally as by finite differences", "[lateral_b
                   }};
     CHECK(1.0 / part_of(of, 256) == Approx(by_differences(of)).epsilon(1e-4));
   }
+}
+
+TEST_CASE("what warps resists: even moment between forks, closed form",
+          "[lateral_buckling][Timoshenko and Gere]") {
+  // M_cr = pi/L sqrt(E I (G I_T + pi^2 E I_w/L^2)), section 6.1.
+  for (const double EI_w : {1e-9, 1e-3, 1.0, 20.0, 1e4}) {
+    CAPTURE(EI_w);
+    const Case of{L, constant(GI), constant(EI), constant(1.0), true, 0.0, EI_w};
+    const double M_cr = pi / L * std::sqrt(EI * (GI + pi * pi * EI_w / (L * L)));
+    CHECK(1.0 / part_of(of) == Approx(M_cr).epsilon(2e-5));
+    // Free at one end it turns as a half of that of twice the length.
+    const Case half{L, constant(GI), constant(EI), constant(1.0), false, 0.0, EI_w};
+    const double M_half = 0.5 * pi / L * std::sqrt(EI * (GI + 0.25 * pi * pi * EI_w / (L * L)));
+    CHECK(1.0 / part_of(half) <= M_half * (1.0 + 2e-5));
+  }
+}
+
+TEST_CASE("beams that warp buckle laterally as by finite differences", "[lateral_buckling]") {
+  std::mt19937 random(73);
+  std::uniform_real_distribution<double> any(0.0, 1.0);
+  for (int i = 0; i < 30; ++i) {
+    const double length = 2.0 + 20.0 * any(random), deeper = i % 3 == 0 ? 3.0 * any(random) : 0.0;
+    const double left = 2.0 * any(random) - 1.0, right = 2.0 * any(random) - 1.0, q = any(random);
+    Case of{length, [&](double s) { return GI * std::pow(1.0 + deeper * s / length, 2); },
+            [&](double s) { return EI * (1.0 + deeper * s / length); },
+            [&](double s) {
+              const double x = s / length;
+              return left * (1.0 - x) + right * x + 4.0 * q * x * (1.0 - x);
+            }};
+    of.EI_w = GI * length * length * std::pow(10.0, 3.0 * any(random) - 2.0);
+    of.fork_at_end = i % 4 != 0;
+    if (i % 5 == 4) of.EI_w_behind = of.EI_w * any(random);
+    CAPTURE(i, of.EI_w, of.EI_w_behind);
+    CHECK(1.0 / part_of(of, 96) == Approx(by_differences(of)).epsilon(1e-4));
+    // Never more than with warping held where it is free, nor less than without what warps.
+    Case none = of;
+    none.EI_w = 0.0;
+    CHECK(part_of(of) <= part_of(none) * (1.0 + 1e-3));
+    Case through = of;
+    if (of.EI_w_behind >= 0.0) {
+      through.EI_w_behind = -1.0;
+      CHECK(part_of(through) <= part_of(of) * (1.0 + 3e-5));
+    }
+  }
+}
+
+TEST_CASE("few elements with E I_w are enough", "[lateral_buckling][convergence]") {
+  // A force in the middle, L^2 G I_T/(E I_w) = 16.
+  const Case of{
+      L,    constant(GI), constant(EI),     [](double s) { return 0.5 * std::min(s, L - s); },
+      true, 0.0,          GI * L * L / 16.0};
+  const double exact = 1.0 / part_of(of, 256);
+  CHECK(1.0 / part_of(of, 16) == Approx(exact).epsilon(5e-5));
+  CHECK(1.0 / part_of(of, 48) == Approx(exact).epsilon(3e-5));
 }
 
 // Box on mid-lines b = 600, h = 606 to 1212 mm, flanges 12, webs 8 mm, 20 m between forks under an

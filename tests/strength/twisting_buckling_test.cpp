@@ -135,4 +135,19 @@ TEST_CASE("bars between forks against the energy of finite elements", "[twisting
   }
 }
 
+// IPE 200, 3 m: A = 2848, I_y = 1.943e7, I_z = 1.424e6, I_T = 69800 mm^4, I_w = 1.299e10 mm^6, G =
+// 81 GPa: N_cr,T = 1180.673 kN, N_cr,z = 327.934 kN. Source: benchmark 17 of the repository
+// alezen9/themis (EN 1993-1-1, 6.3.1.4).
+TEST_CASE("an IPE 200 by twisting alone, published", "[twisting]") {
+  const double radius_squared = (1.943e7 + 1.424e6) / 2848.0 * 1e-6;
+  const double N_T =
+      1.0 / twisting_per_force(81e9 * 69800e-12, 210e9 * 1.299e-8, 3.0, radius_squared);
+  CHECK(N_T == Approx(1180672.73).epsilon(1e-7));
+  TwistingLoad load;
+  load.about_z = 1.0 / 327934.0556;
+  load.about_y = load.about_z * 1.424e6 / 1.943e7;
+  load.twisting = 1.0 / N_T;
+  CHECK(1.0 / twisting_part(load) == Approx(327934.0556).epsilon(1e-9));
+}
+
 }  // namespace twisting_buckling_test

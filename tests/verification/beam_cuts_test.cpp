@@ -6,6 +6,7 @@
 
 #include "boxbeam/verification/judged_section.hpp"
 #include "catch.hpp"
+#include "support/path_cases.hpp"
 #include "support/rig.hpp"
 #include "support/tip_loaded.hpp"
 
@@ -118,6 +119,34 @@ TEST_CASE("where a hole begins and ends the web is whole, and the beam is looked
     CHECK_FALSE(cut_at(cuts, s)->alone);
     CHECK_FALSE(cut_at(cuts, s)->sides);
   }
+}
+
+TEST_CASE("where shear lag begins to count in a plate of a tapered path the beam is cut") {
+  // Clamped, L_e = 6 m: outstands from 100 to 350 mm, b_0 = L_e/50 = 120 mm after 0.24 m; kappa =
+  // 0.02 at the same place. Level flanges, no web: z alone is lag's axis of bending.
+  const auto girder = [](double width) { return paths::i_section(width, 20.0, 600.0, 12.0); };
+  Project project = parse_project(
+      "path.toml",
+      slender_cases::cantilever(
+          path_cases::section("a", girder(200.0)) + path_cases::section("b", girder(700.0)),
+          slender_cases::taper(3.0, "a", "b"), slender_cases::tip(3.0, -50.0)));
+  CHECK(cut_at(cuts_of(project), 0.24) == nullptr);
+  project.strength.shear_lag = true;
+  const std::vector<BeamCut> cuts = cuts_of(project);
+  REQUIRE(cut_at(cuts, 0.24) != nullptr);
+  CHECK(cut_at(cuts, 0.24)->sides);
+  // kappa = 0.7 with L_e = 6 m: b_0 = 4.2 m.
+  const auto wide = [](double width) { return paths::i_section(width, 60.0, 600.0, 12.0); };
+  Project deck = parse_project(
+      "path.toml",
+      slender_cases::cantilever(
+          path_cases::section("a", wide(8000.0)) + path_cases::section("b", wide(9000.0)),
+          slender_cases::taper(3.0, "a", "b"), slender_cases::tip(3.0, -50.0)));
+  deck.strength.shear_lag = true;
+  // From 4.0 to 4.5 m: after 1.2 m.
+  const std::vector<BeamCut> of_deck = cuts_of(deck);
+  REQUIRE(cut_at(of_deck, 1.2) != nullptr);
+  CHECK(cut_at(of_deck, 1.2)->sides);
 }
 
 }  // namespace beam_cuts_test

@@ -255,4 +255,76 @@ TEST_CASE("stout walls of a path under forces: looked at where the case says how
   CHECK_FALSE(blocks(wide, "clause 6"));
 }
 
+namespace {
+
+/// The bearing of the force at the hook, or nullptr.
+const CheckResult* bearing_in(const Verification& of) {
+  for (const CheckResult& result : of.checks)
+    if (result.patch && result.check.point.ends_with(" with diaphragm under hook")) return &result;
+  return nullptr;
+}
+
+}  // namespace
+
+TEST_CASE("flats on both sides of a girder's web bear a force: 9.4 by hand", "[patch]") {
+  // Flats 197 x 20 on both sides within flanges 400 wide (13 eps = 10.6 thicknesses), 15 eps t =
+  // 73.2 mm of web on both sides; held sideways there: 0.75 h_w.
+  const std::string loads = force("hook", 3.0, -300.0);
+  const auto flats_of = [](double thickness) { return diaphragms({0.0, 3.0, 9.0}, thickness); };
+  const Project project =
+      parse_project("path.toml", beam(section("a", girder), flats_of(20.0), loads));
+  const Verification of = verify(project);
+  const CheckResult* const found = bearing_in(of);
+  REQUIRE(found != nullptr);
+  const auto by_hand = [](double length, double strip) {
+    const double A = strip * 6.0 + 2.0 * 197.0 * 20.0;
+    const double I = strip * 216.0 / 12.0 + 20.0 * (std::pow(400.0, 3) - 216.0) / 12.0;
+    const double N_cr = std::pow(3.14159265358979 / length, 2) * 210e3 * I;
+    const double lambda = std::sqrt(A * 355.0 / N_cr);
+    const double phi = 0.5 * (1.0 + 0.49 * (lambda - 0.2) + lambda * lambda);
+    const double chi = std::min(1.0, 1.0 / (phi + std::sqrt(phi * phi - lambda * lambda)));
+    return chi * A * 355.0 / 1.1;
+  };
+  const double strip = 2.0 * 15.0 * std::sqrt(235.0 / 355.0) * 6.0 + 20.0;
+  CHECK(found->patch->resistance.value() == Approx(by_hand(900.0, strip)).epsilon(1e-6));
+  CHECK(found->check.utilisation() == Approx(300e3 / by_hand(900.0, strip)).epsilon(1e-6));
+  CHECK_FALSE(has_gate(of, "a diaphragm is taken to bear it"));
+  const report::Sheet sheet = sheet_of(project, of, *found);
+  CHECK(std::stod(sheet.steps.back().formulas.back()) ==
+        Approx(found->check.safety_factor).epsilon(1e-3));
+  // Held elsewhere the flanges may give way.
+  std::string loose =
+      beam(section("a", girder), diaphragms({0.0, 3.1, 9.0}, 20.0), force("hook", 3.1, -300.0));
+  const Verification by_length = verified(loose);
+  REQUIRE(bearing_in(by_length) != nullptr);
+  CHECK(bearing_in(by_length)->patch->resistance.value() ==
+        Approx(by_hand(1200.0, strip)).epsilon(1e-6));
+  // Flats that twist, 197/10 = 19.7, are said not to be judged, as before.
+  const Verification thin = verified(beam(section("a", girder), flats_of(10.0), loads));
+  CHECK(bearing_in(thin) == nullptr);
+  CHECK(has_gate(thin, "twist"));
+  // A channel has flanges on one side of its web alone.
+  const Verification one_side =
+      verified(beam(section("a", channel(1200.0, 250.0, 6.0, 20.0)), flats_of(20.0), loads));
+  CHECK(bearing_in(one_side) == nullptr);
+  CHECK(has_gate(one_side, "do not stand on both sides"));
+}
+
+TEST_CASE("thicker and wider flats of a girder bear more", "[patch]") {
+  double before = 0.0;
+  for (const double thickness : {20.0, 25.0, 30.0, 40.0}) {
+    const Verification of = verified(beam(
+        section("a", girder), diaphragms({0.0, 3.0, 9.0}, thickness), force("hook", 3.0, -300.0)));
+    REQUIRE(bearing_in(of) != nullptr);
+    CHECK(bearing_in(of)->patch->resistance.value() > before);
+    before = bearing_in(of)->patch->resistance.value();
+  }
+  const auto with_hole = verified(beam(
+      section("a", girder), diaphragms({0.0, 3.0, 9.0}, 20.0, 100.0), force("hook", 3.0, -300.0)));
+  const auto without = verified(
+      beam(section("a", girder), diaphragms({0.0, 3.0, 9.0}, 20.0), force("hook", 3.0, -300.0)));
+  REQUIRE(bearing_in(with_hole) != nullptr);
+  CHECK(bearing_in(with_hole)->patch->resistance < bearing_in(without)->patch->resistance);
+}
+
 }  // namespace patched_paths_test

@@ -137,8 +137,8 @@ TEST_CASE("which flange is compressed decides how a beam turns over", "[member]"
   const ThinWalled mono =
       path({{200, 400}, {0, 400}, {-200, 400}, {80, -400}, {0, -400}, {-80, -400}},
            {{0, 1, 25}, {1, 2, 25}, {1, 4, 8}, {3, 4, 16}, {4, 5, 16}}, 12.5, 8.0, 2);
-  // By hand, EN 1993-1-1's M_cr without I_w and with 1/I_z - 1/I_y for 1/I_z:
-  //     pi^2 E I/L^2 (sqrt(z_j^2 + L^2 G I_T/(pi^2 E I)) +- z_j)
+  // By hand, EN 1993-1-1's M_cr with 1/I_z - 1/I_y for 1/I_z:
+  //     pi^2 E I/L^2 (sqrt(z_j^2 + I_w/I + L^2 G I_T/(pi^2 E I)) +- z_j)
   const double E = 2.1e11, G = 8.1e10, L = 8.0, t1 = 0.025, t2 = 0.016, b1 = 0.4, b2 = 0.16;
   const SectionProperties p = properties_of({mono, {}});
   const double I_y = p.I_y.value(), I_z = p.I_z.value();
@@ -146,6 +146,7 @@ TEST_CASE("which flange is compressed decides how a beam turns over", "[member]"
   const double I_T = torsion_properties_of({mono, {}}).I_T->value();
   const double up = t1 * b1 * b1 * b1 / 12, down = t2 * b2 * b2 * b2 / 12;
   const double z_s = 0.4 * (up - down) / (up + down), z_c = p.centroid_z.value();
+  const double I_w = up * down / (up + down) * 0.8 * 0.8;
   // z_j = int z (y^2 + z^2) dA/(2 I_y) about the shear centre, over flanges and web.
   double sum = 0.0;
   const auto add = [&](double y, double z, double area) {
@@ -162,7 +163,7 @@ TEST_CASE("which flange is compressed decides how a beam turns over", "[member]"
   CHECK(std::abs(z_j) == Approx(0.332).epsilon(0.02));
   const double euler = std::numbers::pi * std::numbers::pi * E * I / (L * L);
   const auto critical = [&](double sign) {
-    return euler * (std::sqrt(z_j * z_j + G * I_T / euler) + sign * std::abs(z_j));
+    return euler * (std::sqrt(z_j * z_j + I_w / I + G * I_T / euler) + sign * std::abs(z_j));
   };
   const auto part = [&](double kNm) {
     const std::string M = fmt::format("{} kN m", kNm), back = fmt::format("{} kN m", -kNm);
@@ -176,6 +177,97 @@ TEST_CASE("which flange is compressed decides how a beam turns over", "[member]"
   const double a = part(100.0), b = part(-100.0);
   CHECK(std::max(a, b) == Approx(100e3 / critical(-1.0)).epsilon(2e-2));
   CHECK(std::min(a, b) == Approx(100e3 / critical(1.0)).epsilon(2e-2));
+}
+
+TEST_CASE("E I_w counts where a section goes on, and nowhere in a taper", "[member]") {
+  const auto part = [&](const std::string& sections, const std::string& segments) {
+    const Verification of =
+        verified(simple_beam(8.0, sections, segments, held(8.0, 1),
+                             force("m1", 0.0, "[\"0 kN\", \"0 kN\"]", "-100 kN m") +
+                                 force("m2", 8.0, "[\"0 kN\", \"0 kN\"]", "100 kN m")));
+    return of.model.second_order.lateral->part;
+  };
+  // Flanges 300 x 20, web 600 x 12: pi/L sqrt(E I (G I_T + pi^2 E I_w/L^2)).
+  const auto i_of = [](double b) {
+    return path({{b, 310}, {0, 310}, {-b, 310}, {b, -310}, {0, -310}, {-b, -310}},
+                {{0, 1, 20}, {1, 2, 20}, {1, 4, 12}, {3, 4, 20}, {4, 5, 20}}, 10.0, 10.0, 2);
+  };
+  const SectionProperties p = properties_of({i_of(150), {}});
+  const double I = 1.0 / (1.0 / p.I_z.value() - 1.0 / p.I_y.value());
+  const double GI_T = 8.1e10 * torsion_properties_of({i_of(150), {}}).I_T->value();
+  const double pi = std::numbers::pi, L = 8.0;
+  const double EI_w = 2.1e11 * 2.0 * 0.02 * std::pow(0.3, 3) / 12.0 * 0.31 * 0.31;
+  const auto critical = [&](double warping) {
+    return pi / L * std::sqrt(2.1e11 * I * (GI_T + pi * pi * warping / (L * L)));
+  };
+  const std::string one = section("a", i_of(150));
+  const double whole = part(one, segment(8.0, "a"));
+  CHECK(whole == Approx(100e3 / critical(EI_w)).epsilon(2e-3));
+  CHECK(critical(EI_w) > 1.5 * critical(0.0));
+  // The same section in two segments goes on.
+  CHECK(part(one, segment(3.0, "a") + segment(5.0, "a")) == Approx(whole).epsilon(1e-4));
+  // A little wider behind the middle: free to warp there, more than with it, less than without.
+  const double stepped = part(one + section("b", i_of(151)), segment(4.0, "a") + segment(4.0, "b"));
+  CHECK(stepped > 1.05 * whole);
+  CHECK(stepped < 100e3 / critical(0.0));
+  // In a taper it does not count.
+  const double tapered = part(one + section("b", i_of(150.01)), taper(8.0, "a", "b"));
+  CHECK(tapered == Approx(100e3 / critical(0.0)).epsilon(3e-3));
+}
+
+TEST_CASE("shear lag that is asked for counts in the member", "[member][lag]") {
+  // A stout box 1000 x 400 x 35, 12 m, pressed by 2 MN, 200 kN in the middle: L_e = 12 m, kappa =
+  // 0.4825/12, the force makes the peak: beta_2 of table 3.1, beta_2^kappa of the flanges' clear
+  // width.
+  const auto bent = [&](bool lag) {
+    Project project =
+        parse_project("slender.toml", simple_beam(12.0, box("a", 1000.0, 400.0, 35.0, 35.0),
+                                                  segment(12.0, "a"), held(12.0, 1),
+                                                  force("press", 12.0, "[\"-2000 kN\", \"0 kN\"]") +
+                                                      force("p", 6.0, "[\"0 kN\", \"-200 kN\"]")));
+    project.strength.shear_lag = lag;
+    const Verification of = verify(project);
+    for (const CheckResult& result : of.checks)
+      if (result.check.id.starts_with("member-buckling/in-the-plane")) return result.member->load;
+    return MemberLoad{};
+  };
+  const MemberLoad without = bent(false), with = bent(true);
+  REQUIRE(without.bent > 0.0);
+  const double kappa = 0.4825 / 12.0;
+  const double beta = 1.0 / (1.0 + 6.0 * (kappa - 1.0 / (2500.0 * kappa)) + 1.6 * kappa * kappa);
+  const double works = 0.07 + std::pow(beta, kappa) * 0.93;
+  const auto modulus = [](double width) {
+    return 2.0 * (width * std::pow(0.035, 3) / 12.0 + width * 0.035 * 0.1825 * 0.1825) +
+           0.07 * std::pow(0.33, 3) / 12.0;
+  };
+  const double hand = modulus(1.0) / modulus(works);
+  CHECK(hand > 1.005);
+  CHECK(with.bent / without.bent == Approx(hand).epsilon(1e-4));
+  CHECK(with.compressed == without.compressed);
+  // Of a girder of class 4, whose webs have effective widths at the mid-lines of flanges anyway.
+  const ThinWalled girder =
+      path({{175, 608}, {0, 608}, {-175, 608}, {175, -608}, {0, -608}, {-175, -608}},
+           {{0, 1, 16}, {1, 2, 16}, {1, 4, 8}, {3, 4, 16}, {4, 5, 16}}, 8.0, 8.0, 2);
+  const auto of_girder = [&](bool lag) {
+    Project project =
+        parse_project("slender.toml", simple_beam(6.0, section("a", girder), segment(6.0, "a"),
+                                                  held(6.0, 1) + diaphragms({3.0}),
+                                                  force("p", 3.0, "[\"0 kN\", \"-300 kN\"]")));
+    project.strength.shear_lag = lag;
+    const Verification of = verify(project);
+    double use = 0.0;
+    for (const CheckResult& result : of.checks)
+      if (result.member && result.member->turns_over) use = result.member->load.bent;
+    // No less than the effective section is used at the middle.
+    CHECK(use >= use_of(of, "effective-section") * (1.0 - 1e-6));
+    return use;
+  };
+  const double girder_without = of_girder(false), girder_with = of_girder(true);
+  REQUIRE(girder_without > 0.0);
+  const double k = 0.175 / 6.0;
+  const double b2 = 1.0 / (1.0 + 6.0 * (k - 1.0 / (2500.0 * k)) + 1.6 * k * k);
+  CHECK(girder_with > girder_without);
+  CHECK(girder_with <= girder_without / std::pow(b2, k));
 }
 
 TEST_CASE("a small cell does not keep a cross from twisting", "[member]") {

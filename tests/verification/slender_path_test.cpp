@@ -7,6 +7,7 @@
 #include <random>
 
 #include "boxbeam/project/catalogue.hpp"
+#include "boxbeam/report/remarks.hpp"
 #include "boxbeam/report/report.hpp"
 #include "boxbeam/strength/shear_buckling.hpp"
 #include "catch.hpp"
@@ -170,6 +171,52 @@ TEST_CASE("torsion of a box as a path: q = T/(2 A_m) in all four walls", "[plate
     CHECK(wall.force_of(cut).value() == Approx(q * wall.panel.depth.value()).epsilon(5e-4));
 }
 
+namespace {
+
+double beside_use_of(const Verification& of) {
+  double most = 0.0;
+  for (const CheckResult& result : of.beside)
+    if (result.check.criterion == Criterion::reduced_stress)
+      most = std::max(most, result.check.utilisation());
+  return most;
+}
+
+/// Looks at the paths of so many stations one by one: none is used more than what is reported, by
+/// reduced stresses beside the verdict neither. How many had one.
+int look_along_path(const Project& project, int steps) {
+  const Verification of = verify(project);
+  const auto runs = run_situations(project, of.model.chosen);
+  const auto zones = bending_zones_of(project, runs);
+  std::map<Criterion, double> most;
+  const auto take = [&](const std::vector<CheckResult>& checks) {
+    for (const CheckResult& check : checks) {
+      double& use = most[check.check.criterion];
+      use = std::max(use, check.check.utilisation());
+    }
+  };
+  for (int k = 0; k <= steps; ++k) {
+    const Station station{project.beam.length() * (static_cast<double>(k) / steps), Side::both};
+    const auto path = slender_path_at(project, zones, station);
+    REQUIRE(path != nullptr);
+    const auto histories = histories_at(runs, station);
+    take(check_path(project, station, path, histories));
+    take(check_reduced_path(project, station, path, histories));
+  }
+  const double section_use =
+      std::max(use_of(of, Criterion::effective_section), use_of(of, Criterion::yield));
+  constexpr double close = 1.0 + 1e-3;
+  CHECK(most[Criterion::effective_section] <= section_use * close);
+  CHECK(most[Criterion::shear_buckling] <= use_of(of, Criterion::shear_buckling) * close);
+  CHECK(most[Criterion::interaction] <= std::max({use_of(of, Criterion::interaction), section_use,
+                                                  use_of(of, Criterion::shear_buckling)}) *
+                                            close);
+  CHECK(most[Criterion::reduced_stress] <= beside_use_of(of) * close);
+  if (!project.strength.shear_lag) CHECK(most[Criterion::reduced_stress] > 0.0);
+  return steps + 1;
+}
+
+}  // namespace
+
 TEST_CASE("no station of a path is used more than what is reported", "[plates]") {
   std::mt19937 random(21);
   const auto in = [&](double low, double high) {
@@ -187,31 +234,133 @@ TEST_CASE("no station of a path is used more than what is reported", "[plates]")
                    taper(L, "a", "b") + diaphragms({0.0, 2.0, in(3.0, 5.0), L}) + held(L, 20),
                    tip(L, -in(20.0, 100.0), -in(0.0, 100.0))));
     project.strength.shear_lag = i % 2 == 1;
-    const Verification of = verify(project);
-    const auto runs = run_situations(project, of.model.chosen);
-    const auto zones = bending_zones_of(project, runs);
-    std::map<Criterion, double> most;
-    constexpr int steps = 60;
-    for (int k = 0; k <= steps; ++k) {
-      const Station station{project.beam.length() * (static_cast<double>(k) / steps), Side::both};
-      const auto path = slender_path_at(project, zones, station);
-      REQUIRE(path != nullptr);
-      for (const CheckResult& check :
-           check_path(project, station, path, histories_at(runs, station))) {
-        double& use = most[check.check.criterion];
-        use = std::max(use, check.check.utilisation());
-      }
-      ++judged;
-    }
-    const double section_use =
-        std::max(use_of(of, Criterion::effective_section), use_of(of, Criterion::yield));
-    CHECK(most[Criterion::effective_section] <= section_use * (1.0 + 1e-3));
-    CHECK(most[Criterion::shear_buckling] <= use_of(of, Criterion::shear_buckling) * (1.0 + 1e-3));
-    CHECK(most[Criterion::interaction] <= std::max({use_of(of, Criterion::interaction), section_use,
-                                                    use_of(of, Criterion::shear_buckling)}) *
-                                              (1.0 + 1e-3));
+    judged += look_along_path(project, 60);
+    if (i % 3 != 0) continue;
+    project.strength.effective_widths = i == 0 ? WidthRule::below_yield : WidthRule::annex_E;
+    judged += look_along_path(project, 30);
   }
   CHECK(judged > 300);
+}
+
+TEST_CASE("paths below yield are used no more than at yield, by annex E least", "[plates]") {
+  // An upper flange so wide that it is stressed less than the lower one, which is stretched.
+  const ThinWalled wide = i_section(600.0, 12.0, 700.0, 8.0, 14.0, 200.0);
+  Project project = parse_project("path.toml", girder_case(wide, 4.0, 60.0));
+  std::vector<double> uses;
+  for (const WidthRule rule : {WidthRule::at_yield, WidthRule::below_yield, WidthRule::annex_E}) {
+    project.strength.effective_widths = rule;
+    const Verification of = verify(project);
+    const CheckResult* const section = of.governing(Criterion::effective_section);
+    REQUIRE(section != nullptr);
+    uses.push_back(section->check.utilisation());
+    CHECK(section->check.source.find(rule == WidthRule::at_yield ? "widths, 4.4)"
+                                     : rule == WidthRule::below_yield
+                                         ? "4.4(4)"
+                                         : "annex E") != std::string::npos);
+    const report::Sheet sheet = sheet_of(project, of, *section);
+    CHECK(std::stod(sheet.steps.back().formulas.back()) ==
+          Approx(section->check.safety_factor).epsilon(1e-3));
+  }
+  CHECK(uses[1] < 0.999 * uses[0]);
+  CHECK(uses[2] <= uses[1]);
+}
+
+TEST_CASE("plates of a path by reduced stresses, beside the verdict", "[plates]") {
+  SECTION("a flange that stands out, by hand") {
+    // k = 0.43, sigma_E = 190e3 (12/197)^2 = 705.0, sigma_cr = 303.1 MPa; without shear lambda =
+    // sqrt(355/303.1) = 1.0822, rho = (1.0822 - 0.188)/1.0822^2 = 0.7635.
+    const Project project = parse_project("path.toml", girder_case(girder, 4.0, -50.0));
+    const auto path = at(project, 1.0);
+    REQUIRE(path != nullptr);
+    const AreaSums& gross = path->section.path().gross;
+    CutForces cut;
+    cut.M_y = si<Moment>(500e3);
+    int compressed = 0;
+    for (const ReducedPlate& plate : path->reduced) {
+      const PanelStress stress = plate.under(cut);
+      if (!plate.held_at_high || !(stress.compression > Stress{})) continue;
+      ++compressed;
+      const double sigma = 500e3 * 0.606 / (gross.zz - gross.z * gross.z / gross.area);
+      CHECK(stress.compression.value() == Approx(sigma).epsilon(1e-9));
+      CHECK(plate.use(cut, 1.1) == Approx(1.1 * sigma / (0.7635 * 355e6)).epsilon(1e-3));
+    }
+    CHECK(compressed == 2);
+    CHECK(path->reduced.size() == 5);
+  }
+  SECTION("a box as a path is used as the box") {
+    const auto project_of = [](const std::string& sections) {
+      return parse_project(
+          "path.toml",
+          cantilever(sections, segment(4.0, "a") + diaphragms({0.0, 2.0, 4.0}), tip(4.0, -100.0)));
+    };
+    const Project as_box = project_of(box("a", 600.0, 1200.0, 10.0, 8.0));
+    const Project as_path = project_of(section("a", box_path(600.0, 1200.0, 10.0, 8.0)));
+    const Station station{1.0 * metre, Side::both};
+    const auto plates = slender_plates_at(as_box, {}, station);
+    const auto path = slender_path_at(as_path, {}, station);
+    REQUIRE(plates);
+    REQUIRE(path);
+    const auto most = [](const std::vector<ReducedPlate>& of, const CutForces& cut) {
+      double use = 0.0;
+      for (const ReducedPlate& plate : of) use = std::max(use, plate.use(cut, 1.1));
+      return use;
+    };
+    for (const auto& [N, V, M] :
+         {std::array{0.0, 400e3, 0.0}, {-1e6, 0.0, 0.0}, {0.0, 0.0, 1e6}, {-5e5, 2e5, -8e5}}) {
+      CutForces cut;
+      cut.N = si<Force>(N);
+      cut.V_z = si<Force>(V);
+      cut.M_y = si<Moment>(M);
+      CHECK(most(path->reduced, cut) == Approx(most(plates->reduced, cut)).epsilon(2e-3));
+    }
+  }
+  SECTION("its sheet ends at the factor of the check") {
+    const Project project = parse_project("path.toml", girder_case(girder, 4.0, -150.0));
+    const Verification of = verify(project);
+    REQUIRE_FALSE(of.beside.empty());
+    for (const CheckResult& result : of.beside) {
+      const report::Sheet sheet = sheet_of(project, of, result);
+      REQUIRE_FALSE(sheet.steps.empty());
+      CHECK(std::stod(sheet.steps.back().formulas.back()) ==
+            Approx(result.check.safety_factor).epsilon(1e-3));
+    }
+  }
+}
+
+TEST_CASE("of open sections it is said what is taken for granted of them, not of a box",
+          "[plates]") {
+  const auto remark = [](const std::string& sections) {
+    const Project project = parse_project(
+        "path.toml", cantilever(sections, segment(4.0, "a") + held(4.0, 20), tip(4.0, -20.0)));
+    for (const Remark& of : remarks_of(project, verify(project)))
+      if (of.text.starts_with("not checked here")) return of.text;
+    return std::string();
+  };
+  const std::string open = remark(section("a", girder));
+  CHECK(open.find("of the box") == std::string::npos);
+  CHECK(open.find("open sections") != std::string::npos);
+  CHECK(open.find("shear centre") != std::string::npos);
+  const std::string closed = remark(section("a", box_path(600.0, 1200.0, 10.0, 8.0)));
+  CHECK(closed.find("distortion of the box") != std::string::npos);
+  CHECK(closed.find("open sections") == std::string::npos);
+}
+
+TEST_CASE("what stands beside a web bounds its panels where it is rigid (9.3.3)", "[plates]") {
+  // Web 1200 x 6, a = 2 m: 0.75 x 1200 x 216 = 194400 mm^4 (a above sqrt(2) h_w: 1.697 m). Flats of
+  // 10 mm: (2 b + 6)^3 - 6^3 = 12/10 x 194400 or more: b = 27.8 mm.
+  const auto panel = [](double opening) {
+    const Project project = parse_project(
+        "path.toml", cantilever(section("a", girder),
+                                segment(6.0, "a") +
+                                    diaphragms({0.0, 2.0, 4.0, 6.0}, 10.0, opening) + held(6.0, 20),
+                                tip(6.0, -100.0)));
+    return at(project, 3.0)->sheared.back().panel.length;
+  };
+  // Of 197 mm on each side what the opening leaves.
+  REQUIRE(panel(0.0));
+  CHECK(panel(0.0)->value() == Approx(2.0));
+  CHECK(panel(2.0 * (197.0 - 29.0)));
+  CHECK_FALSE(panel(2.0 * (197.0 - 27.0)));
 }
 
 TEST_CASE("splitting its walls changes no verdict of a path", "[plates]") {
@@ -364,8 +513,9 @@ TEST_CASE("a web that breathes, and a plate of which less than half works, keep 
 }
 
 TEST_CASE("a path that turns over is judged as a member by its effective section", "[plates]") {
-  const Verification of = verified(cantilever(
-      section("a", girder), segment(6.0, "a") + diaphragms({6.0}) + held(6.0, 3), tip(6.0, -20.0)));
+  const Verification of = verified(
+      cantilever(section("a", girder), segment(12.0, "a") + diaphragms({12.0}) + held(12.0, 1),
+                 tip(12.0, -20.0)));
   REQUIRE(of.model.second_order.lateral);
   REQUIRE(of.model.second_order.lateral->part > no_turning_over_below);
   const auto member = std::find_if(

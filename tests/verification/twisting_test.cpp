@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "boxbeam/report/remarks.hpp"
 #include "catch.hpp"
 #include "support/path_cases.hpp"
 
@@ -145,6 +146,25 @@ TEST_CASE("slender walls twist by their effective area", "[twisting]") {
     return gate.finding.find("twisting") != std::string::npos ||
            gate.finding.find("class 4") != std::string::npos;
   }));
+}
+
+TEST_CASE("how a beam is held against twisting is said where nobody has said it", "[twisting]") {
+  const auto texts = [](const std::string& holds) {
+    const Project project = parse_project("c.toml", column(trough(18.0), 600.0, holds));
+    const Verification of = verify(project);
+    REQUIRE(of.model.second_order.twisting);
+    std::vector<std::string> found;
+    for (const Remark& remark : remarks_of(project, of)) {
+      if (remark.kind == Remark::Kind::assumed && remark.text.find("twisting") != std::string::npos)
+        found.push_back(remark.text);
+    }
+    return found;
+  };
+  const std::vector<std::string> assumed = texts("");
+  REQUIRE(assumed.size() == 1);
+  CHECK(assumed.front().find("holds = [\"turning over\"]") != std::string::npos);
+  CHECK(assumed.front().find("N/N_cr = ") != std::string::npos);
+  CHECK(texts(held(3.0, 1)).empty());
 }
 
 }  // namespace twisting_test

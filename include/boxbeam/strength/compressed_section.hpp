@@ -28,8 +28,9 @@ struct CompressedPlate {
 struct CompressedSection {
   std::vector<CompressedPlate> plates;  ///< none of a solid
   bool class_4 = false;
-  Area area;       ///< of the whole section
-  Area effective;  ///< A in classes 1 to 3, A_eff in class 4
+  Area area;                ///< of the whole section
+  Area effective;           ///< A in classes 1 to 3, A_eff in class 4
+  Length shift_y, shift_z;  ///< of the centroid where plates do not work whole; of paths alone
   /// Why it cannot be judged, with numbers and clause; "" where it can.
   std::string obstacle;
 };
@@ -40,9 +41,9 @@ struct CompressedSection {
 ///     A_eff = A - sum (1 - rho) c t,  rho with psi = 1, k_sigma = 4, of outstands 0.43
 ///
 /// Beyond these limits A_eff is known for boxes without stiffeners of equal webs and equal flanges,
-/// for rectangular tubes and for thin-walled paths around cells, as far as their centroid stays
-/// where it is. Not judged: the rest in class 4, open thin-walled paths, which may twist (EN
-/// 1993-1-1, 6.3.1.4), and polygons that are hollow or not convex, whose walls nobody knows.
+/// for rectangular tubes and for thin-walled paths (within another profile as far as their centroid
+/// stays where it is). Not judged: the rest in class 4, and polygons that are hollow or not convex,
+/// whose walls nobody knows.
 /// Source: EN 1993-1-1:2005, table 5.2; EN 1993-1-5:2006, 4.3(3), 4.4.
 CompressedSection compressed_section_of(const Section& section, Stress yield_strength);
 

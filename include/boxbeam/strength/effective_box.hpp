@@ -70,6 +70,7 @@ struct PlateStress {
 class PlateEnds {
  public:
   PlateEnds(const FourWalls& box, BoxPlate plate, const AreaSums& section);
+  PlateEnds(const StressInfluence& low, const StressInfluence& high) : low_(low), high_(high) {}
   PlateStress under(const CutForces& cut) const;
   const StressInfluence& at(bool high) const { return high ? high_ : low_; }
   /// Compression at the low and at the high end.

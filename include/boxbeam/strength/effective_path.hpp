@@ -104,6 +104,9 @@ class EffectivePath {
   double use(const CutForces& cut) const { return worst_place(cut).use; }
   PathUse worst_place(const CutForces& cut) const;
 
+  /// As `EffectiveBox::below_yield`. Source: EN 1993-1-5:2006, 4.4(4), annex E.
+  std::optional<EffectivePath> below_yield(const CutForces& cut, bool annex_E) const;
+
   const PathSection& path() const { return path_; }
   /// By bending about each axis by itself.
   const PathAlone& alone(ActingAlone acting) const {
@@ -118,7 +121,13 @@ class EffectivePath {
  private:
   struct Place : EffectivePlace {
     Stress yield_strength;
+    std::vector<std::size_t> plates;  ///< that meet there
   };
+
+  template <class Look>
+  void look_at_places(const CutForces& cut, const Look& look) const;
+  /// By plate the largest compression over f_y where the worst place yields.
+  std::vector<double> compressed_shares(const CutForces& cut) const;
 
   PathSection path_;
   std::array<PathAlone, ways_of_acting> sections_;

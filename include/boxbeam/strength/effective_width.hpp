@@ -79,6 +79,14 @@ double internal_reduction(double lambda_p, double psi, const StressLevel& level)
 /// Source: EN 1993-1-5:2006, 4.4(2), equation 4.3.
 double outstand_reduction(double lambda_p);
 
+/// The same below yield.
+///
+///     annex E: (1 - 0.188/lambda_red)/lambda_red + 0.18 (lambda_p - lambda_red)/(lambda_p - 0.6)
+///              <= 1; 1 where that of lambda_red is
+///
+/// Source: EN 1993-1-5:2006, 4.4(4), E.1, equation E.2.
+double outstand_reduction(double lambda_p, const StressLevel& level);
+
 /// What is left of the compressed width of a plate.
 struct EffectiveWidth {
   double k_sigma = 0.0;
@@ -107,6 +115,7 @@ std::optional<EffectiveWidth> internal_effective_width(Length width, Length thic
 /// It lies at the support, or beside the width in tension where that is at the support. Source: EN
 /// 1993-1-5:2006, table 4.2.
 std::optional<EffectiveWidth> outstand_effective_width(Length width, Length thickness, double psi,
-                                                       LargestCompression where, double epsilon);
+                                                       LargestCompression where, double epsilon,
+                                                       const StressLevel& level = {});
 
 }  // namespace boxbeam

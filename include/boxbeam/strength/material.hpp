@@ -27,6 +27,9 @@ struct Material {
 std::optional<Stress> yield_strength_of(const Material& material, Length thickness);
 std::optional<Stress> tensile_strength_of(const Material& material, Length thickness);
 
+/// A steel of one strength at every thickness.
+Material steel_of(Stress yield_strength);
+
 /// The same steel by two sources: at every thickness the lower strength of both, and that of one
 /// alone where the other ends.
 Material lower_of(const Material& one, const Material& other);

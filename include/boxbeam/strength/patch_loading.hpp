@@ -74,22 +74,25 @@ Traced derive_patch_resistance(Derivation& steps, const PatchedWeb& web, double 
 double patch_factor(double eta_2, double eta_1);
 Traced derive_patch_factor(Derivation& steps, const Traced& eta_2, const Traced& eta_1);
 
-/// One of the two webs of a box where a diaphragm takes a force from a flange: the diaphragm's part
-/// beside the web and strips of the web, as a column that bends out of the web.
+/// A web where a diaphragm takes a force from a flange: the diaphragm's part beside the web, of a
+/// single web on both sides of it, and strips of the web, as a column that bends out of the web.
 struct BearingStiffener {
   Length web_depth, web_thickness;
   Length web_before, web_behind;  ///< what there is of the web beside the diaphragm
-  Length thickness, width;        ///< of the diaphragm; of what of it is the web's
+  Length thickness, width;        ///< of the diaphragm; of what of it is the web's, on one side
   Stress yield_strength;          ///< the lower one of both
+  bool both_sides = false;
+  bool ends_clamped = true;  ///< by flanges that do not give way sideways
 };
 
 /// N_b,Rd of that column.
 ///
 ///     15 eps t of the web on each side, 15 eps t_d of the diaphragm as an outstand part (9.1(2));
-///     curve c, length 0.75 h_w (9.4(2))
+///     curve c, length 0.75 h_w between flanges that do not give way, else h_w (9.4(2))
 ///
-/// Eccentricity is not counted, for the diaphragm holds the two webs against each other; that it is
-/// held along the flanges is left out, on the safe side. Source: EN 1993-1-5:2006, 9.1, 9.4.
+/// Eccentricity is not counted, for the diaphragm holds two webs against each other, and flats on
+/// both sides of one are alike; that it is held along the flanges is left out, on the safe side.
+/// Source: EN 1993-1-5:2006, 9.1, 9.4.
 Force bearing_resistance_of(const BearingStiffener& stiffener, double gamma_M1);
 Traced derive_bearing_resistance(Derivation& steps, const BearingStiffener& stiffener,
                                  double gamma_M1);

@@ -8,6 +8,7 @@
 
 #include "boxbeam/section/section.hpp"
 #include "boxbeam/section/wall_graph.hpp"
+#include "boxbeam/strength/effective_width.hpp"
 #include "boxbeam/strength/plate_materials.hpp"
 
 /// The plates that the walls of a thin-walled path are, by what holds them.
@@ -41,7 +42,8 @@ struct PathPlate {
   std::array<PlateEnd, 2> ends{};      ///< at low, at high
   std::array<std::size_t, 2> nodes{};  ///< likewise
   bool straight = true;
-  bool ribbed = false;  ///< something stands on it between its ends that does not hold it
+  bool ribbed = false;     ///< something stands on it between its ends that does not hold it
+  StressLevel level = {};  ///< at which it buckles
 
   Length clear() const { return si<Length>(high - low); }
   /// A place along it.

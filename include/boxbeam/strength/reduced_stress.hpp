@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "boxbeam/strength/effective_width.hpp"
 #include "boxbeam/strength/shear_buckling.hpp"
 
 namespace boxbeam {
@@ -26,6 +27,8 @@ struct PanelStress {
   double psi = 1.0;         ///< smaller over larger edge stress, compression positive, at least -3
   Stress shear = {};        ///< of either sign
   std::optional<EdgeForce> across = {};
+  /// Of a plate with a free edge: where its compression is largest; psi at least -3 and -1 then.
+  std::optional<LargestCompression> outstand = {};
 };
 
 /// A plate judged by reduced stresses.
@@ -53,8 +56,10 @@ struct ReducedStress {
 /// Looked at are the edge that is compressed more and the one that is stretched most, and the
 /// edges where sigma_z acts, with their own sigma_x. rho_x as of effective widths (equation 4.2),
 /// where the panel is short between plate and column (4.5.4). chi_w is at most 1: strain hardening
-/// is no part of an equivalent stress. psi_z is taken as 1, with which p_x and p_z add up, on the
-/// safe side. rho_z is that of welded plates under transverse stress:
+/// is no part of an equivalent stress. An outstand has k_sigma of table 4.2 and rho_x of equation
+/// 4.3; shear counts in its equivalent stresses alone, for which the standard has no k_tau. psi_z
+/// is taken as 1, with which p_x and p_z add up, on the safe side. rho_z is that of welded plates
+/// under transverse stress:
 ///
 ///     lambda <= 0.8: 1,  else 1/(phi_p + sqrt(phi_p^2 - lambda)),
 ///     phi_p = (1 + 0.34 (lambda - 0.8) + lambda)/2

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "boxbeam/strength/column_buckling.hpp"
 #include "boxbeam/strength/compressed_section.hpp"
@@ -10,12 +11,29 @@ namespace boxbeam {
 class Derivation;
 class Traced;
 
+/// A force along a rod of thin walls beside its centroid, which bends it: of the walls that work,
+/// where plates buckle under it.
+struct EccentricForce {
+  Length e_y, e_z;          ///< from the line of the rod, y = z = 0 of its section
+  SectionModulus W_y, W_z;  ///< the least of all places
+};
+
+/// Why what it bends is not judged under compression, "" where it is: of an open path bent in its
+/// stiffer plane, which may turn over, or about axes that are no principal ones.
+std::string turning_obstacle_of(const Section& section, const EccentricForce& of);
+
+/// Nothing where the force goes through the centroid, and of other profiles. `shift_y`, `shift_z`:
+/// of the centroid as plates buckle, where that makes it worse.
+std::optional<EccentricForce> eccentric_force_of(const Section& section, Stress yield_strength,
+                                                 Length shift_y = {}, Length shift_z = {});
+
 /// What the resistance of a rod to tension follows from.
 struct PulledRod {
   Area area;
   std::optional<Area> net_area;  ///< where holes for fasteners weaken it most; nothing: no holes
   Stress yield_strength, tensile_strength;
   double gamma_M0 = 1.0, gamma_M2 = 1.25;
+  std::optional<EccentricForce> beside = {};
 };
 
 /// Resistance of a rod to tension.
@@ -30,11 +48,29 @@ struct TensionResistance {
 ///
 ///     N_pl,Rd = A f_y/gamma_M0,  N_u,Rd = 0.9 A_net f_u/gamma_M2
 ///
-/// Source: EN 1993-1-1:2005, 6.2.3(2), equations 6.6 and 6.7.
+/// Beside the centroid the least of both over 1 + m, m = A (e_z/W_y + e_y/W_z), elastic. Source: EN
+/// 1993-1-1:2005, 6.2.1(5), 6.2.3(2), equations 6.6 and 6.7.
 TensionResistance tension_resistance_of(const PulledRod& rod);
 
 /// The factor on a tension, step by step.
 void derive_tension_factor(Derivation& steps, const Traced& tension, const PulledRod& rod);
+
+/// How a rod of thin walls twists as it buckles: what it bears by bending about each axis and by
+/// twisting alone, and what couples these (`TwistingLoad`).
+struct TwistingRod {
+  Force about_y, about_z, by_twisting;  ///< N_cr,y, N_cr,z, N_cr,T
+  Length length;                        ///< L_T
+  double y_0 = 0.0, z_0 = 0.0, coupling = 0.0;
+
+  /// N_cr of all of it at once.
+  Force critical() const;
+};
+
+/// Nothing of profiles other than thin-walled paths, which do not twist before they bend. Held
+/// against turning at its ends, which warp freely: `between` these, or the longer buckling length.
+/// Source: EN 1993-1-1:2005, 6.3.1.4; Timoshenko, Gere, section 5.4.
+std::optional<TwistingRod> twisting_rod_of(const Section& section, Stress youngs_modulus,
+                                           Length buckling_length, Length between);
 
 /// What the resistance of a rod to compression follows from.
 struct PressedRod {
@@ -45,6 +81,8 @@ struct PressedRod {
   Stress youngs_modulus, yield_strength;
   BucklingCurve curve = BucklingCurve::c;
   double gamma_M0 = 1.0, gamma_M1 = 1.0;
+  std::optional<TwistingRod> twisting = {};
+  std::optional<EccentricForce> beside = {};
 };
 
 /// Resistance of a rod to compression.
@@ -56,12 +94,16 @@ struct CompressionResistance {
   Force least;
 };
 
-/// The section itself and flexural buckling; in class 4 of the effective area, the slenderness too.
-/// Of a stout rod the section may bear less, by its own partial factor.
+/// The section itself and flexural buckling, of thin walls torsional-flexural; in class 4 of the
+/// effective area, the slenderness too. Of a stout rod the section may bear less, by its own
+/// partial factor.
 ///
 ///     N_c,Rd = A f_y/gamma_M0,  N_b,Rd = chi A f_y/gamma_M1
 ///
-/// Source: EN 1993-1-1:2005, 6.2.4(2) and 6.3.1.1(3), equations 6.10, 6.11, 6.47 and 6.48.
+/// Beside the centroid, or where it moves in class 4, over 1 + m and 1 + 1.6 chi m, m = A (e_z/W_y
+/// + e_y/W_z): 6.3.3 with an even moment, whose k = 1 + 0.6 N/N_b,Rd is 1.6 at most (table B.1,
+/// class 3 and 4). Source: EN 1993-1-1:2005, 6.2.4(2), 6.2.9.3, 6.3.1.1(3), 6.3.1.4, 6.3.3,
+/// equations 6.10, 6.11, 6.44, 6.47, 6.48, 6.61 and 6.62.
 CompressionResistance compression_resistance_of(const PressedRod& rod);
 
 /// The factor on a compression, step by step.

@@ -82,9 +82,11 @@ struct ShearedWall;
 /// What the check of a path whose plates buckle rests on.
 struct PathBasis {
   std::shared_ptr<const SlenderPath> path;
-  const ShearedWall* wall = nullptr;  ///< of it; nothing of the section
-  CutForces cut;                      ///< at the check's instant
-  PathUse use;                        ///< of the place used most then
+  std::shared_ptr<const EffectivePath> section;  ///< by which the stress is, of it or below yield
+  const ShearedWall* wall = nullptr;             ///< of it; nothing of the section
+  const ReducedPlate* reduced = nullptr;         ///< of it, where reduced stresses look at it
+  CutForces cut;                                 ///< at the check's instant
+  PathUse use;                                   ///< of the place used most then
   double load_factor = 1.0;
 };
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
+#include "boxbeam/verification/bending_zones.hpp"
 #include "boxbeam/verification/checks.hpp"
 #include "boxbeam/verification/model_choice.hpp"
 
@@ -11,8 +11,9 @@ namespace boxbeam {
 /// The beam as a member: flexural buckling in the plane and across it, by twisting, lateral
 /// torsional buckling, each where it counts (N/N_cr, M/M_cr above 0.04) and does not stop the
 /// verdict (1.0). By the largest of what acts anywhere at any instant (`flexural_use`,
-/// `lateral_use`), curves c and d. `twisting`: of open beams (`twisting_load_of`).
-std::vector<CheckResult> check_member(const Project& project, const SecondOrderEstimate& estimate,
-                                      const std::optional<BucklingLoad>& twisting);
+/// `lateral_use`), curves c and d, of what slender plates and, where the case asks for it, shear
+/// lag leave of the sections.
+std::vector<CheckResult> check_member(const Project& project, const std::vector<BendingZone>& zones,
+                                      const SecondOrderEstimate& estimate);
 
 }  // namespace boxbeam

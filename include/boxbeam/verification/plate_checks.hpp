@@ -42,11 +42,6 @@ struct SlenderPlates {
   bool steep = false;                               ///< no rectangles: effective widths say nothing
 };
 
-/// Their box under cut forces: below yield where the case asks for that, it settles and is used
-/// less, which 4.4(4) leaves free.
-std::shared_ptr<const EffectiveBox> box_under(const std::shared_ptr<const SlenderPlates>& plates,
-                                              const CutForces& cut, WidthRule rule);
-
 /// How far a plate is used by bending and shear together, and by which rule of 7.1.
 WebInteraction interaction_of(const ShearedPlate& plate, const PlasticBox& plastic,
                               const CornerUse& corner, const CutForces& cut, double gamma_M0);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "boxbeam/project/project.hpp"
@@ -17,6 +18,8 @@ struct ReducedPlate {
   /// Stress along the steepest edge over that across the section: 1 + tan^2 of its slopes; 1 where
   /// no edge is steep.
   double along_edge = 1.0;
+  /// Of an outstand of a path: whether the end that holds it is the high one.
+  std::optional<bool> held_at_high = {};
 
   PanelStress under(const CutForces& cut) const;
   /// Compression at the low and at the high edge.
@@ -39,5 +42,11 @@ std::vector<ReducedPlate> reduced_plates_at(const Project& project,
                                             const Station& station, const Section& section,
                                             const FourWalls& walls,
                                             const std::vector<ShearedPlate>& sheared);
+
+/// The plates of a path by reduced stresses, of its whole section: those that both ends hold and
+/// its outstands; none where shear lag counts.
+std::vector<ReducedPlate> reduced_plates_of(const PathSection& path,
+                                            const std::vector<ShearedWall>& held,
+                                            const std::vector<ShearedWall>& outstands);
 
 }  // namespace boxbeam

@@ -45,6 +45,8 @@ struct SecondOrderEstimate {
   BucklingLoad in_plane;
   std::optional<BucklingLoad> across;  ///< nothing where the section has no such plane
   std::optional<LateralLoad> lateral;  ///< nothing where the torsion constant is not known
+  /// Of open beams that twist as they buckle (`twisting_load_of`).
+  std::optional<BucklingLoad> twisting;
   /// As `difference_between`, of the straight beam from the bent one; nothing where it buckles.
   std::optional<double> change;
   double turn = 0.0;  ///< largest turn of a section by bending [rad]

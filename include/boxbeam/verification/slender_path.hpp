@@ -9,6 +9,7 @@
 #include "boxbeam/strength/plastic_box.hpp"
 #include "boxbeam/verification/bending_zones.hpp"
 #include "boxbeam/verification/checks.hpp"
+#include "boxbeam/verification/reduced_plates.hpp"
 #include "boxbeam/verification/sheared_plates.hpp"
 #include "boxbeam/verification/station_samples.hpp"
 
@@ -21,6 +22,7 @@ struct SlenderPath {
   std::vector<ShearedWall> sheared;    ///< plates held at both ends
   std::vector<ShearedWall> outstands;  ///< beyond class 3
   std::optional<PlasticBox> plastic;   ///< of those like an I
+  std::vector<ReducedPlate> reduced;   ///< by reduced stresses, beside the verdict
 };
 
 /// Of a path, its plates held at both ends being panels of that length. `looked_at`: the plates, by
@@ -61,7 +63,8 @@ std::shared_ptr<const SlenderPath> slender_path_at(const Project& project,
                                                    const std::vector<BendingZone>& zones,
                                                    const Station& station);
 
-/// How far they are used in any situation, by the samples of their station.
+/// How far they are used in any situation, by the samples of their station, by reduced stresses
+/// too.
 Utilisations path_uses_of(const Project& project, const SlenderPath& path,
                           const StationSamples& samples);
 
@@ -72,6 +75,12 @@ Utilisations path_uses_of(const Project& project, const SlenderPath& path,
 std::vector<CheckResult> check_path(const Project& project, const Station& station,
                                     const std::shared_ptr<const SlenderPath>& path,
                                     const std::vector<SituationHistory>& histories);
+
+/// The same by reduced stresses, which do not judge it: each plate under all that acts on it, on
+/// the whole section. Source: EN 1993-1-5:2006, clause 10.
+std::vector<CheckResult> check_reduced_path(const Project& project, const Station& station,
+                                            const std::shared_ptr<const SlenderPath>& path,
+                                            const std::vector<SituationHistory>& histories);
 
 /// Whether one of its plates does not work whole under these cut forces.
 bool buckles_under(const EffectivePath& path, const CutForces& cut);
