@@ -37,7 +37,7 @@ Flexibility flexibility_of(const Section& section, double youngs_modulus, double
   return of;
 }
 
-bool twists(const Section& section) { return torsion_properties_of(section).I_T.has_value(); }
+bool twists(const Section& section) { return torsion_constant_of(section).has_value(); }
 
 FlexibilityProfile::FlexibilityProfile(const TaperedBeam& beam, double youngs_modulus,
                                        double shear_modulus, bool twisted)

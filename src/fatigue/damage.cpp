@@ -1,6 +1,7 @@
 #include "boxbeam/fatigue/damage.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -11,7 +12,7 @@ namespace boxbeam {
 
 namespace {
 
-Stress largest_range_of(const std::vector<Cycle>& cycles) {
+Stress largest_range_of(std::span<const Cycle> cycles) {
   Stress largest;
   for (const Cycle& cycle : cycles) largest = std::max(largest, cycle.range);
   return largest;
@@ -19,42 +20,81 @@ Stress largest_range_of(const std::vector<Cycle>& cycles) {
 
 /// A channel prepared for many evaluations.
 struct Prepared {
-  const std::vector<Cycle>* cycles;
-  SnLine line;
-  double largest;  ///< range [Pa]
+  std::span<const Cycle> cycles;
+  const SnLine* line = nullptr;
+  double largest = 0.0;  ///< range [Pa]
 
   double damage(const FatigueDemand& demand, double factor) const {
     const double scale = demand.gamma_Ff * demand.gamma_Mf * factor;
-    const Loading loading = scale * largest > line.limit() ? Loading::spectrum : demand.loading;
+    const Loading loading = scale * largest > line->limit() ? Loading::spectrum : demand.loading;
     double damage = 0.0;
-    for (const Cycle& cycle : *cycles) {
-      damage += cycle.count / line.cycles_to_failure(scale * cycle.range.value(), loading);
+    for (const Cycle& cycle : cycles) {
+      damage += cycle.count / line->cycles_to_failure(scale * cycle.range.value(), loading);
     }
     return damage;
   }
 };
 
-Prepared prepare(const std::vector<Cycle>& cycles, const SnCurve& curve) {
-  return {&cycles, SnLine(curve), largest_range_of(cycles).value()};
+Prepared prepare(std::span<const Cycle> cycles, const SnLine& line) {
+  return {cycles, &line, largest_range_of(cycles).value()};
 }
 
-double count_of(const std::vector<Cycle>& cycles) {
+double count_of(std::span<const Cycle> cycles) {
   double count = 0.0;
   for (const Cycle& cycle : cycles) count += cycle.count;
   return count;
 }
 
-double largest_factor_of(const std::vector<Prepared>& channels, const FatigueDemand& demand) {
+/// Factors at which the damage is below and above 1 by more than its sum is rounded: as it grows
+/// with the factor, it is so below the one and above the other as well.
+struct Bracket {
+  double lives, fails;
+
+  void take(double factor, double damage) {
+    constexpr double clear = 1e-12;
+    if (damage <= 1.0 - clear) lives = std::max(lives, factor);
+    if (damage >= 1.0 + clear) fails = std::min(fails, factor);
+  }
+};
+
+/// As close as secants come in logarithmic axes, in which a branch of a curve is a straight line:
+/// mostly at once, and not where the damage jumps.
+template <class Damage>
+Bracket bracket_near(const Damage& damage, double low, double high) {
+  constexpr int most = 6;
+  constexpr double near = 1e-5, aside = 4e-12;
+  Bracket bracket{low, high};
+  double at = high, exponent = 3.0;
+  double before = 0.0, damage_before = 0.0;
+  for (int i = 0; i < most; ++i) {
+    const double of = damage(at);
+    bracket.take(at, of);
+    if (i > 0) exponent = std::log(of / damage_before) / std::log(at / before);
+    const double next = at * std::pow(of, -1.0 / exponent);
+    if (!(next > low && next < high)) break;
+    if (std::abs(next - at) < near * at) {
+      for (const double beside : {next * (1.0 - aside), next * (1.0 + aside)})
+        bracket.take(beside, damage(beside));
+      break;
+    }
+    before = at;
+    damage_before = of;
+    at = next;
+  }
+  return bracket;
+}
+
+double largest_factor_of(std::span<const Prepared> channels, const FatigueDemand& demand) {
   // As many cycles of the largest range as there are cycles at all bound the factor of a channel
   // below; a share of the damage for each channel bounds that of all.
   double low = std::numeric_limits<double>::infinity();
   const auto share = static_cast<double>(channels.size());
   for (const Prepared& channel : channels) {
     const double strength =
-        channel.line.strength_at(share * count_of(*channel.cycles), demand.loading);
+        channel.line->strength_at(share * count_of(channel.cycles), demand.loading);
     low = std::min(low, strength / (demand.gamma_Ff * demand.gamma_Mf * channel.largest));
   }
-  if (channels.size() == 1 && channels.front().cycles->size() == 1) return low;
+  if (channels.size() == 1 && channels.front().cycles.size() == 1) return low;
 
   const auto damage = [&](double factor) {
     double sum = 0.0;
@@ -68,10 +108,12 @@ double largest_factor_of(const std::vector<Prepared>& channels, const FatigueDem
     low = high;
     high *= 2.0;
   }
+  const Bracket known = bracket_near(damage, low, high);
   while (high - low > 1e-15 * high) {
     const double middle = 0.5 * (low + high);
     if (middle <= low || middle >= high) break;
-    (damage(middle) <= 1.0 ? low : high) = middle;
+    const bool lives = middle <= known.lives || (middle < known.fails && damage(middle) <= 1.0);
+    (lives ? low : high) = middle;
   }
   return low;
 }
@@ -93,24 +135,37 @@ std::vector<double> cycles_to_failure_in(const std::vector<Cycle>& cycles, const
 
 double damage_of(const std::vector<Cycle>& cycles, const SnCurve& curve,
                  const FatigueDemand& demand, double factor) {
-  return prepare(cycles, curve).damage(demand, factor);
+  return prepare(cycles, SnLine(curve)).damage(demand, factor);
+}
+
+double largest_factor(std::span<const FatigueLoad> channels, const FatigueDemand& demand) {
+  // Direct stress and shear are no more than two.
+  std::array<Prepared, 2> few;
+  std::vector<Prepared> many(channels.size() > few.size() ? channels.size() : 0);
+  const std::span<Prepared> room = many.empty() ? std::span(few) : std::span(many);
+  std::size_t count = 0;
+  for (const FatigueLoad& channel : channels) {
+    const Prepared ready = prepare(channel.cycles, *channel.line);
+    if (ready.largest > 0.0) room[count++] = ready;
+  }
+  if (count == 0) return std::numeric_limits<double>::infinity();
+  return largest_factor_of(room.first(count), demand);
 }
 
 double largest_factor(std::span<const FatigueChannel> channels, const FatigueDemand& demand) {
-  std::vector<Prepared> prepared;
-  for (const FatigueChannel& channel : channels) {
-    Prepared ready = prepare(channel.cycles, channel.curve);
-    if (ready.largest > 0.0) prepared.push_back(std::move(ready));
-  }
-  if (prepared.empty()) return std::numeric_limits<double>::infinity();
-  return largest_factor_of(prepared, demand);
+  std::vector<SnLine> lines;
+  lines.reserve(channels.size());
+  std::vector<FatigueLoad> loads;
+  for (const FatigueChannel& channel : channels)
+    loads.push_back({channel.cycles, &lines.emplace_back(channel.curve)});
+  return largest_factor(loads, demand);
 }
 
 double largest_factor(const std::vector<Cycle>& cycles, const SnCurve& curve,
                       const FatigueDemand& demand) {
-  const Prepared ready = prepare(cycles, curve);
-  if (ready.largest <= 0.0) return std::numeric_limits<double>::infinity();
-  return largest_factor_of({ready}, demand);
+  const SnLine line(curve);
+  const FatigueLoad load{cycles, &line};
+  return largest_factor({&load, 1}, demand);
 }
 
 Stress equivalent_range(double damage, const SnCurve& curve, const FatigueDemand& demand,

@@ -68,7 +68,7 @@ std::map<std::string, std::string> DesignNumbers::units_in(
 std::vector<double> DesignNumbers::of(const std::vector<Setting>& design,
                                       const std::vector<VerifiedBeam>& beams) const {
   std::optional<ResultBook> book;
-  if (!results_.empty()) book = results_of(beams);
+  if (!results_.empty()) book = results_of(beams, results_);
   std::vector<double> numbers;
   for (const std::string& name : names_) {
     if (const auto place = variable_of(*study_, name)) {

@@ -8,13 +8,48 @@
 
 namespace boxbeam::program {
 
-std::vector<VerifiedBeam> verify_design(const CaseOptions& options,
-                                        const std::vector<std::string>& set) {
+namespace {
+
+std::vector<Project> read_design(const CaseOptions& options, const std::vector<std::string>& set) {
   CaseOptions of = options;
   of.set.insert(of.set.end(), set.begin(), set.end());
   std::vector<Project> beams = read_beams_of(of);
   if (beams.size() == 1) beams.front().beam_name.clear();
-  return verify_beams(std::move(beams));
+  return beams;
+}
+
+}  // namespace
+
+std::vector<VerifiedBeam> verify_design(const CaseOptions& options,
+                                        const std::vector<std::string>& set) {
+  return verify_beams(read_design(options, set));
+}
+
+std::vector<VerifiedBeam> DesignTrials::verify(const std::vector<std::string>& set) const {
+  std::string looked_at;
+  bool all = true;
+  for (const std::string& change : set) {
+    const bool counts = model_depends_on(change);
+    if (counts) looked_at += change + '\n';
+    all = all && counts;
+  }
+  std::vector<Project> beams = read_design(options_, set);
+  if (all) return verify_beams(std::move(beams));
+  const auto is_known = [&](const auto& of) { return of.first == looked_at; };
+  std::vector<ModelChoice> models;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto known = std::find_if(models_.begin(), models_.end(), is_known);
+    if (known != models_.end()) models = known->second;
+  }
+  const bool known = !models.empty();
+  std::vector<VerifiedBeam> verified = verify_beams_by(models, std::move(beams));
+  constexpr std::size_t most = 64;
+  const std::lock_guard lock(mutex_);
+  if (known || std::any_of(models_.begin(), models_.end(), is_known)) return verified;
+  models_.emplace_back(std::move(looked_at), std::move(models));
+  if (models_.size() > most) models_.pop_front();
+  return verified;
 }
 
 std::string in_one_line(std::string text) {

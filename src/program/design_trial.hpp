@@ -1,6 +1,9 @@
 #pragma once
 
+#include <deque>
+#include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "boxbeam/verification/verify.hpp"
@@ -13,6 +16,21 @@ namespace boxbeam::program {
 /// Throws InputError and AnalysisError.
 std::vector<VerifiedBeam> verify_design(const CaseOptions& options,
                                         const std::vector<std::string>& set);
+
+/// The same for many designs of one case, by several threads at once. Designs that differ in
+/// nothing that the choice of the model looks at have it made for them once.
+class DesignTrials {
+ public:
+  explicit DesignTrials(CaseOptions options) : options_(std::move(options)) {}
+
+  std::vector<VerifiedBeam> verify(const std::vector<std::string>& set) const;
+
+ private:
+  CaseOptions options_;
+  mutable std::mutex mutex_;
+  /// By what is set of what the choice looks at, the last few.
+  mutable std::deque<std::pair<std::string, std::vector<ModelChoice>>> models_;
+};
 
 /// Does what may not be possible for a design: "", or the first thing that is wrong.
 template <class Try>

@@ -59,6 +59,7 @@ Sensitivities sensitivities_of(const CaseOptions& options, const std::vector<Ver
     const WrittenQuantity value = *quantity_written_in(*value_at(document.root, key));
     if (value.value != 0.0) inputs.push_back({key, value, {}});
   }
+  const DesignTrials trials(options);
   std::atomic<std::size_t> next{0}, done{0}, verified{0};
   const auto work = [&] {
     for (std::size_t i = next++; i < inputs.size(); i = next++) {
@@ -67,8 +68,7 @@ Sensitivities sensitivities_of(const CaseOptions& options, const std::vector<Ver
         std::optional<std::map<Criterion, double>> factors;
         trouble_of([&] {
           const WrittenQuantity changed{factor * input.value.value, input.value.unit};
-          factors = factors_of(
-              verify_design(options, {fmt::format("{}={}", input.key, to_text(changed))}));
+          factors = factors_of(trials.verify({fmt::format("{}={}", input.key, to_text(changed))}));
         });
         ++verified;
         return factors;

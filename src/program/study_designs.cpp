@@ -9,7 +9,6 @@
 #include "boxbeam/project/case_document.hpp"
 #include "boxbeam/report/result_book.hpp"
 #include "program/case_keys.hpp"
-#include "program/design_trial.hpp"
 #include "report/csv_cells.hpp"
 
 namespace boxbeam::program {
@@ -40,7 +39,8 @@ std::string cell_of(const std::string& column, const std::vector<VerifiedBeam>& 
 
 }  // namespace
 
-StudyDesigns::StudyDesigns(const Study& study) : study_(&study), space_(study) {
+StudyDesigns::StudyDesigns(const Study& study)
+    : study_(&study), space_(study), trials_(case_of(study)) {
   columns_ = {{"design", ""}};
   for (const Variable& variable : study.variables)
     columns_.push_back({variable.name, variable.unit});
@@ -110,12 +110,11 @@ StudyDesigns::Row StudyDesigns::row(std::size_t index) const {
     for (std::size_t i = 0; i < design.size(); ++i)
       values[i] = study_->variables[i].words.empty() ? report::csv_cell(design[i].number)
                                                      : report::csv_cell(design[i].word);
-    const std::vector<VerifiedBeam> beams =
-        verify_design(case_of(*study_), space_.overrides(design));
+    const std::vector<VerifiedBeam> beams = trials_.verify(space_.overrides(design));
     const bool numbers =
         !std::all_of(study_->columns.begin(), study_->columns.end(), is_of_verdict);
     const std::optional<ResultBook> book =
-        numbers ? std::optional(results_of(beams)) : std::nullopt;
+        numbers ? std::optional(results_of(beams, study_->columns)) : std::nullopt;
     for (std::size_t i = 0; i < results.size(); ++i)
       results[i] = cell_of(study_->columns[i], beams, book);
   });

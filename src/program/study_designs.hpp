@@ -5,6 +5,7 @@
 
 #include "boxbeam/study/design_space.hpp"
 #include "boxbeam/study/study_summary.hpp"
+#include "program/design_trial.hpp"
 
 namespace boxbeam::program {
 
@@ -33,6 +34,7 @@ class StudyDesigns {
 
   const Study* study_;
   DesignSpace space_;
+  DesignTrials trials_;
   std::vector<Column> columns_;
   std::string sha256_;
 };

@@ -51,6 +51,23 @@ Json words_schema(FieldNames words, bool may_be_null) {
 
 }  // namespace
 
+bool WantedKeys::lead_to(std::string_view name) const {
+  return all_ || std::any_of(keys_.begin(), keys_.end(), [&](std::string_view key) {
+           return key.starts_with(name) &&
+                  (key.size() == name.size() || key[name.size()] == '.' || key[name.size()] == '[');
+         });
+}
+
+WantedKeys WantedKeys::below(std::string_view name) const {
+  if (all_) return {};
+  std::vector<std::string_view> rest;
+  for (const std::string_view key : keys_) {
+    if (key.size() > name.size() && key.starts_with(name) && key[name.size()] == '.')
+      rest.push_back(key.substr(name.size() + 1));
+  }
+  return WantedKeys(std::move(rest));
+}
+
 Fields Fields::describing(Json& schema) {
   schema.update(object_schema());
   Fields fields;
@@ -233,9 +250,10 @@ void Fields::below(const Field& field, bool may_be_null, const Fill& fill) {
     if (may_be_null) schema = {{"oneOf", {{{"type", "null"}}, schema}}};
     return describe(field, std::move(schema));
   }
+  if (leaves_out(field)) return;
   std::vector<ResultValue> values;
   Json& object = put(field, Json::object());
-  Fields fields(object, values_ != nullptr ? &values : nullptr);
+  Fields fields(object, values_ != nullptr ? &values : nullptr, wanted_.below(field.name));
   fill(fields);
   if (values_ != nullptr) take(std::string(field.name), values);
 }

@@ -28,6 +28,23 @@ struct Field {
   Field(const std::string& key, std::string_view what = {}) : name(key), meaning(what) {}
 };
 
+/// Which numbers of an object are asked for, by keys below it: what no key leads to is left out.
+class WantedKeys {
+ public:
+  WantedKeys() = default;  ///< all
+  explicit WantedKeys(std::vector<std::string_view> keys) : keys_(std::move(keys)), all_(false) {}
+
+  bool all() const { return all_; }
+  /// Whether a key leads to this field, or below it.
+  bool lead_to(std::string_view name) const;
+  /// Those below an object, without its name; of the entries of a list all.
+  WantedKeys below(std::string_view name) const;
+
+ private:
+  std::vector<std::string_view> keys_;
+  bool all_ = true;
+};
+
 /// Names of the numbers of a vector.
 using FieldNames = std::initializer_list<const char*>;
 
@@ -37,8 +54,9 @@ using FieldNames = std::initializer_list<const char*>;
 class Fields {
  public:
   /// Takes fields into a document, and their numbers into a list where one is given.
-  explicit Fields(Json& document, std::vector<ResultValue>* values = nullptr)
-      : out_(&document), values_(values) {}
+  explicit Fields(Json& document, std::vector<ResultValue>* values = nullptr,
+                  WantedKeys wanted = {})
+      : out_(&document), values_(values), wanted_(std::move(wanted)) {}
   /// Describes them instead.
   static Fields describing(Json& schema);
 
@@ -56,6 +74,7 @@ class Fields {
   template <class Value>
   void number(const Field& field, std::string_view unit, const Value& value) {
     if (is_describing()) return describe_number(field, unit, false);
+    if (leaves_out(field)) return;
     put_number(field, unit, called(value));
   }
   void number_or_null(const Field& field, std::string_view unit, std::optional<double> value);
@@ -71,6 +90,7 @@ class Fields {
   template <class Value>
   void text(const Field& field, const Value& value) {
     if (is_describing()) return describe(field, {{"type", "string"}});
+    if (leaves_out(field)) return;
     put(field, Json(called(value)));
   }
   void text_or_null(const Field& field, const std::optional<std::string>& value);
@@ -84,6 +104,7 @@ class Fields {
   void texts(const Field& field, const Value& values) {
     if (is_describing())
       return describe(field, {{"type", "array"}, {"items", {{"type", "string"}}}});
+    if (leaves_out(field)) return;
     put(field, Json(called(values)));
   }
   /// Numbers of one unit; `names` where each is asked for by a name and not by its place.
@@ -127,6 +148,7 @@ class Fields {
       const T none{};
       return describe_list(field, key, [&](Fields& fields) { fill(fields, none); });
     }
+    if (leaves_out(field)) return;
     Json& all = put(field, Json::array());
     std::vector<std::string> names;
     for (const T& item : called(items)) {
@@ -141,6 +163,7 @@ class Fields {
       const T none{};
       return describe_named(field, [&](Fields& fields) { fill(fields, none); });
     }
+    if (leaves_out(field)) return;
     Json& all = put(field, Json::object());
     for (const T& item : items)
       member(field, name_of(item), all, [&](Fields& fields) { fill(fields, item); });
@@ -164,6 +187,12 @@ class Fields {
       return (value);
   }
 
+  /// Whether nobody asks for a field.
+  bool leaves_out(const Field& field) {
+    if (wanted_.lead_to(field.name)) return false;
+    optional_ = false;
+    return true;
+  }
   Json& put(const Field& field, Json value);
   void put_number(const Field& field, std::string_view unit, double value);
   void put_whole(const Field& field, long long value, std::string_view unit);
@@ -182,14 +211,17 @@ class Fields {
   std::vector<ResultValue>* values_ = nullptr;
   Json* schema_ = nullptr;
   bool optional_ = false;
+  WantedKeys wanted_;
 };
 
-/// The numbers of a document whose fields `put` says, `prefix` before their keys.
+/// The numbers of a document whose fields `put` says, `prefix` before their keys; of some keys at
+/// least those.
 template <class Put>
-std::vector<ResultValue> values_of(const std::string& prefix, const Put& put) {
+std::vector<ResultValue> values_of(const std::string& prefix, const Put& put,
+                                   WantedKeys wanted = {}) {
   Json document = Json::object();
   std::vector<ResultValue> values;
-  Fields fields(document, &values);
+  Fields fields(document, &values, std::move(wanted));
   put(fields);
   for (ResultValue& value : values) value.key = prefix + value.key;
   return values;

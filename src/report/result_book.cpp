@@ -80,13 +80,24 @@ ResultBook results_of(const Project& project, const Verification& verification) 
   return book;
 }
 
-ResultBook results_of(const std::vector<VerifiedBeam>& beams) {
+ResultBook results_of(const std::vector<VerifiedBeam>& beams) { return results_of(beams, {}); }
+
+ResultBook results_of(const std::vector<VerifiedBeam>& beams,
+                      const std::vector<std::string>& keys) {
+  std::vector<std::string> asked;
+  for (const std::string& key : keys)
+    for (const char* before : befores) asked.push_back(before + key);
+  const report::WantedKeys wanted =
+      asked.empty() ? report::WantedKeys{} : report::WantedKeys({asked.begin(), asked.end()});
   const VerifiedBeam& worst = worst_of(beams);
-  if (beams.size() == 1) return results_of(worst.project, worst.verification);
   ResultBook book;
-  book.add(report::values_of("", [&](report::Fields& to) {
-    report::put_results(to, worst.project, worst.verification, &beams);
-  }));
+  book.add(report::values_of(
+      "",
+      [&](report::Fields& to) {
+        report::put_results(to, worst.project, worst.verification,
+                            beams.size() > 1 ? &beams : nullptr);
+      },
+      wanted));
   return book;
 }
 

@@ -380,7 +380,8 @@ StressField stress_field_of(const Section& section, const std::vector<Hole>& hol
                             const Taper& taper) {
   StressField field{section, holes, taper, sums_of(outline_of(section, holes)), {}, {}};
   field.flow = shear_flow_of(section, holes, taper);
-  field.prismatic = taper.empty() ? field.flow : shear_flow_of(section, holes, {});
+  if (field.flow)
+    field.prismatic = taper.empty() ? *field.flow : prismatic_flow_of(*field.flow, section);
   return field;
 }
 

@@ -1,6 +1,7 @@
 #include "boxbeam/section/shear_flow.hpp"
 
 #include <Eigen/Cholesky>
+#include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numeric>
@@ -17,21 +18,44 @@ using Eigen::Vector3d;
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Calls `visit(fraction, weight)` at the points of a rule on [0, 1]: exact along straight walls.
+constexpr std::size_t gauss_points = 7;
+
+/// Calls `visit(index, fraction, weight)` at the points of a rule on [0, 1]: exact along straight
+/// walls.
 template <class Visit>
 void at_gauss_points(const Visit& visit) {
-  using Rule = boost::math::quadrature::gauss<double, 7>;
+  using Rule = boost::math::quadrature::gauss<double, gauss_points>;
+  std::size_t index = 0;
   for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
     const double x = 0.5 * Rule::abscissa()[i];
     const double weight = 0.5 * Rule::weights()[i];
-    visit(0.5 + x, weight);
-    if (x != 0.0) visit(0.5 - x, weight);
+    visit(index++, 0.5 + x, weight);
+    if (x != 0.0) visit(index++, 0.5 - x, weight);
   }
 }
 
-StressedWalls stressed_walls_of(const Section& section, const std::vector<Hole>& holes) {
+/// The flow in a wall, as far as integrals along it ask for it.
+struct WallFlows {
+  std::array<CutFactors, gauss_points> inside;
+  CutFactors start, end;
+};
+
+template <class Flow>
+WallFlows flows_in(std::size_t wall, const Flow& flow) {
+  WallFlows flows;
+  at_gauss_points([&](std::size_t k, double f, double) { flows.inside[k] = flow(wall, f); });
+  flows.start = flow(wall, 0.0);
+  flows.end = flow(wall, 1.0);
+  return flows;
+}
+
+/// Nothing where a profile is solid.
+std::optional<StressedWalls> stressed_walls_of(const Section& section,
+                                               const std::vector<Hole>& holes) {
+  std::optional<WallGraph> graph = wall_graph_of(section, holes);
+  if (!graph) return std::nullopt;
   StressedWalls walls;
-  walls.graph = *wall_graph_of(section, holes);
+  walls.graph = *std::move(graph);
   walls.cells = wall_cells_of(walls.graph);
   walls.plane = normal_stress_plane(sums_of(outline_of(section, holes)));
   return walls;
@@ -42,56 +66,75 @@ RowVector3d force_of(const Vector3d& material, const StressedWalls& walls) {
   return material.transpose() * walls.plane;
 }
 
-RowVector3d force_upstream(const StressedWalls& walls, std::size_t wall, double fraction) {
-  return force_of(walls.cells.upstream[wall] + material_up_to(walls.graph.walls[wall], fraction),
-                  walls);
+RowVector3d force_of_component(const StressedWalls& walls, std::size_t component) {
+  return force_of(walls.cells.total[component], walls);
 }
 
-RowVector3d force_of_component(const StressedWalls& walls, std::size_t wall) {
-  return force_of(walls.cells.total[walls.cells.component[wall]], walls);
+/// The material that hangs on a wall at a fraction of it.
+Vector3d hanging_at(const StressedWalls& walls, std::size_t wall, double fraction) {
+  return walls.cells.upstream[wall] + material_up_to(walls.graph.walls[wall], fraction);
+}
+
+void set_flow_of_components(ShearFlow& flow) {
+  for (std::size_t component = 0; component < flow.at.cells.total.size(); ++component) {
+    RowVector3d slope = RowVector3d::Zero();
+    for (const ShearFlow::Nearby& near : flow.taper)
+      slope += near.weight * force_of_component(near.walls, component);
+    flow.out_of_component.push_back(flow_out_of(force_of_component(flow.at, component), slope));
+  }
 }
 
 /// Flow of the walls cut open.
 CutFactors open_flow(const ShearFlow& flow, std::size_t wall, double fraction) {
-  RowVector3d slope = RowVector3d::Zero(), slope_of_all = RowVector3d::Zero();
-  for (const ShearFlow::Nearby& near : flow.taper) {
-    slope += near.weight * force_upstream(near.walls, wall, fraction);
-    slope_of_all += near.weight * force_of_component(near.walls, wall);
+  RowVector3d slope = RowVector3d::Zero();
+  for (const ShearFlow::Nearby& near : flow.taper)
+    slope += near.weight * force_of(hanging_at(near.walls, wall, fraction), near.walls);
+  const std::size_t component = flow.at.cells.component[wall];
+  const Vector3d hanging = hanging_at(flow.at, wall, fraction);
+  const double share = hanging[0] / flow.at.cells.total[component][0];
+  return share * flow.out_of_component[component] - flow_out_of(force_of(hanging, flow.at), slope);
+}
+
+/// Calls `visit` with what the cells beside a wall add to its flow.
+template <class Visit>
+void at_cells_of(const ShearFlow& flow, std::size_t wall, const Visit& visit) {
+  const std::vector<Cell>& cells = flow.at.cells.cells;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    for (const Cell::Side& side : cells[i].sides) {
+      if (side.wall == wall)
+        visit(side.sign * flow.cell_flows.row(static_cast<Eigen::Index>(i)).transpose());
+    }
   }
-  const WallCells& cells = flow.at.cells;
-  const double area =
-      cells.upstream[wall][0] + material_up_to(flow.at.graph.walls[wall], fraction)[0];
-  const double share = area / cells.total[cells.component[wall]][0];
-  return share * flow_out_of(force_of_component(flow.at, wall), slope_of_all) -
-         flow_out_of(force_upstream(flow.at, wall, fraction), slope);
 }
 
 /// Flow without twist: cut open, and closed again by the cells' flows.
 CutFactors transverse_flow(const ShearFlow& flow, std::size_t wall, double fraction) {
   CutFactors factors = open_flow(flow, wall, fraction);
-  const std::vector<Cell>& cells = flow.at.cells.cells;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    for (const Cell::Side& side : cells[i].sides) {
-      if (side.wall == wall) {
-        factors += side.sign * flow.cell_flows.row(static_cast<Eigen::Index>(i)).transpose();
-      }
-    }
-  }
+  at_cells_of(flow, wall, [&](const CutFactors& of_cell) { factors += of_cell; });
   return factors;
 }
 
+/// The same of flows that are cut open.
+void add_cells(const ShearFlow& flow, std::size_t wall, WallFlows& flows) {
+  at_cells_of(flow, wall, [&](const CutFactors& of_cell) {
+    for (CutFactors& inside : flows.inside) inside += of_cell;
+    flows.start += of_cell;
+    flows.end += of_cell;
+  });
+}
+
 /// Integral of the open flow over length by thickness of a wall, links to its nodes included.
-CutFactors warp_of(const ShearFlow& flow, std::size_t index) {
+CutFactors warp_of(const ShearFlow& flow, std::size_t index, const WallFlows& open) {
   const Wall& wall = flow.at.graph.walls[index];
   CutFactors sum = CutFactors::Zero();
-  at_gauss_points([&](double f, double weight) { sum += weight * open_flow(flow, index, f); });
+  at_gauss_points([&](std::size_t k, double, double weight) { sum += weight * open.inside[k]; });
   sum *= length_of(wall);
-  sum += (wall.start - flow.at.graph.nodes[wall.from]).norm() * open_flow(flow, index, 0.0);
-  sum += (flow.at.graph.nodes[wall.to] - wall.end).norm() * open_flow(flow, index, 1.0);
+  sum += (wall.start - flow.at.graph.nodes[wall.from]).norm() * open.start;
+  sum += (flow.at.graph.nodes[wall.to] - wall.end).norm() * open.end;
   return sum / wall.thickness;
 }
 
-void close_cells(ShearFlow& flow) {
+void close_cells(ShearFlow& flow, const std::vector<WallFlows>& open) {
   const std::vector<Cell>& cells = flow.at.cells.cells;
   const auto n = static_cast<Eigen::Index>(cells.size());
   flow.cell_flows.setZero(n, 6);
@@ -100,7 +143,7 @@ void close_cells(ShearFlow& flow) {
   gap.setZero();
   for (Eigen::Index i = 0; i < n; ++i) {
     for (const Cell::Side& side : cells[static_cast<std::size_t>(i)].sides) {
-      gap.row(i) -= side.sign * warp_of(flow, side.wall).transpose();
+      gap.row(i) -= side.sign * warp_of(flow, side.wall, open[side.wall]).transpose();
     }
   }
   flow.cell_flows = flow.at.cells.flexibility.ldlt().solve(gap);
@@ -116,18 +159,19 @@ void add_force(Eigen::Matrix<double, 3, 6>& sum, const CutFactors& flow, const V
 }
 
 /// V_y, V_z and T of the flows along the mid-lines.
-template <class Flow>
-Eigen::Matrix<double, 3, 6> along_walls(const WallGraph& graph, const Flow& flow) {
+template <class FlowsIn>
+Eigen::Matrix<double, 3, 6> along_walls(const WallGraph& graph, const FlowsIn& flows_in_wall) {
   Eigen::Matrix<double, 3, 6> sum = Eigen::Matrix<double, 3, 6>::Zero();
   for (std::size_t i = 0; i < graph.walls.size(); ++i) {
     const Wall& wall = graph.walls[i];
     const double length = length_of(wall);
-    at_gauss_points([&](double f, double weight) {
+    const WallFlows flows = flows_in_wall(i);
+    at_gauss_points([&](std::size_t k, double f, double weight) {
       const Vector2d at = point_on(wall, f);
-      add_force(sum, flow(i, f), at, at + weight * length * direction_on(wall, f));
+      add_force(sum, flows.inside[k], at, at + weight * length * direction_on(wall, f));
     });
-    add_force(sum, flow(i, 0.0), graph.nodes[wall.from], wall.start);
-    add_force(sum, flow(i, 1.0), wall.end, graph.nodes[wall.to]);
+    add_force(sum, flows.start, graph.nodes[wall.from], wall.start);
+    add_force(sum, flows.end, wall.end, graph.nodes[wall.to]);
   }
   return sum;
 }
@@ -140,7 +184,7 @@ Eigen::Matrix<double, 3, 6> of_inclined_stress(const ShearFlow& flow) {
     const Wall& wall = flow.at.graph.walls[i];
     if (!wall.solid) continue;
     const double area = material_up_to(wall, 1.0)[0];
-    at_gauss_points([&](double f, double weight) {
+    at_gauss_points([&](std::size_t, double f, double weight) {
       Vector2d slope = Vector2d::Zero();
       for (const ShearFlow::Nearby& near : flow.taper) {
         slope += near.weight * point_on(near.walls.graph.walls[i], f);
@@ -204,27 +248,44 @@ void set_torsion(ShearFlow& flow, const Section& section) {
   }
 }
 
+/// All that follows from the walls of a flow.
+void complete(ShearFlow& flow, const Section& section) {
+  set_flow_of_components(flow);
+  std::vector<WallFlows> flows;
+  for (std::size_t i = 0; i < flow.at.graph.walls.size(); ++i) {
+    flows.push_back(
+        flows_in(i, [&](std::size_t wall, double f) { return open_flow(flow, wall, f); }));
+  }
+  close_cells(flow, flows);
+  set_torsion(flow, section);
+  for (std::size_t i = 0; i < flows.size(); ++i) add_cells(flow, i, flows[i]);
+  const Eigen::Matrix<double, 3, 6> carried =
+      along_walls(flow.at.graph, [&](std::size_t i) -> const WallFlows& { return flows[i]; }) +
+      of_inclined_stress(flow);
+  flow.torque = -carried.row(2).transpose();
+  flow.torque[cut_force::T] = 1.0;
+}
+
 }  // namespace
 
 std::optional<ShearFlow> shear_flow_of(const Section& section, const std::vector<Hole>& holes,
                                        const Taper& taper) {
-  if (!wall_graph_of(section, holes)) return std::nullopt;
+  std::optional<StressedWalls> walls = stressed_walls_of(section, holes);
+  if (!walls) return std::nullopt;
   ShearFlow flow;
-  flow.at = stressed_walls_of(section, holes);
-  for (const NearbySection& near : taper) {
-    flow.taper.push_back({stressed_walls_of(near.section, holes), near.weight});
-  }
-  close_cells(flow);
-  set_torsion(flow, section);
-  const Eigen::Matrix<double, 3, 6> carried =
-      along_walls(flow.at.graph,
-                  [&](std::size_t wall, double f) { return transverse_flow(flow, wall, f); }) +
-      of_inclined_stress(flow);
-  flow.torque = -carried.row(2).transpose();
-  flow.torque[cut_force::T] = 1.0;
+  flow.at = *std::move(walls);
+  for (const NearbySection& near : taper)
+    flow.taper.push_back({*stressed_walls_of(near.section, holes), near.weight});
+  complete(flow, section);
   return flow;
 }
 
+ShearFlow prismatic_flow_of(const ShearFlow& tapered, const Section& section) {
+  ShearFlow flow;
+  flow.at = tapered.at;
+  complete(flow, section);
+  return flow;
+}
 CutFactors flow_at(const ShearFlow& flow, std::size_t wall, double fraction) {
   return transverse_flow(flow, wall, fraction) + cell_flow_in(flow, wall) * flow.torque;
 }
@@ -252,7 +313,10 @@ WallTorsion wall_torsion_of(const ShearFlow& flow, std::size_t wall, double face
 Eigen::Matrix<double, 3, 6> resultants_of(const ShearFlow& flow) {
   Eigen::Matrix<double, 3, 6> sum =
       along_walls(flow.at.graph,
-                  [&](std::size_t wall, double f) { return flow_at(flow, wall, f); }) +
+                  [&](std::size_t i) {
+                    return flows_in(
+                        i, [&](std::size_t wall, double f) { return flow_at(flow, wall, f); });
+                  }) +
       of_inclined_stress(flow);
   // The walls' own share of the torque, which runs round within their thickness.
   double own = 0.0;

@@ -193,13 +193,16 @@ Area enclosed_area_of(const Profile& profile) {
   return si<Area>(area);
 }
 
+std::optional<SecondMoment> torsion_constant_of(const Section& section) {
+  const auto outer = torsion_constant_of(section.outer);
+  if (!outer || !section.inner) return outer;
+  const auto inner = torsion_constant_of(*section.inner);
+  return inner ? std::optional(*outer + *inner) : std::nullopt;
+}
+
 TorsionProperties torsion_properties_of(const Section& section) {
   TorsionProperties result;
-  result.I_T = torsion_constant_of(section.outer);
-  if (result.I_T && section.inner) {
-    const auto inner = torsion_constant_of(*section.inner);
-    result.I_T = inner ? std::optional(*result.I_T + *inner) : std::nullopt;
-  }
+  result.I_T = torsion_constant_of(section);
   result.enclosed = enclosed_area_of(section.outer);
   result.shear_centre = shear_centre_of(section);
   return result;

@@ -93,7 +93,6 @@ double swept_by(const WallGraph& graph, const Wall& wall) {
 
 /// The bounded faces of the walls as a plane figure: every cell once.
 void find_cells(const WallGraph& graph, WallCells& cells) {
-  const auto at = neighbours_of(graph);
   // A half is a wall walked in one sense: 2 i from `from`, 2 i + 1 from `to`.
   const auto begin_of = [&](std::size_t half) {
     const Wall& wall = graph.walls[half / 2];
@@ -104,12 +103,14 @@ void find_cells(const WallGraph& graph, WallCells& cells) {
     return std::atan2(way.y(), way.x());
   };
   std::vector<std::vector<std::size_t>> leaving(graph.nodes.size());  // by heading, ascending
-  for (std::size_t half = 0; half < 2 * graph.walls.size(); ++half) {
+  std::vector<double> heading(2 * graph.walls.size());
+  for (std::size_t half = 0; half < heading.size(); ++half) {
     leaving[begin_of(half)].push_back(half);
+    heading[half] = heading_of(half);
   }
   for (auto& halves : leaving) {
     std::sort(halves.begin(), halves.end(),
-              [&](std::size_t a, std::size_t b) { return heading_of(a) < heading_of(b); });
+              [&](std::size_t a, std::size_t b) { return heading[a] < heading[b]; });
   }
   // With the face to the left, the way on is the next clockwise from the way back.
   const auto next_of = [&](std::size_t half) {

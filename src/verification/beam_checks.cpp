@@ -1,9 +1,11 @@
 #include "boxbeam/verification/beam_checks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <span>
 #include <string>
 #include <tuple>
 
@@ -61,25 +63,40 @@ class StationChecks {
 
  private:
   void look_at_point(const StressPoint& point) {
-    for (const Criterion criterion : {Criterion::fatigue, Criterion::shear_fatigue,
-                                      Criterion::combined_fatigue, Criterion::stress_range})
-      add(criterion, at_worst_edge(samples_, point, criterion));
+    static constexpr std::array ranges{Criterion::fatigue, Criterion::shear_fatigue,
+                                       Criterion::combined_fatigue, Criterion::stress_range};
+    static constexpr std::array all{Criterion::fatigue, Criterion::shear_fatigue,
+                                    Criterion::combined_fatigue, Criterion::stress_range,
+                                    Criterion::yield};
+    if (!point.edges.empty()) {
+      const std::vector<StressPoint> worst =
+          at_worst_edges(samples_, point, point.yield ? std::span<const Criterion>(all) : ranges);
+      for (std::size_t k = 0; k < worst.size(); ++k) add(all[k], worst[k]);
+      return;
+    }
+    PointHistory of(*project_, *histories_, point);
+    for (const Criterion criterion : ranges) add(criterion, of);
     if (point.on_throat)
-      add(Criterion::weld, point);
+      add(Criterion::weld, of);
     else if (point.yield)
-      add(Criterion::yield, at_worst_edge(samples_, point, Criterion::yield));
+      add(Criterion::yield, of);
   }
 
   void add(Criterion criterion, const StressPoint& point) {
+    PointHistory of(*project_, *histories_, point);
+    add(criterion, of);
+  }
+
+  void add(Criterion criterion, PointHistory& of) {
     std::optional<CheckResult> result;
     if (criterion == Criterion::yield)
-      result = check_yield(*project_, *histories_, point);
+      result = check_yield(*project_, *histories_, *of.point);
     else if (criterion == Criterion::weld)
-      result = check_throat(*project_, *histories_, point);
+      result = check_throat(*project_, *histories_, *of.point);
     else if (criterion == Criterion::stress_range)
-      result = check_range(*project_, *histories_, point);
+      result = check_range(of);
     else
-      result = check_fatigue(*project_, *histories_, point, criterion);
+      result = check_fatigue(of, criterion);
     if (result) results.push_back(std::move(*result));
   }
 
@@ -115,9 +132,9 @@ void add_route(const Project& project, const Station& station, PlateRoute route,
 /// Every criterion at every point of a station.
 void check_station(const Project& project, const std::vector<BendingZone>& zones,
                    const Station& station, const std::vector<SituationHistory>& histories,
-                   BeamChecks& beam) {
+                   StressFields& fields, BeamChecks& beam) {
   StationChecks checks(project, histories);
-  checks.look_at(stress_points_at(project, zones, station));
+  checks.look_at(stress_points_at(project, zones, station, fields));
   append(std::move(checks.results), beam.checks);
   if (const auto plates = slender_plates_at(project, zones, station)) {
     PlateChecks of = check_plates(project, station, plates, histories);
@@ -259,6 +276,7 @@ BeamChecks check_beam(const Project& project, const std::deque<SituationRun>& ru
   const bool computed = project.given_stresses.empty();
   BeamChecks beam;
   PlateGates gates(project, zones, model);
+  StressFields fields;
   const auto add_outside = [&](const Station& station) {
     beam.stations.push_back(envelope_at(project, station, histories_at(runs, station)));
   };
@@ -267,7 +285,7 @@ BeamChecks check_beam(const Project& project, const std::deque<SituationRun>& ru
     const std::vector<SituationHistory> histories = histories_at(runs, station);
     beam.stations.push_back(envelope_at(project, station, histories));
     if (!computed) continue;
-    check_station(project, zones, station, histories, beam);
+    check_station(project, zones, station, histories, fields, beam);
     gates.look_at(station, histories);
   }
   add_outside({project.beam.length(), Side::behind});

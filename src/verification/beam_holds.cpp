@@ -106,6 +106,10 @@ flexible::Mechanism beam_alone(const Project& project, Plane plane,
   link.name = "beam";
   link.length = project.beam.length().value();
   link.stretches = stretches_in(project, plane);
+  for (flexible::LinkStretch& of : link.stretches) {  // nothing moves: no mass counts
+    of.mass = {};
+    of.rotary = {};
+  }
   // As many spans as there are between the holds at least, each may buckle by itself.
   link.parts = static_cast<int>(parts_of_span * std::max<std::size_t>(1, holds.size() - 1));
   for (const Hold& hold : holds) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -10,7 +11,6 @@
 #include "boxbeam/fatigue/range_limit.hpp"
 #include "boxbeam/strength/yield.hpp"
 #include "boxbeam/verification/drawn_samples.hpp"
-#include "boxbeam/verification/life_cycles.hpp"
 #include "channel_life.hpp"
 #include "check_sources.hpp"
 
@@ -31,28 +31,23 @@ std::string one_word(const std::string& name) {
 /// A stress of a point as a function of the cut forces.
 struct StressFunction {
   StressKind kind;
-  CutForceFunction at;
-  double factor = 1.0;  ///< of the detail, that is in it
+  const std::array<double, cut_force::count>* per_force;
+  double factor = 1.0;  ///< of the detail
+
+  double operator()(const CutForces& cut) const { return factor * stress_of(*per_force, cut); }
 };
 
 StressFunction normal_stress(const StressPoint& point) {
-  return {StressKind::direct, [&point](const CutForces& cut) {
-            return stress_at(point.influence, cut).normal.value();
-          }};
+  return {StressKind::direct, &point.influence.normal};
 }
 
 /// The normal stress of a point times a factor of its details.
 StressFunction detail_stress(const StressPoint& point, double factor) {
-  return {StressKind::direct,
-          [&point, factor](const CutForces& cut) {
-            return factor * stress_at(point.influence, cut).normal.value();
-          },
-          factor};
+  return {StressKind::direct, &point.influence.normal, factor};
 }
 
 StressFunction shear_stress(const StressPoint& point) {
-  return {StressKind::shear,
-          [&point](const CutForces& cut) { return stress_at(point.influence, cut).shear.value(); }};
+  return {StressKind::shear, &point.influence.shear};
 }
 
 /// The check's frame, and the stress in the situation where it is worst.
@@ -70,8 +65,11 @@ CheckResult start(Criterion criterion, const Project& project, const StressPoint
   basis.stress_factor = stress.factor;
   basis.running = index_of(project, *worst.situation);
   const StationHistory& history = worst.history;
-  const auto stress_of = [&](std::size_t i) { return stress.at(history.samples()[i]); };
-  for (const std::size_t i : drawn_samples(history.samples().size(), {stress_of})) {
+  const auto stress_of = [&](std::size_t i) { return stress(history.samples()[i]); };
+  const std::vector<std::size_t> drawn = drawn_samples(history.samples().size(), {stress_of});
+  basis.times.reserve(drawn.size() + 1);
+  basis.history.reserve(drawn.size() + 1);
+  for (const std::size_t i : drawn) {
     basis.times.push_back(history.time_of(i).value());
     basis.history.push_back(stress_of(i));
   }
@@ -102,7 +100,7 @@ double largest_range_of(const std::vector<SpectrumRow>& spectrum) {
 
 /// A stress of a point, its cycles and what resists them.
 struct Channel {
-  Turns turns;
+  const Turns* turns;
   LifeChannel life;
 };
 
@@ -115,31 +113,29 @@ WholePlace whole_place_of(const WholeLife& whole, const std::vector<SituationHis
 }
 
 /// The channels that a criterion looks at; none of them where its stress does not change.
-std::vector<Channel> channels_of(const Project& project,
-                                 const std::vector<SituationHistory>& histories,
-                                 const StressPoint& point, Criterion criterion) {
+std::vector<Channel> channels_of(PointHistory& of, Criterion criterion) {
+  const Project& project = *of.project;
+  const StressPoint& point = *of.point;
   std::vector<Channel> channels;
-  const auto add = [&](const StressFunction& stress, const Detail& detail,
+  const auto add = [&](StressKind kind, const Turns& turns, const Detail& detail,
                        bool compression_reduced) {
-    Channel channel;
-    channel.turns = turns_of(project, histories, stress.at);
+    Channel channel{&turns, {}};
     channel.life.curve = curve_of(detail);
-    const WholeLife* const whole = whole_life_of(histories);
+    const WholeLife* const whole = whole_life_of(*of.histories);
     const std::vector<SituationCycles> life =
-        whole == nullptr ? life_cycles_of(project, channel.turns, compression_reduced)
-                         : whole->cycles_of(whole_place_of(*whole, histories, point, stress.kind),
+        whole == nullptr ? life_cycles_of(project, turns, compression_reduced)
+                         : whole->cycles_of(whole_place_of(*whole, *of.histories, point, kind),
                                             channel.life.curve);
-    channel.life.spectrum = spectrum_of(project, life, stress.kind);
+    channel.life.spectrum = spectrum_of(project, life, kind);
     if (largest_range_of(channel.life.spectrum) >= no_stress_at(point))
       channels.push_back(std::move(channel));
   };
   if (point.detail != nullptr && criterion != Criterion::shear_fatigue) {
-    add(detail_stress(point, point.detail->stress_factor), point.detail->detail,
+    add(StressKind::direct, of.direct(point.detail->stress_factor), point.detail->detail,
         point.compression_reduced);
   }
-  if (point.shear_detail != nullptr && criterion != Criterion::fatigue) {
-    add(shear_stress(point), *point.shear_detail, false);
-  }
+  if (point.shear_detail != nullptr && criterion != Criterion::fatigue)
+    add(StressKind::shear, of.shear(), *point.shear_detail, false);
   return channels;
 }
 
@@ -150,6 +146,18 @@ const SituationHistory& history_of(const std::vector<SituationHistory>& historie
 }
 
 }  // namespace
+
+const Turns& PointHistory::direct(double factor) {
+  const auto found = direct_.find(factor);
+  if (found != direct_.end()) return found->second;
+  return direct_.emplace(factor, turns_of(*project, *histories, detail_stress(*point, factor)))
+      .first->second;
+}
+
+const Turns& PointHistory::shear() {
+  if (!shear_) shear_ = turns_of(*project, *histories, shear_stress(*point));
+  return *shear_;
+}
 
 const CheckResult* governing_of(const std::vector<CheckResult>& checks, Criterion criterion) {
   const auto found = std::find_if(checks.begin(), checks.end(), [&](const CheckResult& result) {
@@ -203,7 +211,15 @@ std::optional<CheckResult> check_yield(const Project& project,
 std::optional<CheckResult> check_fatigue(const Project& project,
                                          const std::vector<SituationHistory>& histories,
                                          const StressPoint& point, Criterion criterion) {
-  std::vector<Channel> channels = channels_of(project, histories, point, criterion);
+  PointHistory of(project, histories, point);
+  return check_fatigue(of, criterion);
+}
+
+std::optional<CheckResult> check_fatigue(PointHistory& of, Criterion criterion) {
+  const Project& project = *of.project;
+  const std::vector<SituationHistory>& histories = *of.histories;
+  const StressPoint& point = *of.point;
+  std::vector<Channel> channels = channels_of(of, criterion);
   const bool together = criterion == Criterion::combined_fatigue;
   if (channels.size() < (together ? 2 : 1)) return std::nullopt;
 
@@ -211,7 +227,7 @@ std::optional<CheckResult> check_fatigue(const Project& project,
   for (Channel& channel : channels) lives.push_back(std::move(channel.life));
   const ChannelLife life = life_of(project, lives);
   const std::size_t governing = life.governing;
-  const auto [highest, lowest] = extremes_in(project, governing, channels.front().turns);
+  const auto [highest, lowest] = extremes_in(project, governing, *channels.front().turns);
   const bool upper = std::abs(highest.value) >= std::abs(lowest.value);
   const auto in = [&](const Extreme& extreme) -> const SituationHistory& {
     return history_of(histories, project.situations[extreme.situation]);
@@ -258,11 +274,18 @@ std::vector<WholePlace> whole_places_of(const std::vector<SituationHistory>& his
 std::optional<CheckResult> check_range(const Project& project,
                                        const std::vector<SituationHistory>& histories,
                                        const StressPoint& point) {
+  PointHistory of(project, histories, point);
+  return check_range(of);
+}
+
+std::optional<CheckResult> check_range(PointHistory& of) {
+  const Project& project = *of.project;
+  const std::vector<SituationHistory>& histories = *of.histories;
+  const StressPoint& point = *of.point;
   constexpr NoDerivation plainly;
   std::optional<CheckResult> worst;
-  const auto look = [&](const StressFunction& stress) {
+  const auto look = [&](const StressFunction& stress, const Turns& turns) {
     const Stress limit = range_limit(plainly, point.yield_strength, stress.kind);
-    const Turns turns = turns_of(project, histories, stress.at);
     for (std::size_t i = 0; i < project.situations.size(); ++i) {
       if (project.situations[i].cycles == 0.0) continue;
       const auto [highest, lowest] = extremes_in(project, i, turns);
@@ -289,8 +312,9 @@ std::optional<CheckResult> check_range(const Project& project,
       basis.stress_at_time = stress_at(point.influence, basis.cut_at_time);
     }
   };
-  if (point.detail != nullptr) look(detail_stress(point, point.range_factor));
-  if (point.shear_detail != nullptr) look(shear_stress(point));
+  if (point.detail != nullptr)
+    look(detail_stress(point, point.range_factor), of.direct(point.range_factor));
+  if (point.shear_detail != nullptr) look(shear_stress(point), of.shear());
   return worst;
 }
 
@@ -300,9 +324,8 @@ std::optional<CheckResult> check_throat(const Project& project,
   const SituationHistory* worst = &histories.front();
   TurningPoint largest;
   for (const SituationHistory& at : histories) {
-    TurningPoint in = at.history.largest([&](const CutForces& cut) {
-      return std::abs(stress_at(point.influence, cut).shear.value());
-    });
+    TurningPoint in = at.history.largest(
+        [&](const CutForces& cut) { return std::abs(stress_of(point.influence.shear, cut)); });
     in.value *= at.situation->load_factor;
     if (in.value <= largest.value) continue;
     worst = &at;

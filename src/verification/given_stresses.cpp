@@ -22,7 +22,7 @@ std::vector<CheckResult> check_given_stresses(const Project& project) {
     const auto add = [&](Criterion criterion, Stress acting, Stress strength, Stress resisting,
                          double required, const std::string& source) {
       CheckResult result;
-      result.given = {given, strength};
+      result.given = GivenBasis{given, strength};
       Check& check = result.check;
       check.id = id_of(criterion, station, given.name);
       check.criterion = criterion;

@@ -77,7 +77,7 @@ double warping_constant_in(const Segment& segment) {
 bool LateralEstimate::is_known() const {
   const std::vector<Segment>& segments = project_->beam.segments;
   return std::all_of(segments.begin(), segments.end(), [](const Segment& segment) {
-    return torsion_properties_of(segment.from).I_T && torsion_properties_of(segment.to).I_T;
+    return torsion_constant_of(segment.from) && torsion_constant_of(segment.to);
   });
 }
 
@@ -110,7 +110,7 @@ void LateralEstimate::hold(const std::vector<double>& at) {
       // As in bending along the webs and across them: the section is free to bend both ways.
       const double upright = 1.0 / (E * (I_y - I_yz * I_yz / I_z));
       const double sideways = 1.0 / (E * (I_z - I_yz * I_yz / I_y));
-      beam_.turning_stiffness[e][g] = G * torsion_properties_of(section).I_T->value();
+      beam_.turning_stiffness[e][g] = G * torsion_constant_of(section)->value();
       by_M_y_[e][g] = std::max(0.0, sideways - upright);
       by_M_z_[e][g] = std::max(0.0, upright - sideways);
       turned_[e][g] = turned_stresses_of(section);

@@ -206,6 +206,12 @@ bool stands(const LoadedPosture& posture) {
   return flexible::DynamicStiffness<double>(posture.structure, 0.0, 0.0).frequencies_below() == 0;
 }
 
+void require_held(const LoadedPosture& posture) {
+  const auto index = static_cast<std::size_t>(posture.beam_link);
+  if (!flexible::parts_stand(posture.structure.links[index])) return;
+  const flexible::DynamicStiffness<double> stiffness(posture.structure, 0.0, 0.0);
+}
+
 SecondOrder second_order_of(const LoadedPosture& posture) {
   const flexible::Deformation<double> bent =
       flexible::DynamicStiffness<double>(posture.structure, 0.0, 0.0)

@@ -148,14 +148,22 @@ class PlanarMotion : public SolvedMotion {
       constexpr int parts = 16;
       stopped_.emplace(
           Stopped{elastic_body_of(*project_, parts), planar::StateFinder(*mechanism_, motion)});
+      // Nothing moves: no mass counts.
+      for (flexible::LinkStretch& of : stopped_->elastic.stretches) {
+        of.mass = {};
+        of.rotary = {};
+      }
     }
     // Where loads break, the history has instants that the motion has not.
     const planar::State state = stopped_->finder.at(time.value());
     MakePosture whole = [this, state, loads](double factor) {
       return loaded_posture(*mechanism_, state, stopped_->elastic, project_->beam, loads, factor);
     };
+    // Where the rigid mechanism is far from a dead point the elastic one is held as well.
+    constexpr double far_from_dead_point = 1e-3;
+    if (state.pivot > far_from_dead_point) return whole;
     try {
-      stands(whole(0.0));
+      require_held(whole(0.0));
     } catch (const AnalysisError&) {
       return {};  // a dead point: the stopped mechanism is free to move there
     }

@@ -38,7 +38,7 @@ class Neighbours {
     double turned = from.time - of_->times[from.instant];
     for (;;) {
       const long to = static_cast<long>(place.instant) + direction;
-      const auto at = static_cast<std::size_t>((to + n) % n);
+      const auto at = static_cast<std::size_t>(to < 0 ? to + n : to >= n ? to - n : to);
       if (at == instant_ || of_->begins[direction > 0 ? at : place.instant]) return std::nullopt;
       if (to < 0) turned -= of_->period;
       if (to >= n) turned += of_->period;
@@ -90,7 +90,8 @@ double largest_of(const std::vector<double>& values, const SampledInstants& inst
   double largest = 0.0;
   const std::size_t n = values.size();
   for (std::size_t i = 0; i < n; ++i) {
-    const bool peak = values[i] >= values[(i + n - 1) % n] && values[i] >= values[(i + 1) % n];
+    const bool peak =
+        values[i] >= values[i > 0 ? i - 1 : n - 1] && values[i] >= values[i + 1 < n ? i + 1 : 0];
     largest = std::max(largest, peak ? peak_near(values, i, 1.0, instants) : values[i]);
   }
   return largest;
@@ -102,6 +103,7 @@ SituationTurns turns_among(const std::vector<double>& values, const SampledInsta
   of.begin = values.front();
   of.end = instants.closed ? values.front() : values.back();
   const TurningSamples found = turning_samples_of(values);
+  of.turns.reserve(std::max<std::size_t>(1, found.turns.size()));
   if (found.turns.empty()) of.turns.push_back({Time{}, values[found.highest], true});
   for (const auto& [i, maximum] : found.turns) {
     const double sign = maximum ? 1.0 : -1.0;
@@ -111,8 +113,10 @@ SituationTurns turns_among(const std::vector<double>& values, const SampledInsta
 }
 
 std::vector<Cycle> cycles_of(const Project& project, const Turns& turns, bool reduced) {
+  std::vector<SituationCycles> life = life_cycles_of(project, turns, reduced);
+  if (life.size() == 1) return std::move(life.front().cycles);
   std::vector<Cycle> cycles;
-  for (SituationCycles& of : life_cycles_of(project, turns, reduced))
+  for (const SituationCycles& of : life)
     cycles.insert(cycles.end(), of.cycles.begin(), of.cycles.end());
   return cycles;
 }
@@ -132,10 +136,6 @@ double largest_range_of(const Project& project, const Turns& turns) {
     largest = std::max(largest, highest.value - lowest.value);
   }
   return largest;
-}
-
-bool contains(std::initializer_list<Criterion> criteria, Criterion criterion) {
-  return std::find(criteria.begin(), criteria.end(), criterion) != criteria.end();
 }
 
 }  // namespace
@@ -163,10 +163,11 @@ StationSamples::StationSamples(const Project& project,
     SampledInstants& instants = run.instants;
     instants.closed = at.history.closed();
     instants.period = at.history.period().value();
-    run.cuts.reserve(at.history.samples().size() * acting_.size());
+    run.cuts.resize(acting_.size());
+    for (std::vector<double>& cut : run.cuts) cut.reserve(at.history.samples().size());
     const auto add = [&](Time time, const CutForces& cut, bool begins) {
       const auto values = each(cut);
-      for (const std::size_t k : acting_) run.cuts.push_back(values[k]);
+      for (std::size_t j = 0; j < acting_.size(); ++j) run.cuts[j].push_back(values[acting_[j]]);
       instants.times.push_back(time.value());
       instants.begins.push_back(begins);
     };
@@ -187,28 +188,19 @@ StationSamples::StationSamples(const Project& project,
 void StationSamples::find_stresses(const Run& run,
                                    const std::array<double, cut_force::count>& factors,
                                    std::vector<double>& stresses) const {
-  const std::size_t forces = acting_.size();
-  std::array<double, cut_force::count> of{};
-  bool any = false;
-  for (std::size_t j = 0; j < forces; ++j) {
-    of[j] = factors[acting_[j]];
-    any = any || of[j] != 0.0;
-  }
-  stresses.resize(run.instants.times.size());
-  if (!any) {
-    std::fill(stresses.begin(), stresses.end(), 0.0);
-    return;
-  }
-  const double* cut = run.cuts.data();
-  for (double& stress : stresses) {
-    double sum = 0.0;
-    for (std::size_t j = 0; j < forces; ++j) sum += of[j] * cut[j];
-    stress = sum;
-    cut += forces;
+  stresses.assign(run.instants.times.size(), 0.0);
+  const bool any = std::any_of(acting_.begin(), acting_.end(),
+                               [&](std::size_t force) { return factors[force] != 0.0; });
+  if (!any) return;
+  for (std::size_t j = 0; j < acting_.size(); ++j) {
+    const double factor = factors[acting_[j]];
+    const double* const cut = run.cuts[j].data();
+    for (std::size_t i = 0; i < stresses.size(); ++i) stresses[i] += factor * cut[i];
   }
 }
 
 double StationSamples::largest_cut_force(cut_force::Index which, double sign) const {
+  if (std::find(acting_.begin(), acting_.end(), which) == acting_.end()) return 0.0;
   std::array<double, cut_force::count> factors{};
   factors[which] = sign;
   double largest = 0.0;
@@ -224,10 +216,9 @@ double StationSamples::largest_use(const CutForceFunction& use) const {
   std::vector<double> uses;
   for (const Run& run : runs_) {
     uses.clear();
-    const double* acting = run.cuts.data();
     for (std::size_t i = 0; i < run.instants.times.size(); ++i) {
       std::array<double, cut_force::count> of{};
-      for (const std::size_t k : acting_) of[k] = *acting++;
+      for (std::size_t j = 0; j < acting_.size(); ++j) of[acting_[j]] = run.cuts[j][i];
       uses.push_back(use({si<Force>(of[cut_force::N]), si<Force>(of[cut_force::V_y]),
                           si<Force>(of[cut_force::V_z]), si<Moment>(of[cut_force::T]),
                           si<Moment>(of[cut_force::M_y]), si<Moment>(of[cut_force::M_z])}));
@@ -237,14 +228,20 @@ double StationSamples::largest_use(const CutForceFunction& use) const {
   return largest;
 }
 
-Utilisations StationSamples::judge(const StressPoint& point,
-                                   std::initializer_list<Criterion> by) const {
+const SnLine& StationSamples::line_of(const Detail& detail,
+                                      const std::shared_ptr<const BeamDetail>& kept) const {
+  for (const Line& known : lines_)
+    if (known.detail == &detail) return known.line;
+  return lines_.emplace_back(Line{&detail, kept, SnLine(curve_of(detail))}).line;
+}
+
+Utilisations StationSamples::judge(const StressPoint& point, CriterionSet by) const {
   return judge(point, point.influence, by);
 }
 
 Utilisations StationSamples::judge(const StressPoint& point, const StressInfluence& influence,
-                                   std::initializer_list<Criterion> by) const {
-  const auto asked = [&](Criterion criterion) { return contains(by, criterion); };
+                                   CriterionSet by) const {
+  const auto asked = [&](Criterion criterion) { return by.has(criterion); };
   const bool combined = asked(Criterion::combined_fatigue) && point.detail != nullptr &&
                         point.shear_detail != nullptr;
   const bool range = asked(Criterion::stress_range);
@@ -327,24 +324,26 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
       found.of(Criterion::combined_fatigue) = required / whole_->factor_of(together);
     return found;
   }
-  std::vector<FatigueChannel> channels;
+  std::array<std::vector<Cycle>, 2> cycles;
+  std::array<FatigueLoad, 2> loads;
+  std::size_t channels = 0;
   const auto look = [&](Criterion criterion, const Turns& turns, const Detail& detail,
                         bool reduced) {
-    FatigueChannel channel{cycles_of(*project_, turns, reduced), {}};
-    if (largest_range_of(channel.cycles) < no_stress_at(point)) return;
-    channel.curve = curve_of(detail);
-    if (asked(criterion)) {
-      found.of(criterion) = required / largest_factor(channel.cycles, channel.curve, demand);
-    }
-    channels.push_back(std::move(channel));
+    std::vector<Cycle>& of = cycles[channels];
+    of = cycles_of(*project_, turns, reduced);
+    if (largest_range_of(of) < no_stress_at(point)) return;
+    loads[channels] = {of, &line_of(detail, point.in_plate)};
+    if (asked(criterion))
+      found.of(criterion) = required / largest_factor({&loads[channels], 1}, demand);
+    ++channels;
   };
   if (direct && (asked(Criterion::fatigue) || combined)) {
     look(Criterion::fatigue, direct_turns, point.detail->detail, point.compression_reduced);
   }
   if (along && (asked(Criterion::shear_fatigue) || combined))
     look(Criterion::shear_fatigue, shear_turns, *point.shear_detail, false);
-  if (combined && channels.size() == 2)
-    found.of(Criterion::combined_fatigue) = required / largest_factor(channels, demand);
+  if (combined && channels == 2)
+    found.of(Criterion::combined_fatigue) = required / largest_factor(loads, demand);
   return found;
 }
 

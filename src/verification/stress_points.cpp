@@ -58,15 +58,16 @@ class DetailsAtStation {
 class StressPoints {
  public:
   StressPoints(const Project& project, const std::vector<BendingZone>& zones,
-               const Station& station)
+               const Station& station, StressFields& fields)
       : project_(&project),
         station_(station),
         details_(project.fatigue, station),
         materials_(materials_of(project, segment_at(project.beam, station))),
         taper_(taper_at(project.beam, station)),
         set_(project.in_space ? PointSet::in_space : PointSet::in_plane),
-        field_(stress_field_of(judged_section_at(project, station), holes_at(project, station.s),
-                               taper_)),
+        shared_field_(
+            fields.of(judged_section_at(project, station), holes_at(project, station.s), taper_)),
+        field_(*shared_field_),
         gross_(properties_of(field_.section)),
         net_(properties_of(field_.section, field_.holes)),
         lags_(shear_lags_at(zones, section_inside(project.beam, station), station)) {
@@ -112,7 +113,6 @@ class StressPoints {
     // Beside a hole in a solid its edge and the points beside it are looked at.
     if (!field_.flow && !field_.holes.empty()) return;
     const bool mirrored = set_ == PointSet::in_plane && is_mirrored(field_);
-    const auto field = std::make_shared<const StressField>(field_);
     for (const WallStretch& stretch : wall_stretches_of(field_)) {
       bool only_end = false;
       if (mirrored && !stretch.round) {
@@ -128,7 +128,7 @@ class StressPoints {
       StressPoint& point = add(point_on_stretch(field_, stretch, 0.0));
       resist(point);
       point.shear_detail = if_asked(project_->fatigue.shear);
-      point.stretch = StressStretch{field, stretch, only_end};
+      point.stretch = StressStretch{shared_field_, stretch, only_end};
       // Its ends, where it touches other plates, are points of their own.
       if (project_->part_materials.empty()) continue;
       const SectionPoint middle = point_on_stretch(field_, stretch, 0.5);
@@ -324,7 +324,8 @@ class StressPoints {
   PlateMaterials materials_;
   Taper taper_;
   PointSet set_;
-  StressField field_;
+  std::shared_ptr<const StressField> shared_field_;
+  const StressField& field_;  ///< the same
   SectionProperties gross_, net_;
   ShearLags lags_;
 };
@@ -381,10 +382,34 @@ StressInfluence influence_in(const StressPoint& point, const SectionPoint& place
   return influence;
 }
 
+std::shared_ptr<const StressField> StressFields::of(const Section& section,
+                                                    const std::vector<Hole>& holes,
+                                                    const Taper& taper) {
+  // In a taper no two stations are alike, and few have holes.
+  const bool kept = taper.empty() && holes.empty();
+  const auto found = std::find_if(known_.begin(), known_.end(), [&](const auto& field) {
+    return kept && field->section == section;
+  });
+  if (found != known_.end()) return *found;
+  auto field = std::make_shared<const StressField>(stress_field_of(section, holes, taper));
+  if (!kept) return field;
+  constexpr std::size_t most = 16;
+  known_.push_front(field);
+  if (known_.size() > most) known_.pop_back();
+  return field;
+}
+
 std::vector<StressPoint> stress_points_at(const Project& project,
                                           const std::vector<BendingZone>& zones,
                                           const Station& station) {
-  StressPoints gathered(project, zones, station);
+  StressFields fields;
+  return stress_points_at(project, zones, station, fields);
+}
+
+std::vector<StressPoint> stress_points_at(const Project& project,
+                                          const std::vector<BendingZone>& zones,
+                                          const Station& station, StressFields& fields) {
+  StressPoints gathered(project, zones, station, fields);
   gathered.add_section();
   for (const BeamHole& at : project.holes) {
     if (at.s == station.s) gathered.add_hole(at);
@@ -399,7 +424,8 @@ std::vector<StressPoint> stress_points_at(const Project& project,
 std::vector<StressPoint> seam_throats_at(const Project& project,
                                          const std::vector<BendingZone>& zones,
                                          const Station& station) {
-  StressPoints gathered(project, zones, station);
+  StressFields fields;
+  StressPoints gathered(project, zones, station, fields);
   gathered.add_throats();
   return std::move(gathered.points);
 }

@@ -115,7 +115,7 @@ class AlongBeam {
     ++evaluations_;
     const std::vector<SituationHistory> histories = histories_at(*runs_, station);
     const StationSamples samples(*project_, histories);
-    const std::vector<StressPoint> points = stress_points_at(*project_, *zones_, station);
+    const std::vector<StressPoint> points = stress_points_at(*project_, *zones_, station, fields_);
     FunctionValues values(group_of_.size());
     add_cut_forces(samples, values);
     values[of_class] = class_3_use_at(*project_, station, histories);
@@ -170,9 +170,11 @@ class AlongBeam {
   static Utilisations judge(const StationSamples& samples, const StressPoint& point) {
     if (point.edges.empty()) return samples.judge(point);
     Utilisations found;
-    for (const Criterion criterion : stress_criteria)
-      found.of(criterion) =
-          samples.judge(at_worst_edge(samples, point, criterion), {criterion}).of(criterion);
+    const std::vector<StressPoint> worst = at_worst_edges(samples, point, stress_criteria);
+    for (std::size_t k = 0; k < worst.size(); ++k) {
+      const Criterion criterion = stress_criteria[k];
+      found.of(criterion) = samples.judge(worst[k], {criterion}).of(criterion);
+    }
     return found;
   }
 
@@ -191,6 +193,7 @@ class AlongBeam {
   const std::deque<SituationRun>* runs_;
   const std::vector<BendingZone>* zones_;
   std::map<std::string, std::vector<std::size_t>> functions_;
+  StressFields fields_;
   std::size_t evaluations_ = 0;
   double nothing_ = 0.0;               ///< below it a force is none [N]
   std::vector<std::size_t> group_of_;  ///< of each function

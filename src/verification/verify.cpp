@@ -26,7 +26,7 @@ std::vector<CheckResult> all_checks(std::vector<CheckResult> of_beam,
                                     std::vector<CheckResult> of_member,
                                     const std::optional<CheckResult>& deflection) {
   std::vector<CheckResult> checks = std::move(of_beam);
-  for (const NeighbourResult& neighbour : neighbours.results) checks.push_back({neighbour.check});
+  for (const NeighbourResult& neighbour : neighbours.results) checks.emplace_back(neighbour.check);
   append(std::move(of_member), checks);
   if (deflection) checks.push_back(*deflection);
   return checks;
@@ -78,6 +78,26 @@ std::optional<planar::EquivalentMass> equivalent_mass_in(const Project& project,
   const EquivalentMassDemand& demand = *project.equivalent_mass;
   return planar::equivalent_mass_of(planar_in(project, *run.situation), planar_motion_of(run),
                                     demand.joint, demand.on, demand.adjust, demand.wanted.value());
+}
+
+template <class Verify>
+std::vector<VerifiedBeam> verify_each(std::vector<Project> beams, const Verify& verified_as) {
+  std::vector<VerifiedBeam> verified;
+  // Motions and loads look at the cases, which stay where they are.
+  verified.reserve(beams.size());
+  for (Project& project : beams) verified.push_back({std::move(project), {}});
+  for (std::size_t i = 0; i < verified.size(); ++i) {
+    VerifiedBeam& beam = verified[i];
+    try {
+      beam.verification = verified_as(beam.project, i);
+    } catch (const AnalysisError& error) {
+      if (beam.project.beam_name.empty()) throw;
+      AnalysisFailure failure = error.failure();
+      failure.details.push_back("beam  " + beam.project.beam_name);
+      throw AnalysisError(std::move(failure));
+    }
+  }
+  return verified;
 }
 
 }  // namespace
@@ -175,21 +195,25 @@ Verification judge(const Project& project, const std::deque<SituationRun>& runs,
 
 std::vector<VerifiedBeam> verify_beams(std::vector<Project> beams, Figures figures, Advice advice) {
   const SharedMotions shared;
-  std::vector<VerifiedBeam> verified;
-  // Motions and loads look at the cases, which stay where they are.
-  verified.reserve(beams.size());
-  for (Project& project : beams) verified.push_back({std::move(project), {}});
-  for (VerifiedBeam& beam : verified) {
-    try {
-      beam.verification = verify(beam.project, figures, advice, shared);
-    } catch (const AnalysisError& error) {
-      if (beam.project.beam_name.empty()) throw;
-      AnalysisFailure failure = error.failure();
-      failure.details.push_back("beam  " + beam.project.beam_name);
-      throw AnalysisError(std::move(failure));
-    }
-  }
-  return verified;
+  return verify_each(std::move(beams), [&](const Project& project, std::size_t) {
+    return verify(project, figures, advice, shared);
+  });
+}
+
+std::vector<VerifiedBeam> verify_beams_by(std::vector<ModelChoice>& models,
+                                          std::vector<Project> beams) {
+  const SharedMotions shared;
+  const bool known = !models.empty();
+  return verify_each(std::move(beams), [&](const Project& project, std::size_t i) {
+    if (!known) models.push_back(run_by_chosen_model(project, shared).model);
+    // Run anew by all, so that no digit depends on which design was the first.
+    return judge(project, run_situations(project, models[i].chosen, shared), models[i]);
+  });
+}
+
+bool model_depends_on(std::string_view key) {
+  const std::string_view table = key.substr(0, key.find('.'));
+  return table != "fatigue" && table != "strength";
 }
 
 const VerifiedBeam& worst_of(const std::vector<VerifiedBeam>& beams) {

@@ -1,7 +1,10 @@
 #include "boxbeam/verification/worst_place.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/numerics/extremum.hpp"
@@ -9,9 +12,14 @@
 namespace boxbeam {
 namespace {
 
-constexpr std::initializer_list<Criterion> of_plates{
-    Criterion::yield, Criterion::fatigue, Criterion::shear_fatigue, Criterion::combined_fatigue,
-    Criterion::stress_range};
+constexpr std::array of_plates{Criterion::yield, Criterion::fatigue, Criterion::shear_fatigue,
+                               Criterion::combined_fatigue, Criterion::stress_range};
+
+constexpr CriterionSet set_of(std::span<const Criterion> criteria) {
+  CriterionSet set({});
+  for (const Criterion criterion : criteria) set.add(criterion);
+  return set;
+}
 
 /// Of three influences at -1, 0 and 1, the one of the parabola through them at u.
 StressInfluence between(const std::array<StressInfluence, 3>& of, double u) {
@@ -89,13 +97,12 @@ class AroundEdge {
   static constexpr std::size_t places = 120;
 
   explicit AroundEdge(std::vector<HoleEdge>::const_iterator turn) : first_(*turn) {
+    static const Weights weights = weights_in_a_turn();
     for (std::size_t k = 0; k < places; ++k) {
       const HoleEdge& edge = turn[static_cast<long>(k)];
-      const double angle = angle_of(k);
       for (std::size_t n = 0; n < periods; ++n) {
-        const double weight = (n == 0 ? 1.0 : 2.0) / static_cast<double>(places);
-        add(waves_[n].cosine, edge, weight * std::cos(static_cast<double>(n) * angle));
-        add(waves_[n].sine, edge, weight * std::sin(static_cast<double>(n) * angle));
+        add(waves_[n].cosine, edge, weights[k][n].cosine);
+        add(waves_[n].sine, edge, weights[k][n].sine);
       }
     }
   }
@@ -127,6 +134,23 @@ class AroundEdge {
   struct Wave {
     Values cosine{}, sine{};
   };
+  struct Weight {
+    double cosine = 0.0, sine = 0.0;
+  };
+  using Weights = std::array<std::array<Weight, periods>, places>;
+
+  static Weights weights_in_a_turn() {
+    Weights of;
+    for (std::size_t k = 0; k < places; ++k) {
+      const double angle = angle_of(k);
+      for (std::size_t n = 0; n < periods; ++n) {
+        const double weight = (n == 0 ? 1.0 : 2.0) / static_cast<double>(places);
+        of[k][n] = {weight * std::cos(static_cast<double>(n) * angle),
+                    weight * std::sin(static_cast<double>(n) * angle)};
+      }
+    }
+    return of;
+  }
 
   static void add(Values& sum, const HoleEdge& edge, double weight) {
     for (std::size_t i = 0; i < cut_force::count; ++i) sum[i] += weight * edge.influence.normal[i];
@@ -136,6 +160,87 @@ class AroundEdge {
 
   HoleEdge first_;
   std::array<Wave, periods> waves_;
+};
+
+/// A place on an edge, and how far a criterion is used up there.
+struct WorstEdge {
+  double utilisation = -1.0;
+  HoleEdge edge;
+
+  void take(const HoleEdge& at, double use) {
+    if (use <= utilisation) return;
+    utilisation = use;
+    edge = at;
+  }
+};
+
+/// The worst places on the edge of a hole by several criteria, which share what is judged by all.
+class EdgeSearch {
+ public:
+  EdgeSearch(const StationSamples& samples, const StressPoint& point, CriterionSet by)
+      : samples_(&samples), point_(&point) {
+    if (point.edges.size() % AroundEdge::places != 0) {
+      for (const HoleEdge& edge : point.edges)
+        listed_.push_back(samples.judge(point, edge.influence, by));
+      return;
+    }
+    // Once round the hole; a second turn is for shear as if the beam did not taper.
+    for (auto first = point.edges.begin(); first != point.edges.end();
+         first += AroundEdge::places) {
+      Turn& turn = turns_.emplace_back();
+      turn.first = first;
+      for (std::size_t k = 0; k < AroundEdge::places; k += step)
+        turn.uses.push_back(samples.judge(point, first[static_cast<long>(k)].influence, by));
+    }
+  }
+
+  HoleEdge worst(Criterion by) {
+    WorstEdge worst;
+    for (std::size_t k = 0; k < listed_.size(); ++k)
+      worst.take(point_->edges[k], listed_[k].of(by));
+    for (Turn& turn : turns_) look_round(turn, by, worst);
+    return worst.edge;
+  }
+
+ private:
+  /// Every 12 degrees: waves of three periods in a turn have at most 6 % more between two of them.
+  static constexpr std::size_t step = 4;
+
+  struct Turn {
+    std::vector<HoleEdge>::const_iterator first;
+    std::vector<Utilisations> uses;
+    std::optional<AroundEdge> around;
+  };
+
+  void look_round(Turn& turn, Criterion by, WorstEdge& worst) const {
+    std::vector<double> values;
+    for (const Utilisations& use : turn.uses) values.push_back(use.of(by));
+    values.push_back(values.front());
+    const double largest = *std::max_element(values.begin(), values.end());
+    if (!(largest > 0.0)) {
+      worst.take(*turn.first, largest);
+      return;
+    }
+    if (!turn.around) turn.around.emplace(turn.first);
+    const AroundEdge& around = *turn.around;
+    const double width = AroundEdge::angle_of(step);
+    for (const std::size_t k : local_maxima_of(values, true)) {
+      if (k + 1 == values.size() || values[k] < 0.9 * largest) continue;
+      const double middle = AroundEdge::angle_of(k * step);
+      const Extremum found = find_maximum(
+          [&](double angle) {
+            return samples_->judge(*point_, around.at(angle).influence, {by}).of(by);
+          },
+          middle - width, middle + width, 16);
+      worst.take(turn.first[static_cast<long>(k * step)], values[k]);
+      worst.take(around.at(found.at), found.value);
+    }
+  }
+
+  const StationSamples* samples_;
+  const StressPoint* point_;
+  std::vector<Utilisations> listed_;  ///< of an edge of which not every place is known
+  std::vector<Turn> turns_;
 };
 
 }  // namespace
@@ -154,56 +259,29 @@ StressPoint moved_along(const StressPoint& point, double part) {
 
 StressPoint at_worst_edge(const StationSamples& samples, const StressPoint& point,
                           Criterion criterion) {
-  StressPoint moved = point;
-  moved.edges.clear();
+  return std::move(at_worst_edges(samples, point, {&criterion, 1}).front());
+}
+
+std::vector<StressPoint> at_worst_edges(const StationSamples& samples, const StressPoint& point,
+                                        std::span<const Criterion> criteria) {
+  StressPoint whole = point;
+  whole.edges.clear();
+  std::vector<StressPoint> moved(criteria.size(), whole);
   if (point.edges.empty()) return moved;
   // Without a detail no range is judged: the largest stress decides.
-  const bool judged = criterion == Criterion::yield || point.detail != nullptr;
-  const Criterion by = judged ? criterion : Criterion::yield;
-  const auto judge = [&](const StressInfluence& influence) {
-    return samples.judge(point, influence, {by}).of(by);
-  };
-  double worst = -1.0;
-  const auto take = [&](const HoleEdge& edge, double value) {
-    if (value <= worst) return;
-    worst = value;
-    moved.y = edge.y;
-    moved.z = edge.z;
-    moved.influence = edge.influence;
-    EdgeBasis& basis = moved.concentration->edge;
+  const CriterionSet by =
+      point.detail != nullptr ? set_of(criteria) : CriterionSet{Criterion::yield};
+  EdgeSearch search(samples, point, by);
+  for (std::size_t i = 0; i < criteria.size(); ++i) {
+    const HoleEdge edge = search.worst(by.has(criteria[i]) ? criteria[i] : Criterion::yield);
+    moved[i].y = edge.y;
+    moved[i].z = edge.z;
+    moved[i].influence = edge.influence;
+    EdgeBasis& basis = moved[i].concentration->edge;
     basis.angle = edge.angle;
     basis.y = edge.y;
     basis.z = edge.z;
     basis.around = edge.around;
-  };
-  // Once round the hole; a second turn is for shear as if the beam did not taper.
-  if (point.edges.size() % AroundEdge::places != 0) {
-    for (const HoleEdge& edge : point.edges) take(edge, judge(edge.influence));
-    return moved;
-  }
-  // Every 12 degrees: waves of three periods in a turn have at most 6 % more between two of them.
-  constexpr std::size_t step = 4;
-  const double width = AroundEdge::angle_of(step);
-  for (auto turn = point.edges.begin(); turn != point.edges.end(); turn += AroundEdge::places) {
-    const AroundEdge around(turn);
-    std::vector<double> values;
-    for (std::size_t k = 0; k < AroundEdge::places; k += step)
-      values.push_back(judge(turn[static_cast<long>(k)].influence));
-    values.push_back(values.front());
-    const double largest = *std::max_element(values.begin(), values.end());
-    if (!(largest > 0.0)) {
-      take(*turn, largest);
-      continue;
-    }
-    for (const std::size_t k : local_maxima_of(values, true)) {
-      if (k + 1 == values.size() || values[k] < 0.9 * largest) continue;
-      const double middle = AroundEdge::angle_of(k * step);
-      const Extremum found =
-          find_maximum([&](double angle) { return judge(around.at(angle).influence); },
-                       middle - width, middle + width, 16);
-      take(turn[static_cast<long>(k * step)], values[k]);
-      take(around.at(found.at), found.value);
-    }
   }
   return moved;
 }
@@ -255,7 +333,8 @@ void WallSearch::look_along(const StationSamples& samples, const StressPoint& po
   else
     for (int k = 0; k <= 4; ++k) parts.push_back(k / 4.0);
   std::vector<Utilisations> judged;
-  for (const double part : parts) judged.push_back(samples.judge(point, along.at(part), of_plates));
+  for (const double part : parts)
+    judged.push_back(samples.judge(point, along.at(part), set_of(of_plates)));
   for (const Criterion criterion : of_plates) {
     WorstOnWall& worst = worst_[static_cast<std::size_t>(criterion)];
     const auto take = [&](double part, double utilisation) {

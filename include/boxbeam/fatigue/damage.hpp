@@ -21,6 +21,12 @@ struct FatigueChannel {
   SnCurve curve;
 };
 
+/// The same where the curve is prepared already.
+struct FatigueLoad {
+  std::span<const Cycle> cycles;
+  const SnLine* line = nullptr;
+};
+
 /// Damage sum with all ranges multiplied by `factor`:
 ///
 ///     D = sum n_i / N_R(gamma_Ff factor range_i; curve divided by gamma_Mf)
@@ -41,6 +47,8 @@ std::vector<double> cycles_to_failure_in(const std::vector<Cycle>& cycles, const
 /// One channel is EN 1993-1-9 8(2). Direct stress and shear together are 8(3), equation 8.3: with
 /// the equivalent ranges at 2e6 cycles (d_E,2/d_C)^m is the damage sum of each.
 double largest_factor(std::span<const FatigueChannel> channels, const FatigueDemand& demand);
+
+double largest_factor(std::span<const FatigueLoad> channels, const FatigueDemand& demand);
 
 /// Of one channel.
 double largest_factor(const std::vector<Cycle>& cycles, const SnCurve& curve,

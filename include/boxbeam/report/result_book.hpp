@@ -38,5 +38,8 @@ class ResultBook {
 /// All numbers of results.json.
 ResultBook results_of(const Project& project, const Verification& verification);
 ResultBook results_of(const std::vector<VerifiedBeam>& beams);
+/// At least those that are found by some keys, of none of them all: most of the work is for texts
+/// and lists that no key leads to.
+ResultBook results_of(const std::vector<VerifiedBeam>& beams, const std::vector<std::string>& keys);
 
 }  // namespace boxbeam

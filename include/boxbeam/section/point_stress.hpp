@@ -31,6 +31,9 @@ struct StressInfluence {
 
 PointStress stress_at(const StressInfluence& influence, const CutForces& cut);
 
+/// One of the two [Pa].
+double stress_of(const std::array<double, cut_force::count>& per_force, const CutForces& cut);
+
 /// The same influence with the shear multiplied: q/t to q/a on the throat of a weld.
 StressInfluence shear_scaled(const StressInfluence& influence, double factor);
 

@@ -50,6 +50,7 @@ struct ShearFlow {
     double weight;
   };
   std::vector<Nearby> taper;
+  std::vector<CutFactors> out_of_component;             ///< dF/dx of all material of each component
   Eigen::Matrix<double, Eigen::Dynamic, 6> cell_flows;  ///< against twist by transverse forces
   Eigen::VectorXd cell_flows_per_torque;                ///< [1/m^2]
   CutFactors torque;              ///< left over for twist, per cut force; exactly 1 for T
@@ -59,6 +60,9 @@ struct ShearFlow {
 /// Shear flow of a thin-walled section, or nothing where a profile is solid.
 std::optional<ShearFlow> shear_flow_of(const Section& section, const std::vector<Hole>& holes,
                                        const Taper& taper);
+
+/// The same of a section as if it did not change.
+ShearFlow prismatic_flow_of(const ShearFlow& tapered, const Section& section);
 
 /// Shear flow at a fraction of a wall per cut force, positive from `start` to `end` [1/m for
 /// forces, 1/m^2 for moments].

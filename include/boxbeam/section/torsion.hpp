@@ -42,6 +42,9 @@ SecondMoment torsion_constant_of_box(const Box& box);
 /// walls. Source: EN 10210-2:2006, annex B (recalled, not confirmed).
 std::optional<SecondMoment> torsion_constant_of(const Profile& profile);
 
+/// Of an outer and an inner profile that twist alike.
+std::optional<SecondMoment> torsion_constant_of(const Section& section);
+
 /// Area inside the mid-lines of all cells of a profile; zero where there is none.
 Area enclosed_area_of(const Profile& profile);
 

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
+#include "boxbeam/core/kept_apart.hpp"
 #include "boxbeam/strength/box_distortion.hpp"
 #include "boxbeam/strength/effective_box.hpp"
 #include "boxbeam/strength/effective_path.hpp"
@@ -14,6 +17,7 @@
 #include "boxbeam/strength/reduced_stress.hpp"
 #include "boxbeam/strength/weld_throat.hpp"
 #include "boxbeam/verification/check.hpp"
+#include "boxbeam/verification/life_cycles.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/stress_points.hpp"
 #include "boxbeam/verification/whole_life.hpp"
@@ -153,18 +157,27 @@ struct DeflectionBasis {
 
 /// A check and what it rests on: of a stress that was given and of a deflection something else.
 struct CheckResult {
+  CheckResult() = default;
+  explicit CheckResult(Check of) : check(std::move(of)) {}
+  CheckResult(const CheckResult&) = default;
+  CheckResult& operator=(const CheckResult&) = default;
+  // What a quantity is made of cannot throw, which its library does not say.
+  CheckResult(CheckResult&&) noexcept = default;
+  CheckResult& operator=(CheckResult&&) noexcept = default;
+  ~CheckResult() = default;
+
   Check check;
-  std::optional<CheckBasis> basis = {};
-  std::optional<GivenBasis> given = {};
-  std::optional<DeflectionBasis> deflection = {};
-  std::optional<PlateBasis> plates = {};
-  std::optional<PathBasis> path = {};
-  std::optional<PatchBasis> patch = {};
-  std::optional<DistortionBasis> distortion = {};
-  std::optional<MemberBasis> member = {};
+  KeptApart<CheckBasis> basis;
+  KeptApart<GivenBasis> given;
+  KeptApart<DeflectionBasis> deflection;
+  KeptApart<PlateBasis> plates;
+  KeptApart<PathBasis> path;
+  KeptApart<PatchBasis> patch;
+  KeptApart<DistortionBasis> distortion;
+  KeptApart<MemberBasis> member;
   /// Of a throat: the least with which all checks of its weld, of a seam those of its place, pass;
   /// not below 3 mm (EN 1993-1-8:2005, 4.5.2(2)). Nothing where none does.
-  std::optional<Length> sufficient_throat = {};
+  std::optional<Length> sufficient_throat;
 };
 
 /// The first check of a criterion, of checks that stand worst first the worst; or nullptr.
@@ -175,6 +188,27 @@ const CheckResult* first_by_cut_forces(const std::vector<CheckResult>& checks);
 
 /// "yield/4.2-/hole-hub-edge+z": no spaces, so that an id is one word on a command line.
 std::string id_of(Criterion criterion, const Station& station, const std::string& point);
+
+/// A stress point over time: the turning points of its stresses, found once for all its checks.
+class PointHistory {
+ public:
+  /// Looks at all of them, which stay.
+  PointHistory(const Project& project, const std::vector<SituationHistory>& histories,
+               const StressPoint& point)
+      : project(&project), histories(&histories), point(&point) {}
+
+  /// Of the direct stress times a factor.
+  const Turns& direct(double factor);
+  const Turns& shear();
+
+  const Project* project;
+  const std::vector<SituationHistory>* histories;
+  const StressPoint* point;
+
+ private:
+  std::map<double, Turns> direct_;
+  std::optional<Turns> shear_;
+};
 
 /// Elastic verification of a point: the largest equivalent stress in any situation against the
 /// yield strength of its plate. Nothing where the point is never stressed.
@@ -189,6 +223,7 @@ std::optional<CheckResult> check_yield(const Project& project,
 std::optional<CheckResult> check_fatigue(const Project& project,
                                          const std::vector<SituationHistory>& histories,
                                          const StressPoint& point, Criterion criterion);
+std::optional<CheckResult> check_fatigue(PointHistory& of, Criterion criterion);
 
 /// Of long records the stresses of that check, as they are to be counted.
 std::vector<WholePlace> whole_places_of(const std::vector<SituationHistory>& histories,
@@ -199,6 +234,7 @@ std::vector<WholePlace> whole_places_of(const std::vector<SituationHistory>& his
 std::optional<CheckResult> check_range(const Project& project,
                                        const std::vector<SituationHistory>& histories,
                                        const StressPoint& point);
+std::optional<CheckResult> check_range(PointHistory& of);
 
 /// The throat of a seam between web and flange under the shear flow: directional method with
 /// tau_par alone. Source: EN 1993-1-8:2005, 4.5.3.2(6), equation 4.1.

@@ -43,6 +43,9 @@ LoadedPosture loaded_beam(flexible::Mechanism held, const TaperedBeam& beam, con
 /// Whether the posture stands: nothing buckles in the plane.
 bool stands(const LoadedPosture& posture);
 
+/// Throws AnalysisError where links are free to move.
+void require_held(const LoadedPosture& posture);
+
 /// What bending adds to the loads of the rigid beam when it bends statically under them.
 struct SecondOrder {
   /// Changes of the joints' forces and what the axial force does to the bent axis: in balance.

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <deque>
 #include <initializer_list>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -21,6 +24,23 @@ class Utilisations {
 
  private:
   std::array<double, criteria.size()> values_{};
+};
+
+/// Some of the criteria.
+class CriterionSet {
+ public:
+  constexpr CriterionSet(std::initializer_list<Criterion> of) {
+    for (const Criterion criterion : of) add(criterion);
+  }
+  constexpr void add(Criterion criterion) { bits_ |= bit_of(criterion); }
+  constexpr bool has(Criterion criterion) const { return (bits_ & bit_of(criterion)) != 0; }
+
+ private:
+  static constexpr std::uint32_t bit_of(Criterion criterion) {
+    return std::uint32_t{1} << static_cast<unsigned>(criterion);
+  }
+  static_assert(criteria.size() <= 32);
+  std::uint32_t bits_ = 0;
 };
 
 /// The criteria of the beam's stresses, which every place along it and around it is judged by.
@@ -53,14 +73,13 @@ class StationSamples {
 
   /// Utilisations of a point by the criteria asked for.
   Utilisations judge(const StressPoint& point,
-                     std::initializer_list<Criterion> by = {
-                         Criterion::yield, Criterion::fatigue, Criterion::shear_fatigue,
-                         Criterion::combined_fatigue, Criterion::stress_range,
-                         Criterion::weld}) const;
+                     CriterionSet by = {Criterion::yield, Criterion::fatigue,
+                                        Criterion::shear_fatigue, Criterion::combined_fatigue,
+                                        Criterion::stress_range, Criterion::weld}) const;
 
   /// The same where the point's stress is that of another influence.
   Utilisations judge(const StressPoint& point, const StressInfluence& influence,
-                     std::initializer_list<Criterion> by) const;
+                     CriterionSet by) const;
 
   /// The largest value of a cut force, or with sign -1 of its negative [N or N m].
   double largest_cut_force(cut_force::Index which, double sign) const;
@@ -73,11 +92,12 @@ class StationSamples {
     std::size_t situation = 0;
     double load_factor = 1.0;
     SampledInstants instants;
-    std::vector<double> cuts;  ///< of each instant the cut forces that act
+    std::vector<std::vector<double>> cuts;  ///< each cut force that acts, over the instants
   };
 
   void find_stresses(const Run& run, const std::array<double, cut_force::count>& factors,
                      std::vector<double>& stresses) const;
+  const SnLine& line_of(const Detail& detail, const std::shared_ptr<const BeamDetail>& kept) const;
 
   const Project* project_;
   std::vector<Run> runs_;
@@ -90,6 +110,14 @@ class StationSamples {
     std::vector<double> normal, shear, together;
   };
   mutable Room room_;
+
+  /// The lines of the details met so far; `kept` holds one that is no part of the case.
+  struct Line {
+    const Detail* detail;
+    std::shared_ptr<const BeamDetail> kept;
+    SnLine line;
+  };
+  mutable std::deque<Line> lines_;
 };
 
 }  // namespace boxbeam

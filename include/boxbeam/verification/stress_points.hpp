@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -91,11 +92,25 @@ Length seam_throat_of(const StressPoint& point);
 /// The stress of a place in a point's section, its normal stress with what shear lag leaves.
 StressInfluence influence_in(const StressPoint& point, const SectionPoint& place);
 
+/// The stress fields of sections that do not change along the beam, each found once however many
+/// stations have it.
+class StressFields {
+ public:
+  std::shared_ptr<const StressField> of(const Section& section, const std::vector<Hole>& holes,
+                                        const Taper& taper);
+
+ private:
+  std::deque<std::shared_ptr<const StressField>> known_;
+};
+
 /// Extreme fibres, ends of the webs, neutral axis, fibres of an inner profile, hole edges and the
 /// web beside them, throats of seams, and the user's own points in the section at a station. In
 /// space corners, faces, seams on both webs. The stretches of wall and of solids between them; in
 /// the plane of a section that mirrors itself those of its left half.
 /// Throws AnalysisError where in space the stress of a shape or of a hole is not known.
+std::vector<StressPoint> stress_points_at(const Project& project,
+                                          const std::vector<BendingZone>& zones,
+                                          const Station& station, StressFields& fields);
 std::vector<StressPoint> stress_points_at(const Project& project,
                                           const std::vector<BendingZone>& zones,
                                           const Station& station);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "boxbeam/mechanism/planar/equivalent_mass.hpp"
@@ -76,6 +77,15 @@ struct VerifiedBeam {
 std::vector<VerifiedBeam> verify_beams(std::vector<Project> beams,
                                        Figures figures = Figures::without,
                                        Advice advice = Advice::without);
+
+/// The same where the models of all beams are known from a design that differs in nothing that the
+/// choice looks at; the models that are found where there are none yet.
+std::vector<VerifiedBeam> verify_beams_by(std::vector<ModelChoice>& models,
+                                          std::vector<Project> beams);
+
+/// Whether the choice of a model looks at what stands under a key of the case: not at what resists,
+/// fatigue and partial factors.
+bool model_depends_on(std::string_view key);
 
 /// The beam that decides the verdict of the case: one that fails before one that is not judged
 /// before one that passes, of these the most used. Precondition: there is one.

@@ -11,6 +11,10 @@ namespace boxbeam {
 StressPoint at_worst_edge(const StationSamples& samples, const StressPoint& point,
                           Criterion criterion);
 
+/// The same by each of some criteria, in their order.
+std::vector<StressPoint> at_worst_edges(const StationSamples& samples, const StressPoint& point,
+                                        std::span<const Criterion> criteria);
+
 /// A point on a stretch of wall moved to the place where a criterion is worst. Each local maximum
 /// on a grid (10 degrees of a round tube, a twelfth of a straight wall) that may be the largest is
 /// found by Brent's method, so that a round tube has no favoured direction.

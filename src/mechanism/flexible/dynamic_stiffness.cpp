@@ -89,6 +89,23 @@ void add(const NodeStiffness<Scalar>& of, NodeStiffness<Scalar>& sum) {
   sum.pp += of.pp;
 }
 
+/// Of a symmetric matrix: those of a tridiagonal one, which are as many as its negative pivots.
+/// Source: Givens (1954); Parlett, The Symmetric Eigenvalue Problem, 3.3 and 7.3.
+std::size_t negative_eigenvalues_of(const Eigen::MatrixXd& matrix) {
+  const Eigen::Tridiagonalization<Eigen::MatrixXd> tridiagonal(matrix);
+  const Eigen::VectorXd diagonal = tridiagonal.diagonal(), beside = tridiagonal.subDiagonal();
+  const double least = std::numeric_limits<double>::min();
+  std::size_t negative = 0;
+  double pivot = diagonal[0];
+  for (Eigen::Index i = 0;;) {
+    if (pivot < 0.0) ++negative;
+    // Zero is taken for the least there is, as if the matrix were moved by that.
+    if (std::abs(pivot) < least) pivot = least;
+    if (++i == diagonal.size()) return negative;
+    pivot = diagonal[i] - beside[i - 1] / pivot * beside[i - 1];
+  }
+}
+
 /// What the nodes themselves do in a motion: (square M - K_g) q.
 template <class Scalar>
 LinkColumns<Scalar> resistance_of(const std::vector<LinkStiffness<Scalar>>& links,
@@ -343,12 +360,10 @@ void DynamicStiffness<Scalar>::factor_border() {
       scale_[fixed + static_cast<Eigen::Index>(j)] = 1.0 / std::sqrt(flexibility);
     }
   }
+  const Eigen::MatrixXd rows = border_.cwiseAbs().transpose();
   for (int pass = 0; pass < 8; ++pass) {
     for (Eigen::Index i = 0; i < size; ++i) {
-      double largest = 0.0;
-      for (Eigen::Index j = 0; j < size; ++j) {
-        largest = std::max(largest, std::abs(border_(i, j)) * scale_[i] * scale_[j]);
-      }
+      const double largest = (rows.col(i).array() * scale_[i] * scale_.array()).maxCoeff();
       if (largest > 0.0) scale_[i] /= std::sqrt(largest);
     }
   }
@@ -575,8 +590,7 @@ template <class Scalar>
 std::size_t DynamicStiffness<Scalar>::frequencies_below() const {
   if constexpr (std::is_same_v<Scalar, double>) {
     if (border_.rows() == 0) return 0;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(border_, Eigen::EigenvaluesOnly);
-    const auto negative = static_cast<std::size_t>((eigen.eigenvalues().array() < 0.0).count());
+    const std::size_t negative = negative_eigenvalues_of(border_);
     // Every force of a joint brings a negative one of its own, but one that pushes its ends apart
     // across its line.
     const auto holding = std::count_if(rows_.begin(), rows_.end(),

@@ -31,6 +31,12 @@ void over_stretches(const Link& link, double from, double to, const Function& f)
   }
 }
 
+bool has_mass(const LinkStretch& of) {
+  const auto is_there = [](double c) { return c != 0.0; };
+  return std::any_of(of.mass.c.begin(), of.mass.c.end(), is_there) ||
+         std::any_of(of.rotary.c.begin(), of.rotary.c.end(), is_there);
+}
+
 /// Integrals over a piece of a link about a place: of the mass, and of the rotary inertia.
 struct PieceMass {
   double mass = 0.0, first = 0.0, second = 0.0, rotary = 0.0;
@@ -39,6 +45,7 @@ struct PieceMass {
 PieceMass mass_of(const Link& link, double from, double to, double about) {
   PieceMass sum;
   over_stretches(link, from, to, [&](const LinkStretch& stretch, double a, double b) {
+    if (!has_mass(stretch)) return;  // links that only bear
     // Exact: the integrands are at most of degree 4.
     using Gauss = boost::math::quadrature::gauss<double, 3>;
     const auto over = [&](const auto& f) {
