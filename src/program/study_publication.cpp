@@ -13,8 +13,10 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/report/files.hpp"
+#include "boxbeam/report/study_document.hpp"
 #include "boxbeam/report/study_report.hpp"
 #include "program/column_file.hpp"
+#include "program/outputs.hpp"
 #include "report/csv_cells.hpp"
 #include "report/folder_update.hpp"
 #include "version.hpp"
@@ -56,7 +58,15 @@ Manifest manifest_of(const Study& study, const StudyDesigns& designs, std::size_
               chunk,
               designs.columns(),
               study.variables.size(),
+              false,
               {}};
+  const auto has_several = [](const Variable& variable) {
+    return variable.values.size() + variable.words.size() > 1;
+  };
+  of.scatters =
+      std::none_of(study.variables.begin(), study.variables.end(), has_several) &&
+      std::any_of(study.variables.begin(), study.variables.end(),
+                  [](const Variable& variable) { return variable.distribution.has_value(); });
   if (!study.indices) return of;
   of.indices = IndexPlan{{}, study.indices->resamples, study.seed};
   for (const Variable& variable : study.variables)
@@ -78,6 +88,7 @@ std::string to_json(const Manifest& of) {
                               {"designs", of.designs},
                               {"chunk", of.chunk},
                               {"variables", of.variables},
+                              {"scatters", of.scatters},
                               {"columns", columns}};
   if (of.indices)
     json["indices"] = {{"variables", of.indices->variables}, {"resamples", of.indices->resamples}};
@@ -87,17 +98,10 @@ std::string to_json(const Manifest& of) {
 Manifest manifest_in(const std::string& text, const std::string& folder) {
   try {
     const nlohmann::json json = nlohmann::json::parse(text);
-    Manifest of{json.at("name"),
-                json.at("study"),
-                json.at("case"),
-                json.at("input_sha256"),
-                json.at("version"),
-                json.at("seed"),
-                json.at("designs"),
-                json.at("chunk"),
-                {},
-                json.at("variables"),
-                {}};
+    Manifest of{json.at("name"),         json.at("study"),    json.at("case"),
+                json.at("input_sha256"), json.at("version"),  json.at("seed"),
+                json.at("designs"),      json.at("chunk"),    {},
+                json.at("variables"),    json.at("scatters"), {}};
     for (const nlohmann::json& column : json.at("columns"))
       of.columns.push_back({column.at("name"), column.at("unit")});
     if (json.contains("indices"))
@@ -121,8 +125,9 @@ PublishedStudy publish_study(const Manifest& manifest, const std::string& folder
   summary.version = manifest.version;
   summary.seed = manifest.seed;
   const std::vector<Column>& columns = manifest.columns;
-  StudyStatistics statistics({columns.begin() + 1, columns.end() - 1}, manifest.variables,
-                             manifest.indices);
+  const std::vector<Column> counted(columns.begin() + 1, columns.end() - 1);
+  StudyStatistics statistics(counted, manifest.variables, manifest.scatters, manifest.indices);
+  DesignSample sample(counted, manifest.variables, manifest.designs, manifest.seed);
   report::FolderUpdate update(folder);
   const std::string path = update.path() + "/" + rows_name;
   std::ofstream rows(path, std::ios::binary);
@@ -135,7 +140,9 @@ PublishedStudy publish_study(const Manifest& manifest, const std::string& folder
       const std::vector<std::string> cells =
           cells_in(std::string_view(text).substr(from, end - from));
       from = end + 1;
-      statistics.take({cells.begin() + 1, cells.end() - 1}, cells.back());
+      const std::vector<std::string> of_design(cells.begin() + 1, cells.end() - 1);
+      statistics.take(of_design, cells.back());
+      sample.take(of_design, cells.back());
     }
   }
   rows.close();
@@ -147,8 +154,12 @@ PublishedStudy publish_study(const Manifest& manifest, const std::string& folder
     published.files.emplace_back("rows.nc");
     write_column_file(update.path() + "/rows.nc", path, columns, summary);
   }
-  for (std::string& figure : draw_study(summary, update.path()))
+  DesignRows shown = sample.rows();
+  shown.scatters = manifest.scatters;
+  for (std::string& figure : draw_study(summary, shown, update.path()))
     published.files.push_back(std::move(figure));
+  published.files.push_back(
+      write_page("study.html", study_document(summary, shown), update.path()));
   std::vector<std::string> earlier = files_of_study();
   earlier.insert(earlier.end(), published.files.begin(), published.files.end());
   update.publish(earlier);

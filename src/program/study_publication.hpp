@@ -18,6 +18,7 @@ struct Manifest {
   std::size_t designs = 0, chunk = 1;
   std::vector<Column> columns;       ///< of the table
   std::size_t variables = 0;         ///< of these, behind the number of the design
+  bool scatters = false;             ///< designs are drawn as they scatter, and by nothing else
   std::optional<IndexPlan> indices;  ///< where they are asked for
 
   std::size_t chunks() const { return (designs + chunk - 1) / chunk; }
@@ -39,7 +40,7 @@ struct PublishedStudy {
 };
 
 /// Joins all chunks, asked for one after the other, into the files of a folder: rows.csv,
-/// study.json, and rows.nc where it is wanted. Throws OutputError.
+/// study.json, study.html with its figures, and rows.nc where it is wanted. Throws OutputError.
 PublishedStudy publish_study(const Manifest& manifest, const std::string& folder, bool netcdf,
                              const RowsOfChunk& rows_of);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "boxbeam/report/study_report.hpp"
+#include "design_plots.hpp"
 #include "drawn_files.hpp"
 #include "ink.hpp"
 
@@ -86,16 +87,25 @@ plot::Drawing index_bars(const StudySummary& summary) {
 
 }  // namespace
 
-std::vector<std::string> draw_study(const StudySummary& summary, const std::string& folder) {
+std::vector<std::string> draw_study(const StudySummary& summary, const DesignRows& rows,
+                                    const std::string& folder) {
+  std::vector<DrawnFigure> figures;
+  const auto add = [&](const char* name, std::optional<plot::Drawing> drawing) {
+    if (drawing) figures.push_back({name, [drawn = *std::move(drawing)] { return drawn; }});
+  };
   const bool varies =
       std::any_of(summary.indices.begin(), summary.indices.end(),
                   [](const ColumnIndices& column) { return !column.indices.of.empty(); });
-  if (!varies) return {};
-  return draw_into(folder, "", {{indices_figure, [&] { return index_bars(summary); }}});
+  if (varies) add(indices_figure, index_bars(summary));
+  add("contour", plot::contour(rows));
+  add("parallel", plot::parallel_axes(rows));
+  add("histogram", plot::histogram(rows));
+  return figures.empty() ? std::vector<std::string>() : draw_into(folder, "", figures);
 }
 
 std::vector<std::string> files_of_study() {
-  return {"rows.csv", "rows.nc", "study.json", fmt::format("{}.svg", indices_figure)};
+  return {"rows.csv",    "rows.nc",     "study.json",   "study.html",
+          "indices.svg", "contour.svg", "parallel.svg", "histogram.svg"};
 }
 
 }  // namespace boxbeam

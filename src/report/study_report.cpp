@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "document_fields.hpp"
-#include "text_layout.hpp"
+#include "study_tables.hpp"
 
 namespace boxbeam {
 namespace {
@@ -22,7 +22,7 @@ std::vector<Counted> by_number(const std::map<std::string, std::size_t>& counts)
   return all;
 }
 
-std::string table_of_indices(const StudySummary& summary, const ColumnIndices& column) {
+std::string indices_text(const StudySummary& summary, const ColumnIndices& column) {
   const SobolIndices& indices = column.indices;
   std::string text = fmt::format(
       "\nSobol indices of {}, from {} samples{}:\n", column.column.name, indices.samples,
@@ -31,16 +31,9 @@ std::string table_of_indices(const StudySummary& summary, const ColumnIndices& c
           : fmt::format(" ({} left out: a design of them has no number)", indices.left_out));
   if (indices.of.empty())
     return text + layout::item("none: it does not vary, or the samples are too few");
-  layout::Table table({"variable", "S1", "from", "to", "ST", "from", "to"});
   double sum = 0.0;
-  const auto number = [](double value) { return fmt::format("{:.4f}", value); };
-  for (std::size_t i = 0; i < indices.of.size(); ++i) {
-    const auto& [first, total] = indices.of[i];
-    sum += first.value;
-    table.row({summary.index_variables[i], number(first.value), number(first.low),
-               number(first.high), number(total.value), number(total.low), number(total.high)});
-  }
-  return text + table.text() +
+  for (const SobolIndex& of : indices.of) sum += of.first.value;
+  return text + report::indices_table(summary, indices).text() +
          layout::paragraph(fmt::format("S1: part of the variance that a variable makes by itself, "
                                        "{:.3f} together; ST: with all that it does together with "
                                        "others. From and to: 95 % confidence.",
@@ -72,6 +65,45 @@ void put_indices(report::Fields& to, const StudySummary& summary, const ColumnIn
 
 }  // namespace
 
+std::string p_f_text(const BoundedEstimate& p_f) {
+  return fmt::format("{:.3g}, from {:.3g} to {:.3g} with 95 % confidence", p_f.value, p_f.low,
+                     p_f.high);
+}
+
+layout::Table report::statistics_table(const StudySummary& summary) {
+  layout::Table table(
+      {"column", "unit", "designs", "mean", "sd", "least", "5 %", "half", "95 %", "largest"});
+  const auto number = [](double value) { return fmt::format("{:.5g}", value); };
+  for (const ColumnStatistics& of : summary.statistics) {
+    std::vector<std::string> row{of.column.name, of.column.unit, std::to_string(of.count),
+                                 number(of.mean), number(of.sd)};
+    for (const double quantile : of.quantiles) row.push_back(number(quantile));
+    table.row(row);
+  }
+  return table;
+}
+
+layout::Table report::indices_table(const StudySummary& summary, const SobolIndices& indices) {
+  layout::Table table({"variable", "S1", "from", "to", "ST", "from", "to"});
+  const auto number = [](double value) { return fmt::format("{:.4f}", value); };
+  for (std::size_t i = 0; i < indices.of.size(); ++i) {
+    const auto& [first, total] = indices.of[i];
+    table.row({summary.index_variables[i], number(first.value), number(first.low),
+               number(first.high), number(total.value), number(total.low), number(total.high)});
+  }
+  return table;
+}
+
+std::vector<std::string> report::reasons_text(const StudySummary& summary) {
+  const std::vector<Counted> reasons = by_number(summary.reasons);
+  constexpr std::size_t most = 5;
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < std::min(most, reasons.size()); ++i)
+    texts.push_back(fmt::format("{} times: {}", reasons[i].second, reasons[i].first));
+  if (reasons.size() > most) texts.push_back(fmt::format("{} more reasons", reasons.size() - most));
+  return texts;
+}
+
 report::MarkedText study_text(const StudySummary& summary) {
   std::string text =
       layout::heading(fmt::format("{}: {} designs{}", summary.name, summary.designs,
@@ -86,27 +118,12 @@ report::MarkedText study_text(const StudySummary& summary) {
         "not verified", fmt::format("{} of {}, status says why", summary.failed, summary.designs));
   if (summary.verdicts.empty() && summary.failed == 0)
     text += layout::entry("verified", fmt::format("{} of {}", verified, summary.designs));
-  if (!summary.statistics.empty()) {
-    text += "\n";
-    layout::Table table(
-        {"column", "unit", "designs", "mean", "sd", "least", "5 %", "half", "95 %", "largest"});
-    const auto number = [](double value) { return fmt::format("{:.5g}", value); };
-    for (const ColumnStatistics& of : summary.statistics) {
-      std::vector<std::string> row{of.column.name, of.column.unit, std::to_string(of.count),
-                                   number(of.mean), number(of.sd)};
-      for (const double quantile : of.quantiles) row.push_back(number(quantile));
-      table.row(row);
-    }
-    text += table.text();
-  }
-  for (const ColumnIndices& column : summary.indices) text += table_of_indices(summary, column);
-  const std::vector<Counted> reasons = by_number(summary.reasons);
+  if (summary.p_f) text += layout::entry("p_f", p_f_text(*summary.p_f));
+  if (!summary.statistics.empty()) text += "\n" + report::statistics_table(summary).text();
+  for (const ColumnIndices& column : summary.indices) text += indices_text(summary, column);
+  const std::vector<std::string> reasons = report::reasons_text(summary);
   if (!reasons.empty()) text += "\nWhy designs were not verified:\n";
-  constexpr std::size_t most = 5;
-  for (std::size_t i = 0; i < std::min(most, reasons.size()); ++i)
-    text += layout::item(fmt::format("{} times: {}", reasons[i].second, reasons[i].first));
-  if (reasons.size() > most)
-    text += layout::item(fmt::format("{} more reasons", reasons.size() - most));
+  for (const std::string& reason : reasons) text += layout::item(reason);
   return text;
 }
 
@@ -130,6 +147,14 @@ void report::put_study(Fields& to, const StudySummary& summary) {
           put_count);
   to.list({"reasons", "why designs failed, the most frequent first"}, "",
           by_number(summary.reasons), put_count);
+  if (summary.p_f || to.is_describing()) {
+    const BoundedEstimate p_f = summary.p_f.value_or(BoundedEstimate{});
+    to.optional().number(
+        {"p_f", "share of the designs that do not pass, where they are drawn as they scatter"}, "1",
+        p_f.value);
+    to.optional().number({"p_f_low", "of 95 % confidence"}, "1", p_f.low);
+    to.optional().number("p_f_high", "1", p_f.high);
+  }
   to.list({"statistics", "of the columns of numbers"}, "{column}", summary.statistics,
           [](Fields& of, const ColumnStatistics& column) {
             of.text("column", column.column.name);

@@ -6,6 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include "simulations.hpp"
+
 namespace boxbeam {
 namespace {
 
@@ -40,10 +42,11 @@ ColumnStatistics statistics_of(const Column& column, std::vector<double> numbers
 
 }  // namespace
 
-StudyStatistics::StudyStatistics(std::vector<Column> columns, std::size_t variables,
+StudyStatistics::StudyStatistics(std::vector<Column> columns, std::size_t variables, bool scatters,
                                  std::optional<IndexPlan> plan)
     : columns_(std::move(columns)),
       variables_(variables),
+      scatters_(scatters),
       plan_(std::move(plan)),
       numbers_(columns_.size()),
       of_designs_(columns_.size()) {}
@@ -75,6 +78,12 @@ void StudyStatistics::put_into(StudySummary& summary) const {
   summary.reasons = reasons_;
   for (std::size_t k = 0; k < columns_.size(); ++k)
     if (!numbers_[k].empty()) summary.statistics.push_back(statistics_of(columns_[k], numbers_[k]));
+  if (scatters_ && !plan_ && !verdicts_.empty()) {
+    const auto passing = verdicts_.find("pass");
+    const std::size_t failing = designs_ - (passing == verdicts_.end() ? 0 : passing->second);
+    const Estimate share = share_estimate(designs_, failing);
+    summary.p_f = BoundedEstimate{share.p_f, share.low, share.high};
+  }
   if (!plan_) return;
   summary.index_variables = plan_->variables;
   for (std::size_t k = variables_; k < columns_.size(); ++k)

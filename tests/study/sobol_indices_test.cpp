@@ -215,7 +215,8 @@ TEST_CASE("statistics of a study gather what indices need", "[study]") {
   const Study study = parse_study("study.toml", head(64) + three_angles() + foot);
   const IndexPlan plan = plan_of(study);
   const DesignSpace space(study);
-  StudyStatistics statistics({{"a", ""}, {"b", ""}, {"c", ""}, {"f", ""}, {"word", ""}}, 3, plan);
+  StudyStatistics statistics({{"a", ""}, {"b", ""}, {"c", ""}, {"f", ""}, {"word", ""}}, 3, true,
+                             plan);
   std::vector<double> values;
   for (std::size_t i = 0; i < space.size(); ++i) {
     std::vector<double> x;

@@ -44,16 +44,18 @@ struct StudySummary {
   std::map<std::string, std::size_t> verdicts;  ///< of the others, where this is a column
   std::map<std::string, std::size_t> reasons;   ///< why designs failed, the first thousand
   std::vector<ColumnStatistics> statistics;     ///< of all columns of numbers
-  std::vector<std::string> index_variables;     ///< whose indices were asked for
-  std::vector<ColumnIndices> indices;           ///< of results that are numbers
+  /// Share of the designs that do not pass, where they are drawn as they scatter.
+  std::optional<BoundedEstimate> p_f;
+  std::vector<std::string> index_variables;  ///< whose indices were asked for
+  std::vector<ColumnIndices> indices;        ///< of results that are numbers
 };
 
 /// Gathers the rows of a study one after the other. Keeps every number: 8 bytes each.
 class StudyStatistics {
  public:
-  /// All columns of a row, the first so many of which are variables; with a plan where indices are
-  /// asked for.
-  StudyStatistics(std::vector<Column> columns, std::size_t variables,
+  /// All columns of a row, the first so many of which are variables; `scatters`: designs are drawn
+  /// as they scatter, independently of each other; with a plan where indices are asked for.
+  StudyStatistics(std::vector<Column> columns, std::size_t variables, bool scatters = false,
                   std::optional<IndexPlan> plan = {});
 
   /// The cells of a row as they are written, and its status, "ok" or why it failed.
@@ -65,6 +67,7 @@ class StudyStatistics {
  private:
   std::vector<Column> columns_;
   std::size_t variables_;
+  bool scatters_;
   std::optional<IndexPlan> plan_;
   std::vector<std::vector<double>> numbers_;
   std::vector<std::vector<double>> of_designs_;  ///< results by design, for indices
