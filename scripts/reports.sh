@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Writes the reports of all shipped cases into reports/, and the comparisons with published values.
+# Writes the reports of all shipped cases into reports/, the comparisons with published values, and the pages of
+# the rig's studies.
 #
 #   scripts/reports.sh
 #
@@ -30,6 +31,16 @@ compare() {
   build/boxbeam compare "$1" "$2" >"$3/comparison.txt"
 }
 
+# page COMMAND STUDY FILE: of what it writes the page alone is kept.
+page() {
+  local folder
+  folder=$(mktemp -d)
+  run "$1" "sections/sledge-rig/studies/$2.toml" --out "$folder"
+  mkdir -p reports/sledge-rig-studies
+  mv "$folder/$3" "reports/sledge-rig-studies/$2.html"
+  rm -r "$folder"
+}
+
 write_all() {
   SOURCE_DATE_EPOCH=$(cat reports/date)
   export SOURCE_DATE_EPOCH
@@ -42,6 +53,10 @@ write_all() {
   compare sections/sledge-rig/published.toml sections/sledge-rig/thesis.csv reports/sledge-rig-published
   compare sections/sledge-rig/rig.toml sections/sledge-rig/thesis-rigorous.csv reports/sledge-rig
   compare sections/landing-gear/gear.toml sections/landing-gear/published.csv reports/landing-gear
+  page sweep stroke-and-frequency study.html
+  page sweep indices study.html
+  page optimise least-mass optimum.html
+  page reliability reliability reliability.html
 }
 
 write_all

@@ -12,7 +12,9 @@
 #include <thread>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/report/files.hpp"
 #include "boxbeam/report/optimum_report.hpp"
+#include "boxbeam/report/study_document.hpp"
 #include "boxbeam/study/named_expression.hpp"
 #include "program/design_numbers.hpp"
 #include "program/design_trial.hpp"
@@ -20,6 +22,8 @@
 #include "program/outputs.hpp"
 #include "program/progress.hpp"
 #include "program/terminal.hpp"
+#include "report/text_layout.hpp"
+#include "report/unfinished.hpp"
 
 namespace boxbeam::program {
 namespace {
@@ -192,6 +196,7 @@ class Memory {
     const auto found = known_.find(chosen);
     return found == known_.end() ? std::nullopt : std::optional(found->second);
   }
+  const std::map<std::vector<double>, Judged>& all() const { return known_; }
   /// How many there are.
   std::size_t keep(const std::vector<double>& chosen, const Judged& judged) {
     constexpr std::size_t most = 200'000;
@@ -230,6 +235,27 @@ class Optimising {
     return optimum_of(question);
   }
 
+  /// All designs that were judged, by their values.
+  DesignRows judged() const {
+    std::vector<Column> columns;
+    for (std::size_t i = 0; i < problem_->choices().size(); ++i)
+      columns.push_back({problem_->choices()[i].name, problem_->units()[i]});
+    const std::size_t variables = columns.size();
+    for (const std::string& goal : problem_->demand().minimise)
+      columns.push_back({goal, problem_->goal_unit(goal)});
+    if (problem_->demand().checks) columns.push_back({"utilisation", ""});
+    columns.push_back({"verdict", ""});
+    DesignSample sample(columns, variables, memory_.all().size(), problem_->study().seed);
+    for (const auto& [values, judged] : memory_.all()) {
+      std::vector<std::string> cells;
+      for (const double value : values) cells.push_back(fmt::format("{}", value));
+      cells.resize(columns.size());
+      if (judged.trouble.empty()) put_results(judged, variables, cells);
+      sample.take(cells, judged.trouble.empty() ? "ok" : judged.trouble);
+    }
+    return sample.rows();
+  }
+
   /// Between the least of the one and the least of the other in equal steps of the second.
   std::vector<FrontPoint> front(const Optimum& first) {
     std::vector<FrontPoint> points;
@@ -253,6 +279,19 @@ class Optimising {
   }
 
  private:
+  void put_results(const Judged& judged, std::size_t place, std::vector<std::string>& cells) const {
+    for (const double goal : judged.goals) cells[place++] = fmt::format("{}", goal);
+    if (problem_->demand().checks) {
+      const auto end = judged.margins.begin() + static_cast<std::ptrdiff_t>(std::size(criteria));
+      const double margin = *std::min_element(judged.margins.begin(), end);
+      cells[place++] = fmt::format("{}", margin >= 0.0 ? 1.0 - margin : std::exp(-margin));
+    }
+    constexpr double rounding = -1e-9;
+    const bool keeps = std::all_of(judged.margins.begin(), judged.margins.end(),
+                                   [](double margin) { return margin >= rounding; });
+    cells[place] = keeps ? "pass" : "fail";
+  }
+
   Worth worth(DesignJudge& judge, const std::vector<double>& chosen, std::size_t goal,
               std::optional<double> of_other) {
     std::optional<Judged> judged = memory_.find(chosen);
@@ -315,10 +354,24 @@ OptimumReport report_of(const BestDesign& problem, Optimum optimum, std::vector<
   return report;
 }
 
+void write_folder(const OptimumReport& report, const std::string& folder) {
+  report::FolderUpdate update(folder);
+  write_file(update.path() + "/optimum.json", optimum_json(report));
+  draw_optimum(report, update.path());
+  write_page("optimum.html", optimum_document(report), update.path());
+  update.publish(files_of_optimum());
+}
+
 }  // namespace
 
 int run_optimise(const OptimiseOptions& options) {
-  require_file(options.json);
+  report::clear_up_before_the_end();
+  if (options.out.empty()) {
+    require_file(options.json);
+  } else {
+    require_folder(options.out);
+    require_file_beside(options.json, options.out);
+  }
   const Study study = read_study(options.study);
   if (!study.optimise)
     throw InputError(fmt::format("{}: the study does not say what is to be least", study.path),
@@ -335,8 +388,14 @@ int run_optimise(const OptimiseOptions& options) {
     std::vector<FrontPoint> front;
     if (study.optimise->minimise.size() == 2) front = optimising.front(optimum);
     report = report_of(problem, std::move(optimum), std::move(front));
+    if (!options.out.empty()) report.judged = optimising.judged();
   }
-  put_result(options.json, optimum_json(report), optimum_text(report));
+  if (!options.out.empty()) write_folder(report, options.out);
+  report::MarkedText text = optimum_text(report);
+  if (!options.out.empty())
+    text +=
+        "\n" + layout::line(fmt::format("Written to {}: optimum.json, optimum.html", options.out));
+  put_result(options.json, optimum_json(report), text);
   return report.optimum.best ? all_pass : check_fails;
 }
 

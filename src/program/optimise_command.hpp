@@ -6,6 +6,7 @@ namespace boxbeam::program {
 
 struct OptimiseOptions {
   std::string study;
+  std::string out;          ///< folder of page and figures; "": none is written
   std::size_t threads = 0;  ///< 0: as many as the machine runs at once
   std::string json;
 };

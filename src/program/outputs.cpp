@@ -9,6 +9,9 @@
 #include <fstream>
 #include <iterator>
 
+#include "boxbeam/report/files.hpp"
+#include "boxbeam/report/html_writer.hpp"
+
 namespace boxbeam::program {
 namespace {
 
@@ -73,6 +76,14 @@ std::optional<std::string> svg_in(const std::string& folder, const std::string& 
   std::ifstream file(folder + "/" + name + ".svg", std::ios::binary);
   if (!file) return std::nullopt;
   return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+std::string write_page(const std::string& name, const report::Document& document,
+                       const std::string& folder) {
+  write_file(folder + "/" + name, report::html_of(document, [&](const std::string& picture) {
+               return svg_in(folder, picture);
+             }));
+  return name;
 }
 
 }  // namespace boxbeam::program

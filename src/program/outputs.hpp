@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/report/document.hpp"
 #include "report/folder_update.hpp"
 
 /// What commands that write files share.
@@ -57,6 +58,10 @@ inline bool publish(report::FolderUpdate& update, const std::string& folder,
 
 /// The content of a figure in a folder, where it stands there.
 std::optional<std::string> svg_in(const std::string& folder, const std::string& name);
+
+/// Writes a page of a study into a folder, with the figures that stand there; its name again.
+std::string write_page(const std::string& name, const report::Document& document,
+                       const std::string& folder);
 
 /// Whether a result can be written to where the user wants it, before it is calculated. All throw
 /// OutputError. A file stands in a folder that is there: none is made for it; "" and "-" are none.

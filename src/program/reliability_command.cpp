@@ -9,6 +9,7 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/report/files.hpp"
 #include "boxbeam/report/reliability_report.hpp"
+#include "boxbeam/report/study_document.hpp"
 #include "program/case_limit_state.hpp"
 #include "program/exit_code.hpp"
 #include "program/outputs.hpp"
@@ -59,8 +60,9 @@ int run_reliability(const ReliabilityOptions& options) {
   report::FolderUpdate update(folder);
   write_file(update.path() + "/reliability.json", reliability_json(of));
   const std::vector<std::string> figures = draw_reliability(of, update.path());
+  write_page("reliability.html", reliability_document(of), update.path());
   update.publish(files_of_reliability());
-  std::string names = "reliability.json";
+  std::string names = "reliability.json, reliability.html";
   for (const std::string& figure : figures) names += ", " + figure;
   report::MarkedText text = reliability_text(of);
   text += "\n" + layout::line(fmt::format("Written to {}: {}", folder, names));

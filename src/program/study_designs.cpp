@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/project/case_document.hpp"
 #include "boxbeam/report/result_book.hpp"
+#include "boxbeam/study/named_expression.hpp"
 #include "program/case_keys.hpp"
 #include "report/csv_cells.hpp"
 
@@ -46,10 +48,23 @@ StudyDesigns::StudyDesigns(const Study& study)
     columns_.push_back({variable.name, variable.unit});
   for (const std::string& column : study.columns) columns_.push_back({column, ""});
   columns_.push_back({"status", ""});
+  if (study.case_file.empty()) {
+    require_no_keys();
+    sha256_ = sha256_of(study.text);
+    return;
+  }
   require_keys();
   const std::vector<Project> beams = read_beams_of(case_of(study));
   sha256_ = sha256_of(study.text + "\n" + beams.front().sha256);
   require_columns();
+}
+
+void StudyDesigns::require_no_keys() const {
+  for (const Variable& variable : study_->variables)
+    if (!variable.keys.empty())
+      throw InputError(fmt::format("{}: \"{}\" is a key of a case, but the study has none",
+                                   study_->path, variable.name),
+                       "write case = \"rig.toml\" in [study]");
 }
 
 /// A key that the case has not is wrong where the case cannot be read with it.
@@ -100,6 +115,38 @@ void StudyDesigns::require_columns() {
                    first->hint_for(unknown.front()));
 }
 
+/// The results of a design as cells.
+std::vector<std::string> StudyDesigns::results_of_design(const std::vector<Setting>& design) const {
+  std::vector<std::string> results;
+  if (study_->case_file.empty()) {
+    std::vector<std::string> names;
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < design.size(); ++i) {
+      if (!study_->variables[i].words.empty()) continue;
+      names.push_back(study_->variables[i].name);
+      numbers.push_back(design[i].number);
+    }
+    for (std::size_t k = 0; k < study_->formulas.size(); ++k) {
+      const double value = NamedExpression(study_->formulas[k], names).at(numbers);
+      if (!std::isfinite(value))
+        throw AnalysisError({fmt::format("\"{}\" has no finite value", study_->formulas[k]),
+                             "column " + study_->columns[k],
+                             {},
+                             {},
+                             {},
+                             {}});
+      results.push_back(report::csv_cell(value));
+    }
+    return results;
+  }
+  const std::vector<VerifiedBeam> beams = trials_.verify(space_.overrides(design));
+  const bool numbers = !std::all_of(study_->columns.begin(), study_->columns.end(), is_of_verdict);
+  const std::optional<ResultBook> book =
+      numbers ? std::optional(results_of(beams, study_->columns)) : std::nullopt;
+  for (const std::string& column : study_->columns) results.push_back(cell_of(column, beams, book));
+  return results;
+}
+
 StudyDesigns::Row StudyDesigns::row(std::size_t index) const {
   std::vector<std::string> cells{std::to_string(index + 1)};
   std::vector<std::string> results(study_->columns.size());
@@ -110,16 +157,10 @@ StudyDesigns::Row StudyDesigns::row(std::size_t index) const {
     for (std::size_t i = 0; i < design.size(); ++i)
       values[i] = study_->variables[i].words.empty() ? report::csv_cell(design[i].number)
                                                      : report::csv_cell(design[i].word);
-    const std::vector<VerifiedBeam> beams = trials_.verify(space_.overrides(design));
-    const bool numbers =
-        !std::all_of(study_->columns.begin(), study_->columns.end(), is_of_verdict);
-    const std::optional<ResultBook> book =
-        numbers ? std::optional(results_of(beams, study_->columns)) : std::nullopt;
-    for (std::size_t i = 0; i < results.size(); ++i)
-      results[i] = cell_of(study_->columns[i], beams, book);
+    results = results_of_design(design);
   });
   row.failed = !status.empty();
-  if (row.failed) results.assign(results.size(), "");
+  if (row.failed) results.assign(study_->columns.size(), "");
   cells.insert(cells.end(), values.begin(), values.end());
   cells.insert(cells.end(), results.begin(), results.end());
   cells.push_back(row.failed ? report::csv_cell(status) : "ok");

@@ -29,8 +29,10 @@ class StudyDesigns {
   Row row(std::size_t index) const;
 
  private:
+  void require_no_keys() const;
   void require_keys() const;
   void require_columns();
+  std::vector<std::string> results_of_design(const std::vector<Setting>& design) const;
 
   const Study* study_;
   DesignSpace space_;

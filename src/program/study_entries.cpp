@@ -60,8 +60,9 @@ Entry sweep_entry(CLI::App& app) {
       ->required()
       ->type_name("FILE.toml");
   command
-      .add_option("--out,-o", options->out,
-                  "folder of rows.csv and study.json (default: reports/NAME of the study)")
+      .add_option(
+          "--out,-o", options->out,
+          "folder of rows.csv, study.json and study.html (default: reports/NAME of the study)")
       ->type_name("DIR");
   add_threads(command, options->threads);
   command
@@ -85,6 +86,11 @@ Entry optimise_entry(CLI::App& app) {
   command.add_option("STUDY", options->study, "what may be chosen, and what is to be least")
       ->required()
       ->type_name("FILE.toml");
+  command
+      .add_option("--out,-o", options->out,
+                  "folder of optimum.json, a page of all designs looked at and figures (default: "
+                  "none is written)")
+      ->type_name("DIR");
   add_threads(command, options->threads);
   add_json(command, options->json, "result", "the text");
   return {&command, {"boxbeam optimise study.toml"}, [options] { return run_optimise(*options); }};
@@ -98,7 +104,7 @@ Entry merge_entry(CLI::App& app) {
       ->type_name("DIR");
   command
       .add_option("--out,-o", options->out,
-                  "folder of rows.csv and study.json (default: the first one)")
+                  "folder of rows.csv, study.json and study.html (default: the first one)")
       ->type_name("DIR");
   add_netcdf(command, options->netcdf);
   add_json(command, options->json, "summary", "the text");
@@ -114,7 +120,8 @@ Entry reliability_entry(CLI::App& app) {
       ->type_name("FILE.toml");
   command
       .add_option("--out,-o", options->out,
-                  "folder of reliability.json and figures (default: reports/NAME of the study)")
+                  "folder of reliability.json, reliability.html and figures (default: reports/NAME "
+                  "of the study)")
       ->type_name("DIR");
   add_threads(command, options->threads);
   command.add_flag("--quiet,-q", options->quiet, "no progress");

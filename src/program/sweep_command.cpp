@@ -9,9 +9,7 @@
 #include <cmath>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <thread>
 
@@ -25,11 +23,10 @@
 #include "program/progress.hpp"
 #include "program/ranks.hpp"
 #include "program/study_designs.hpp"
+#include "program/study_publication.hpp"
 #include "program/terminal.hpp"
-#include "report/csv_cells.hpp"
 #include "report/text_layout.hpp"
 #include "report/unfinished.hpp"
-#include "version.hpp"
 
 namespace boxbeam::program {
 namespace {
@@ -62,93 +59,6 @@ Shard shard_in(const std::string& text) {
 /// chunks. Small ones for a small study, so that all threads have work; at most some 100 000 files.
 std::size_t chunk_size(std::size_t designs) {
   return std::max(std::clamp<std::size_t>(designs / 64, 1, 64), designs / 100'000);
-}
-
-/// What all chunks of a study have in common.
-struct Manifest {
-  std::string name, study_file, case_file, sha256;
-  std::uint64_t seed = 0;
-  std::size_t designs = 0, chunk = 1;
-  std::vector<Column> columns;
-
-  std::size_t chunks() const { return (designs + chunk - 1) / chunk; }
-};
-
-std::string to_json(const Manifest& of) {
-  nlohmann::ordered_json columns = nlohmann::ordered_json::array();
-  for (const Column& column : of.columns)
-    columns.push_back({{"name", column.name}, {"unit", column.unit}});
-  const nlohmann::ordered_json json{{"schema", "boxbeam.chunks/1"},
-                                    {"name", of.name},
-                                    {"study", of.study_file},
-                                    {"case", of.case_file},
-                                    {"input_sha256", of.sha256},
-                                    {"version", version},
-                                    {"seed", of.seed},
-                                    {"designs", of.designs},
-                                    {"chunk", of.chunk},
-                                    {"columns", columns}};
-  return json.dump(2) + "\n";
-}
-
-Manifest manifest_of(const std::string& text, const std::string& folder) {
-  try {
-    const nlohmann::json json = nlohmann::json::parse(text);
-    Manifest of{json.at("name"), json.at("study"),   json.at("case"),  json.at("input_sha256"),
-                json.at("seed"), json.at("designs"), json.at("chunk"), {}};
-    for (const nlohmann::json& column : json.at("columns"))
-      of.columns.push_back({column.at("name"), column.at("unit")});
-    if (of.chunk == 0) throw InputError("");
-    return of;
-  } catch (const std::exception&) {
-    throw InputError(fmt::format("{}/chunks/manifest.json is none of boxbeam sweep", folder));
-  }
-}
-
-/// Joins all chunks into rows.csv and study.json of a folder, and rows.nc where it is wanted.
-/// `rows_of`: those of a chunk.
-template <class RowsOf>
-StudySummary publish_study(const Manifest& manifest, const std::string& folder, bool netcdf,
-                           const RowsOf& rows_of) {
-  StudySummary summary{manifest.name,
-                       manifest.study_file,
-                       manifest.case_file,
-                       manifest.sha256,
-                       manifest.seed,
-                       0,
-                       0,
-                       {},
-                       {},
-                       {}};
-  const std::vector<Column>& columns = manifest.columns;
-  StudyStatistics statistics({columns.begin() + 1, columns.end() - 1});
-  report::FolderUpdate update(folder);
-  const std::string path = update.path() + "/rows.csv";
-  std::ofstream rows(path, std::ios::binary);
-  std::vector<std::string> cells;
-  for (const Column& column : columns) cells.push_back(report::csv_cell(column.name));
-  rows << report::csv_row(cells);
-  for (std::size_t chunk = 0; chunk < manifest.chunks(); ++chunk) {
-    const std::string text = rows_of(chunk);
-    rows << text;
-    for (std::size_t from = 0; from < text.size();) {
-      const std::size_t end = text.find('\n', from);
-      cells = cells_in(std::string_view(text).substr(from, end - from));
-      from = end + 1;
-      statistics.take({cells.begin() + 1, cells.end() - 1}, cells.back());
-    }
-  }
-  rows.close();
-  if (!rows) throw OutputError(update.in_place(path) + " cannot be written: the disk may be full");
-  statistics.put_into(summary);
-  write_file(update.path() + "/study.json", study_json(summary));
-  std::vector<std::string> files{"rows.csv", "study.json"};
-  if (netcdf) {
-    files.emplace_back("rows.nc");
-    write_column_file(update.path() + "/rows.nc", path, columns, summary);
-  }
-  update.publish(files);
-  return summary;
 }
 
 /// "2 min 5 s".
@@ -243,11 +153,12 @@ std::size_t threads_of(const SweepOptions& options) {
   return std::max(1U, std::thread::hardware_concurrency());
 }
 
-/// A study of a limit state alone has no designs that could be verified one by one.
+/// A study of a limit state alone has no results that could be listed design by design.
 void require_designs(const Study& study) {
-  if (study.case_file.empty())
-    throw InputError(fmt::format("{}: the study has no case", study.path),
-                     "write case = \"rig.toml\" in [study]");
+  if (study.columns.empty())
+    throw InputError(fmt::format("{}: the study has no case and no formula", study.path),
+                     "write case = \"rig.toml\" in [study], or columns = [\"f = a + b\"] in "
+                     "[results]");
   const bool scatters = std::any_of(study.variables.begin(), study.variables.end(),
                                     [](const Variable& of) { return of.distribution.has_value(); });
   if (scatters && study.samples == 0)
@@ -255,13 +166,26 @@ void require_designs(const Study& study) {
                      "write samples = 1000 in [study]");
 }
 
-int say(const StudySummary& summary, const std::string& folder, bool netcdf,
-        const std::string& json) {
-  report::MarkedText text = study_text(summary);
-  text += "\n" + layout::line(fmt::format("Written to {}: rows.csv, study.json{}", folder,
-                                          netcdf ? ", rows.nc" : ""));
-  put_result(json, study_json(summary), text);
-  return summary.failed == summary.designs ? not_possible : all_pass;
+int say(const PublishedStudy& study, const std::string& folder, const std::string& json) {
+  report::MarkedText text = study_text(study.summary);
+  text +=
+      "\n" + layout::line(fmt::format("Written to {}: {}", folder, fmt::join(study.files, ", ")));
+  put_result(json, study_json(study.summary), text);
+  return study.summary.failed == study.summary.designs ? not_possible : all_pass;
+}
+
+/// A study that has ended: its rows are taken as they stand, what follows from them is written
+/// anew.
+int say_again(const Manifest& manifest, const std::string& folder, const SweepOptions& options) {
+  const bool netcdf = options.netcdf || fs::exists(fs::path(folder) / "rows.nc");
+  const PublishedStudy study =
+      publish_study(manifest, folder, netcdf, rows_that_stand(manifest, folder));
+  // Where JSON goes to the terminal nothing else may.
+  if (options.json != "-")
+    put_text(
+        layout::line(fmt::format("All {} designs of this study stand in {}: none is verified again",
+                                 manifest.designs, folder)));
+  return say(study, folder, options.json);
 }
 
 /// Chunks of an earlier run must be of this study.
@@ -285,14 +209,13 @@ int sweep(const SweepOptions& options, const Shard& shard, Ranks& ranks) {
   std::optional<Progress> progress(std::in_place, !options.quiet && ranks.is_first());
   progress->now("verifying the case as it is");
   const StudyDesigns designs(study);
-  const Manifest manifest{study.name,
-                          fs::path(study.path).filename().string(),
-                          study.case_written,
-                          designs.sha256(),
-                          study.seed,
-                          designs.size(),
-                          chunk_size(designs.size()),
-                          designs.columns()};
+  const Manifest manifest = manifest_of(study, designs, chunk_size(designs.size()));
+  const bool has_ended = options.resume && stands_whole(manifest, folder);
+  ranks.meet();  // all have looked before anything is written
+  if (has_ended) {
+    progress.reset();
+    return ranks.is_first() ? say_again(manifest, folder, options) : all_pass;
+  }
   const ChunkStore store(fs::path(folder) / "chunks", to_json(manifest));
   ranks.first_alone([&] { begin_store(store, options); });
   std::vector<std::size_t> todo;
@@ -307,7 +230,7 @@ int sweep(const SweepOptions& options, const Shard& shard, Ranks& ranks) {
                                       shard.index + 1, shard.count, store.folder().string())));
     return all_pass;
   }
-  const StudySummary summary =
+  const PublishedStudy published =
       publish_study(manifest, folder, options.netcdf, [&](std::size_t chunk) {
         std::optional<std::string> rows = store.read(chunk);
         if (!rows)
@@ -316,7 +239,7 @@ int sweep(const SweepOptions& options, const Shard& shard, Ranks& ranks) {
         return *std::move(rows);
       });
   store.remove();
-  return say(summary, folder, options.netcdf, options.json);
+  return say(published, folder, options.json);
 }
 
 }  // namespace
@@ -351,7 +274,7 @@ int run_merge(const MergeOptions& options) {
           "run both with the same program, study and case");
     stores.emplace_back(fs::path(from) / "chunks", *manifest);
   }
-  const Manifest manifest = manifest_of(stores.front().manifest(), options.folders.front());
+  const Manifest manifest = manifest_in(stores.front().manifest(), options.folders.front());
   const auto rows_of = [&](std::size_t chunk) -> std::optional<std::string> {
     for (const ChunkStore& store : stores)
       if (std::optional<std::string> rows = store.read(chunk)) return rows;
@@ -368,10 +291,10 @@ int run_merge(const MergeOptions& options) {
                                  std::min(missing * manifest.chunk, manifest.designs),
                                  manifest.designs, first * manifest.chunk + 1),
                      "run boxbeam sweep for the other parts, and give all folders");
-  const StudySummary summary = publish_study(manifest, folder, options.netcdf,
-                                             [&](std::size_t chunk) { return *rows_of(chunk); });
+  const PublishedStudy published = publish_study(
+      manifest, folder, options.netcdf, [&](std::size_t chunk) { return *rows_of(chunk); });
   for (const ChunkStore& store : stores) store.remove();
-  return say(summary, folder, options.netcdf, options.json);
+  return say(published, folder, options.json);
 }
 
 }  // namespace boxbeam::program

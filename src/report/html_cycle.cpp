@@ -270,21 +270,6 @@ std::pair<std::size_t, std::size_t> critical_place(const CycleFigure& cycle) {
   return {0, 0};
 }
 
-/// JSON that neither ends the element it stands in nor is markup to an XML reader.
-std::string harmless(const std::string& json) {
-  std::string out;
-  out.reserve(json.size());
-  for (const char c : json) {
-    switch (c) {
-      case '<': out += "\\u003c"; break;
-      case '>': out += "\\u003e"; break;
-      case '&': out += "\\u0026"; break;
-      default: out += c;
-    }
-  }
-  return out;
-}
-
 Json data_of(const CycleFigure& cycle, Shapes& shapes) {
   const auto [frame, station] = critical_place(cycle);
   Json times = Json::array();

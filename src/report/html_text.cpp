@@ -8,6 +8,7 @@
 #include "boxbeam/core/code_points.hpp"
 
 namespace boxbeam::report::html {
+
 std::string escaped(std::string_view text) {
   std::string out;
   const std::string shown = visible(text, "\n\t");
@@ -45,6 +46,20 @@ std::string base64(std::string_view bytes) {
     if (rest > 1) out[at + 2] = digits[(group >> 6U) & 63U];
     if (rest > 2) out[at + 3] = digits[group & 63U];
     at += 4;
+  }
+  return out;
+}
+
+std::string harmless(const std::string& json) {
+  std::string out;
+  out.reserve(json.size());
+  for (const char c : json) {
+    switch (c) {
+      case '<': out += "\\u003c"; break;
+      case '>': out += "\\u003e"; break;
+      case '&': out += "\\u0026"; break;
+      default: out += c;
+    }
   }
   return out;
 }

@@ -8,6 +8,7 @@
 
 #include "boxbeam/report/formula.hpp"
 #include "html_cycle.hpp"
+#include "html_designs.hpp"
 #include "html_text.hpp"
 #include "report_assets.hpp"
 #include "table_columns.hpp"
@@ -42,6 +43,7 @@ class Writer {
         const auto* sheet = std::get_if<Sheet>(&block);
         if (sheet != nullptr) sheets_.try_emplace(sheet->id, sheets_.size() + 1);
         moves_ = moves_ || std::holds_alternative<MovingPicture>(block);
+        explores_ = explores_ || std::holds_alternative<DesignTable>(block);
       }
     }
   }
@@ -69,6 +71,7 @@ class Writer {
     };
     scripts_.push_back(apart(report_assets::script));
     if (moves_) scripts_.push_back(apart(report_assets::cycle_script));
+    if (explores_) scripts_.push_back(apart(report_assets::designs_script));
     std::string allowed;
     for (const std::string& script : scripts_) allowed += " " + html::policy_hash(script);
     out_ += fmt::format(
@@ -82,7 +85,8 @@ class Writer {
         "<a class=\"skip\" href=\"#top\">Skip to the {}</a>\n<div class=\"page\">\n",
         allowed, escaped(document_.program),
         escaped(is_judged() ? document_.title + ": " + document_.verdict : document_.title),
-        apart(report_assets::style), is_judged() ? "verdict" : "report");
+        apart(report_assets::style) + (explores_ ? apart(report_assets::designs_style) : ""),
+        is_judged() ? "verdict" : "report");
   }
 
   void contents() {
@@ -247,6 +251,8 @@ class Writer {
     out_ += html::cycle_figure(picture);
   }
 
+  void write(const DesignTable& table) { out_ += html::designs_figure(table); }
+
   void write(const Sheet& sheet) {
     const std::size_t number = sheets_.at(sheet.id);
     out_ += fmt::format(
@@ -307,7 +313,7 @@ class Writer {
   std::string out_;
   const std::string* heading_ = &document_.title;  ///< above what is being written
   std::size_t figures_ = 0;
-  bool moves_ = false;
+  bool moves_ = false, explores_ = false;
 };
 
 }  // namespace

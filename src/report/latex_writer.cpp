@@ -91,6 +91,8 @@ std::string block(const Picture& picture) {
 
 std::string block(const MovingPicture& /*on paper nothing moves*/) { return ""; }
 
+std::string block(const DesignTable& /*nor is chosen*/) { return ""; }
+
 std::string block(const Bullets& bullets) {
   std::string out;
   for (const std::string& item : bullets.items)
@@ -171,7 +173,8 @@ std::vector<Block> printed(const std::vector<Block>& blocks, const HasPicture& h
   for (const Block& each : blocks) {
     const auto* picture = std::get_if<Picture>(&each);
     const bool left_out = picture != nullptr ? !has_picture(picture->name)
-                                             : std::holds_alternative<MovingPicture>(each);
+                                             : std::holds_alternative<MovingPicture>(each) ||
+                                                   std::holds_alternative<DesignTable>(each);
     if (!left_out) kept.push_back(each);
   }
   return kept;

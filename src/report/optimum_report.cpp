@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "design_plots.hpp"
 #include "document_fields.hpp"
-#include "text_layout.hpp"
+#include "drawn_files.hpp"
+#include "study_tables.hpp"
 
 namespace boxbeam {
 namespace {
@@ -82,7 +84,9 @@ std::string confirmation(const Optimum& optimum) {
   return optimum.exhaustive ? "no other combination is better" : "no neighbour is better";
 }
 
-std::string front_text(const OptimumReport& of) {
+}  // namespace
+
+layout::Table report::front_table(const OptimumReport& of) {
   std::vector<std::string> heads;
   for (const Named& goal : of.goals)
     heads.push_back(goal.unit.empty() ? goal.name : fmt::format("{} [{}]", goal.name, goal.unit));
@@ -96,10 +100,39 @@ std::string front_text(const OptimumReport& of) {
     for (const double value : point.values) row.push_back(fmt::format("{:.6g}", value));
     table.row(row);
   }
-  return table.text();
+  return table;
 }
 
-}  // namespace
+layout::Table report::chosen_table(const OptimumReport& of) {
+  layout::Table chosen({"variable", "chosen", "of"});
+  for (std::size_t i = 0; i < of.choices.size(); ++i)
+    chosen.row({of.choices[i].name, amount(of.optimum.best->values[i], of.units[i]),
+                range_of(of.choices[i], of.units[i])});
+  for (const auto& [named, value] : of.following)
+    chosen.row({named.name, amount(value, named.unit), "an expression"});
+  return chosen;
+}
+
+layout::Table report::active_table(const OptimumReport& of) {
+  layout::Table active({"what holds it", "what it is worth"});
+  for (const ActiveLimit& one : of.optimum.active) active.row({holds(of, one), worth(of, one)});
+  return active;
+}
+
+std::vector<std::pair<std::string, std::string>> report::optimum_facts(const OptimumReport& of) {
+  std::vector<std::pair<std::string, std::string>> facts;
+  const Optimum& optimum = of.optimum;
+  if (!optimum.best) return {{"searched", effort(optimum)}, {"no design", optimum.reason}};
+  facts.emplace_back("least", amount(optimum.best->goal, of.goals.front().unit));
+  if (!of.verdict.empty())
+    facts.emplace_back("verdict", of.governing.empty()
+                                      ? of.verdict
+                                      : fmt::format("{}, {} used {:.1f} %", of.verdict,
+                                                    of.governing, 100.0 * of.utilisation));
+  facts.emplace_back("searched", effort(optimum));
+  facts.emplace_back("check", confirmation(optimum));
+  return facts;
+}
 
 report::MarkedText optimum_text(const OptimumReport& of) {
   const Optimum& optimum = of.optimum;
@@ -109,33 +142,16 @@ report::MarkedText optimum_text(const OptimumReport& of) {
     text += layout::paragraph("no design: " + optimum.reason);
     return text;
   }
-  text += layout::entry("least", amount(optimum.best->goal, of.goals.front().unit));
-  if (!of.verdict.empty())
-    text += layout::entry("verdict", of.governing.empty()
-                                         ? of.verdict
-                                         : fmt::format("{}, {} used {:.1f} %", of.verdict,
-                                                       of.governing, 100.0 * of.utilisation));
-  text += layout::entry("searched", effort(optimum));
-  text += layout::entry("check", confirmation(optimum)) + "\n";
-  layout::Table chosen({"variable", "chosen", "of"});
-  for (std::size_t i = 0; i < of.choices.size(); ++i)
-    chosen.row({of.choices[i].name, amount(optimum.best->values[i], of.units[i]),
-                range_of(of.choices[i], of.units[i])});
-  for (const auto& [named, value] : of.following)
-    chosen.row({named.name, amount(value, named.unit), "an expression"});
-  text += chosen.text() + "\n";
-  if (optimum.active.empty()) {
-    text += layout::paragraph("Nothing holds it: the goal has its least between the bounds.");
-  } else {
-    layout::Table active({"what holds it", "what it is worth"});
-    for (const ActiveLimit& one : optimum.active) active.row({holds(of, one), worth(of, one)});
-    text += active.text();
-  }
+  for (const auto& [name, says] : report::optimum_facts(of)) text += layout::entry(name, says);
+  text += "\n" + report::chosen_table(of).text() + "\n";
+  text += optimum.active.empty()
+              ? layout::paragraph("Nothing holds it: the goal has its least between the bounds.")
+              : report::active_table(of).text();
   if (!of.front.empty()) {
     text += "\n" + layout::paragraph(fmt::format("Front of {} and {}: neither can be less but for "
                                                  "more of the other.",
                                                  of.goals[0].name, of.goals[1].name));
-    text += front_text(of);
+    text += report::front_table(of).text();
   }
   return text;
 }
@@ -226,6 +242,20 @@ std::string optimum_json(const OptimumReport& of) {
   report::Fields fields(document);
   report::put_optimum(fields, of);
   return document.dump(2) + "\n";
+}
+
+std::vector<std::string> draw_optimum(const OptimumReport& of, const std::string& folder) {
+  std::vector<DrawnFigure> figures;
+  const auto add = [&](const char* name, std::optional<plot::Drawing> drawing) {
+    if (drawing) figures.push_back({name, [drawn = *std::move(drawing)] { return drawn; }});
+  };
+  add("front", plot::front(of));
+  add("parallel", plot::parallel_axes(of.judged));
+  return figures.empty() ? std::vector<std::string>() : draw_into(folder, "", figures);
+}
+
+std::vector<std::string> files_of_optimum() {
+  return {"optimum.json", "optimum.html", "front.svg", "parallel.svg"};
 }
 
 }  // namespace boxbeam

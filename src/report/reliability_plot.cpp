@@ -116,7 +116,7 @@ std::vector<std::string> draw_reliability(const StudyReliability& of, const std:
 }
 
 std::vector<std::string> files_of_reliability() {
-  return {"reliability.json", fmt::format("{}.svg", importance_figure),
+  return {"reliability.json", "reliability.html", fmt::format("{}.svg", importance_figure),
           fmt::format("{}.svg", convergence_figure)};
 }
 

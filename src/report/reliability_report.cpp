@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "document_fields.hpp"
-#include "text_layout.hpp"
+#include "study_tables.hpp"
 
 namespace boxbeam {
 namespace {
@@ -20,43 +20,11 @@ bool is_simulation(const MethodResult& of) {
   return of.method != ReliabilityMethod::form && of.method != ReliabilityMethod::sorm;
 }
 
-std::string table_of_methods(const StudyReliability& of) {
-  std::vector<std::string> header{"method", "beta", "p_f", "from", "to", "c.o.v.", "evaluations"};
-  if (of.years) {
-    header.emplace_back("p_f a year");
-    header.emplace_back("beta a year");
-  }
-  layout::Table table(header);
-  for (const MethodResult& by : of.result.methods) {
-    std::optional<double> variation, yearly;
-    if (by.p_f && is_simulation(by)) variation = by.history.back().variation;
-    if (by.p_f && of.years) yearly = per_year(*by.p_f, *of.years);
-    std::vector<std::string> row{to_text(by.method),
-                                 or_dash(by.beta, "{:.4f}"),
-                                 or_dash(by.p_f, "{:.4g}"),
-                                 by.p_f ? fmt::format("{:.4g}", by.low) : "-",
-                                 by.p_f ? fmt::format("{:.4g}", by.high) : "-",
-                                 variation ? fmt::format("{:.1f} %", 100.0 * *variation) : "-",
-                                 std::to_string(by.calls)};
-    if (of.years) {
-      row.push_back(or_dash(yearly, "{:.4g}"));
-      row.push_back(or_dash(yearly ? reliability_index(*yearly) : std::nullopt, "{:.4f}"));
-    }
-    table.row(row);
-  }
-  return table.text();
-}
-
-std::string table_of_point(const StudyReliability& of, std::size_t place) {
+std::string text_of_point(const StudyReliability& of, std::size_t place) {
   const DesignPoint& point = of.result.points[place];
-  std::string text = fmt::format("\nDesign point {}, beta = {:.4f}{}:\n", place + 1, point.beta,
-                                 point.kinked ? ", at a kink of the limit state" : "");
-  layout::Table table({"variable", "value", "unit", "u", "alpha", "alpha^2 [%]"});
-  for (const VariableAtPoint& at : of.points[place])
-    table.row({at.name, number_text_of(at.value), at.unit, fmt::format("{:+.3f}", at.u),
-               fmt::format("{:+.3f}", at.alpha),
-               fmt::format("{:.1f}", 100.0 * at.alpha * at.alpha)});
-  return text + table.text();
+  return fmt::format("\nDesign point {}, beta = {:.4f}{}:\n", place + 1, point.beta,
+                     point.kinked ? ", at a kink of the limit state" : "") +
+         report::point_table(of.points[place]).text();
 }
 
 const MethodResult* result_by(const StudyReliability& of, ReliabilityMethod method) {
@@ -139,27 +107,66 @@ void put_method(report::Fields& to, const StudyReliability& of, ReliabilityMetho
 
 }  // namespace
 
+layout::Table report::methods_table(const StudyReliability& of) {
+  std::vector<std::string> header{"method", "beta", "p_f", "from", "to", "c.o.v.", "evaluations"};
+  if (of.years) {
+    header.emplace_back("p_f a year");
+    header.emplace_back("beta a year");
+  }
+  layout::Table table(header);
+  for (const MethodResult& by : of.result.methods) {
+    std::optional<double> variation, yearly;
+    if (by.p_f && is_simulation(by)) variation = by.history.back().variation;
+    if (by.p_f && of.years) yearly = per_year(*by.p_f, *of.years);
+    std::vector<std::string> row{to_text(by.method),
+                                 or_dash(by.beta, "{:.4f}"),
+                                 or_dash(by.p_f, "{:.4g}"),
+                                 by.p_f ? fmt::format("{:.4g}", by.low) : "-",
+                                 by.p_f ? fmt::format("{:.4g}", by.high) : "-",
+                                 variation ? fmt::format("{:.1f} %", 100.0 * *variation) : "-",
+                                 std::to_string(by.calls)};
+    if (of.years) {
+      row.push_back(or_dash(yearly, "{:.4g}"));
+      row.push_back(or_dash(yearly ? reliability_index(*yearly) : std::nullopt, "{:.4f}"));
+    }
+    table.row(row);
+  }
+  return table;
+}
+
+std::vector<std::string> report::methods_remarks(const StudyReliability& of) {
+  std::vector<std::string> remarks;
+  std::size_t unjudged = 0;
+  for (const MethodResult& by : of.result.methods) {
+    if (!by.reason.empty()) remarks.push_back(fmt::format("{}: {}", to_text(by.method), by.reason));
+    unjudged = std::max(unjudged, by.unjudged);
+  }
+  remarks.insert(remarks.end(), of.result.remarks.begin(), of.result.remarks.end());
+  if (unjudged > 0)
+    remarks.push_back(
+        fmt::format("designs that could not be judged, up to {} of a method; the first: {}",
+                    unjudged, of.result.first_trouble));
+  return remarks;
+}
+
+layout::Table report::point_table(const std::vector<VariableAtPoint>& point) {
+  layout::Table table({"variable", "value", "unit", "u", "alpha", "alpha^2 [%]"});
+  for (const VariableAtPoint& at : point)
+    table.row({at.name, number_text_of(at.value), at.unit, fmt::format("{:+.3f}", at.u),
+               fmt::format("{:+.3f}", at.alpha),
+               fmt::format("{:.1f}", 100.0 * at.alpha * at.alpha)});
+  return table;
+}
+
 report::MarkedText reliability_text(const StudyReliability& of) {
   std::string text =
       layout::heading(fmt::format("{}: {}{}", of.name, fmt::join(of.limit_state, " or "),
                                   of.case_file.empty() ? "" : fmt::format(", {}", of.case_file)));
-  text += table_of_methods(of);
-  for (const MethodResult& by : of.result.methods)
-    if (!by.reason.empty())
-      text += layout::item(fmt::format("{}: {}", to_text(by.method), by.reason));
-  for (const std::string& remark : of.result.remarks) text += layout::item(remark);
-  const std::size_t unjudged = [&] {
-    std::size_t most = 0;
-    for (const MethodResult& by : of.result.methods) most = std::max(most, by.unjudged);
-    return most;
-  }();
-  if (unjudged > 0)
-    text += layout::item(
-        fmt::format("designs that could not be judged, up to {} of a method; the first: {}",
-                    unjudged, of.result.first_trouble));
+  text += report::methods_table(of).text();
+  for (const std::string& remark : report::methods_remarks(of)) text += layout::item(remark);
   constexpr std::size_t most_points = 4;
   for (std::size_t i = 0; i < std::min(most_points, of.points.size()); ++i)
-    text += table_of_point(of, i);
+    text += text_of_point(of, i);
   if (of.points.size() > most_points)
     text += layout::paragraph(fmt::format("{} more design points stand in reliability.json",
                                           of.points.size() - most_points));

@@ -29,6 +29,7 @@ class Table {
   explicit Table(std::vector<std::string> header);
   void row(const std::vector<std::string>& cells);
   std::string text() const;
+  const report::Table& as_block() const { return table_; }
 
  private:
   report::Table table_;

@@ -85,6 +85,7 @@ struct BlockText {
   std::string operator()(const Sheet& sheet) const { return text_of(sheet, width).text; }
   std::string operator()(const Listing& listing) const { return listing_text(listing.text); }
   std::string operator()(const MovingPicture&) const { return ""; }
+  std::string operator()(const DesignTable&) const { return ""; }
   std::string operator()(const Subheading& subheading) const {
     return "  " + visible(subheading.text) + "\n";
   }

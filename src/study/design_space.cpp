@@ -106,8 +106,12 @@ DesignSpace::DesignSpace(const Study& study) : study_(&study) {
   for (std::size_t i = 0; i < study.variables.size(); ++i)
     if (study.variables[i].distribution) scattering_.push_back(i);
   if (!scattering_.empty()) samples_ = study.samples;
+  if (study.indices) block_ = scattering_.size() + 2;
   constexpr std::size_t most = 10'000'000'000;
-  size_ = samples_;
+  if (samples_ > most / block_)
+    throw InputError(fmt::format("{}: the study has more than 1e10 designs", study.path),
+                     "take fewer samples");
+  size_ = samples_ * block_;
   for (const Variable& variable : study.variables) {
     if (count_of(variable) > most / size_)
       throw InputError(fmt::format("{}: the study has more than 1e10 designs", study.path),
@@ -116,13 +120,12 @@ DesignSpace::DesignSpace(const Study& study) : study_(&study) {
   }
   if (study.correlation.size() > 0) factor_ = study.correlation.llt().matrixL();
   if (study.sampling == Sampling::latin_hypercube)
-    for (std::size_t k = 0; k < scattering_.size(); ++k)
+    for (std::size_t k = 0; k < scattering_.size() * (study.indices ? 2 : 1); ++k)
       shares_.push_back(permutation(study.seed, samples_, static_cast<std::uint32_t>(k)));
 }
 
-/// Of each variable that scatters, the share of all its values that are below this one.
-std::vector<double> DesignSpace::shares_of(std::size_t sample) const {
-  const std::size_t count = scattering_.size();
+/// Of so many variables, the share of all values that are below that of this sample.
+std::vector<double> DesignSpace::independent_shares(std::size_t sample, std::size_t count) const {
   std::vector<double> shares(count);
   if (study_->sampling == Sampling::sobol) {
     // The library leaves the first point of the sequence out, which is zero.
@@ -143,6 +146,21 @@ std::vector<double> DesignSpace::shares_of(std::size_t sample) const {
             (static_cast<double>(shares_[k][sample]) + shares[k]) / static_cast<double>(samples_);
     }
   }
+  return shares;
+}
+
+/// Of each variable that scatters, by the number of the design among those that do.
+std::vector<double> DesignSpace::shares_of(std::size_t sample) const {
+  const std::size_t count = scattering_.size();
+  if (study_->indices) {
+    const std::vector<double> both = independent_shares(sample / block_, 2 * count);
+    const std::size_t place = sample % block_;  // A, B, A with one variable of B
+    std::vector<double> shares(both.begin(), both.begin() + static_cast<std::ptrdiff_t>(count));
+    for (std::size_t k = 0; k < count; ++k)
+      if (place == 1 || place == k + 2) shares[k] = both[count + k];
+    return shares;
+  }
+  std::vector<double> shares = independent_shares(sample, count);
   if (factor_.size() > 0) {
     Eigen::VectorXd z(static_cast<Eigen::Index>(count));
     for (std::size_t k = 0; k < count; ++k)
@@ -157,7 +175,8 @@ std::vector<double> DesignSpace::shares_of(std::size_t sample) const {
 
 std::vector<Setting> DesignSpace::at(std::size_t index) const {
   std::vector<Setting> design(study_->variables.size());
-  std::size_t rest = index / samples_;
+  const std::size_t drawn = samples_ * block_;
+  std::size_t rest = index / drawn;
   for (std::size_t i = design.size(); i-- > 0;) {
     const Variable& variable = study_->variables[i];
     const std::size_t count = count_of(variable), place = rest % count;
@@ -168,7 +187,7 @@ std::vector<Setting> DesignSpace::at(std::size_t index) const {
       design[i].number = variable.values[place];
   }
   if (!scattering_.empty()) {
-    const std::vector<double> shares = shares_of(index % samples_);
+    const std::vector<double> shares = shares_of(index % drawn);
     for (std::size_t k = 0; k < shares.size(); ++k) {
       const std::size_t i = scattering_[k];
       design[i].number = study_->variables[i].distribution->quantile(shares[k]);

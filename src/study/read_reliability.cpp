@@ -38,14 +38,15 @@ void require_names(TableReader& table, const std::string& key, const std::string
     const bool is_column =
         std::find(study.columns.begin(), study.columns.end(), name) != study.columns.end();
     if (variable != study.variables.end()) continue;
-    if (name == "verdict" || name == "governing" || !is_column)
-      table.problem(
-          key, fmt::format("\"{}\" in \"{}\" is no number of the study", name, expression),
-          study.case_file.empty() ? "name variables"
-                                  : "name variables, and results that stand in [results] columns");
-    else if (study.case_file.empty())
-      table.problem(key, fmt::format("\"{}\" is a result, but the study has no case", name),
-                    "write case = \"rig.toml\" in [study]");
+    if (study.case_file.empty())
+      table.problem(key,
+                    fmt::format("\"{}\" in \"{}\" is no number of the study, which has no case",
+                                name, expression),
+                    "name variables, or write case = \"rig.toml\" in [study]");
+    else if (name == "verdict" || name == "governing" || !is_column)
+      table.problem(key,
+                    fmt::format("\"{}\" in \"{}\" is no number of the study", name, expression),
+                    "name variables, and results that stand in [results] columns");
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -14,17 +13,12 @@
 #include "boxbeam/study/written_quantity.hpp"
 #include "read_optimise.hpp"
 #include "read_reliability.hpp"
+#include "read_results.hpp"
 
 namespace boxbeam {
 namespace {
 
 constexpr std::size_t most_values = 1'000'000;
-
-bool is_identifier(const std::string& name) {
-  const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
-  return !name.empty() && std::isdigit(static_cast<unsigned char>(name.front())) == 0 &&
-         std::all_of(name.begin(), name.end(), plain);
-}
 
 /// Numbers of one variable, which have one unit: that of the first of them.
 class OneUnit {
@@ -249,7 +243,9 @@ Study read(const CaseDocument& document, std::string text) {
   study.path = document.path;
   study.text = std::move(text);
   study.name = std::filesystem::path(document.path).stem().string();
-  const bool of_expressions = root.is_there("limit_state") || root.is_there("optimise");
+  const bool asks_elsewhere = root.is_there("limit_state") || root.is_there("optimise");
+  const bool of_expressions =
+      asks_elsewhere || root.is_there("indices") || root.is_there("results");
   TableReader of = root.table({"study", "what is studied, and how"}, !of_expressions);
   read_case(of, of_expressions, study);
   study.seed = static_cast<std::uint64_t>(of.whole_number({"seed", "of random numbers"}, 1));
@@ -268,25 +264,13 @@ Study read(const CaseDocument& document, std::string text) {
   const bool scatters =
       std::any_of(study.variables.begin(), study.variables.end(),
                   [](const Variable& one) { return one.distribution.has_value(); });
-  if (problems.empty() && scatters && study.samples == 0 && !of_expressions)
+  if (problems.empty() && scatters && study.samples == 0 && !asks_elsewhere)
     of.problem("samples", "variables scatter, but \"samples\" says not how many designs are drawn",
                "write samples = 1000 in [study]");
   read_correlation(root, study);
   read_optimise(root, study);
-  TableReader results = root.table({"results", "what is kept of each design"}, false);
-  study.columns =
-      results.texts({"columns", "keys of results.json, \"verdict\", \"governing\""}, false);
-  if (study.columns.empty()) study.columns = {"verdict", "governing", "utilisation", "beam.mass"};
-  std::set<std::string> columns_taken;
-  for (const std::string& column : study.columns)
-    if (!columns_taken.insert(column).second)
-      results.problem("columns", fmt::format("column \"{}\" stands twice", column),
-                      "write each once");
-  for (const Variable& variable : study.variables)
-    if (std::find(study.columns.begin(), study.columns.end(), variable.name) != study.columns.end())
-      results.problem("columns", fmt::format("\"{}\" is a variable and a column", variable.name),
-                      "give the variable another name");
-  results.finish();
+  read_results(root, study);
+  read_indices(root, study);
   read_reliability(root, study);
   root.finish();
   problems.raise();

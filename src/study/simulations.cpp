@@ -26,6 +26,8 @@ std::size_t next_count(std::size_t samples, const ReliabilityDemand& demand) {
   return std::min(demand.samples, samples + more);
 }
 
+}  // namespace
+
 Estimate share_estimate(std::size_t samples, std::size_t failing) {
   using boost::math::binomial_distribution;
   const auto n = static_cast<double>(samples), k = static_cast<double>(failing);
@@ -38,8 +40,6 @@ Estimate share_estimate(std::size_t samples, std::size_t failing) {
   of.high = failing == samples ? 1.0 : binomial_distribution<>::find_upper_bound_on_p(n, k, beyond);
   return of;
 }
-
-}  // namespace
 
 Estimate lognormal_estimate(std::size_t samples, double p_f, double variation) {
   constexpr double of_95_percent = 1.959963984540054;

@@ -35,6 +35,9 @@ MethodResult subset_simulation(LimitState& limit_state, const ReliabilityDemand&
 /// A result by its last estimate.
 void conclude(MethodResult& result, const ReliabilityDemand& demand);
 
+/// A share of so many, with bounds of 95 % by Clopper and Pearson (1934).
+Estimate share_estimate(std::size_t samples, std::size_t failing);
+
 /// Bounds of 95 % of an estimate whose logarithm is normal.
 Estimate lognormal_estimate(std::size_t samples, double p_f, double variation);
 

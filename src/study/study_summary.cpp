@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
+
+#include "simulations.hpp"
 
 namespace boxbeam {
 namespace {
@@ -39,11 +42,21 @@ ColumnStatistics statistics_of(const Column& column, std::vector<double> numbers
 
 }  // namespace
 
-StudyStatistics::StudyStatistics(std::vector<Column> columns)
-    : columns_(std::move(columns)), numbers_(columns_.size()) {}
+StudyStatistics::StudyStatistics(std::vector<Column> columns, std::size_t variables, bool scatters,
+                                 std::optional<IndexPlan> plan)
+    : columns_(std::move(columns)),
+      variables_(variables),
+      scatters_(scatters),
+      plan_(std::move(plan)),
+      numbers_(columns_.size()),
+      of_designs_(columns_.size()) {}
 
 void StudyStatistics::take(const std::vector<std::string>& cells, const std::string& status) {
   ++designs_;
+  if (plan_)
+    for (std::size_t k = variables_; k < cells.size(); ++k)
+      of_designs_[k].push_back(
+          number_in(cells[k]).value_or(std::numeric_limits<double>::quiet_NaN()));
   if (status != "ok") {
     ++failed_;
     constexpr std::size_t most = 1000;
@@ -65,6 +78,17 @@ void StudyStatistics::put_into(StudySummary& summary) const {
   summary.reasons = reasons_;
   for (std::size_t k = 0; k < columns_.size(); ++k)
     if (!numbers_[k].empty()) summary.statistics.push_back(statistics_of(columns_[k], numbers_[k]));
+  if (scatters_ && !plan_ && !verdicts_.empty()) {
+    const auto passing = verdicts_.find("pass");
+    const std::size_t failing = designs_ - (passing == verdicts_.end() ? 0 : passing->second);
+    const Estimate share = share_estimate(designs_, failing);
+    summary.p_f = BoundedEstimate{share.p_f, share.low, share.high};
+  }
+  if (!plan_) return;
+  summary.index_variables = plan_->variables;
+  for (std::size_t k = variables_; k < columns_.size(); ++k)
+    if (!numbers_[k].empty())
+      summary.indices.push_back({columns_[k], sobol_indices_of(of_designs_[k], *plan_)});
 }
 
 }  // namespace boxbeam

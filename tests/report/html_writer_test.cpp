@@ -76,10 +76,16 @@ Document full_of(const std::string& text) {
   table.sheets = {text, ""};
   document.governing = table;
   const Sheet sheet{text, text, {{"sigma", {"N/A", text}, {text}}}, text, 1.65, Mark::fails, text};
+  report::DesignTable designs;
+  designs.rows = {
+      2,
+      {1, 2},
+      {{{text, text}, true, {1.0, 2.0}, {}}, {{"verdict", ""}, false, {}, {text, "pass"}}}};
+  designs.caption = designs.x = text;
   document.chapters = {{text,
                         {Paragraph{text}, Bullets{{text}}, report::Facts{{{text, text}}}, table,
                          Picture{"drawn", text}, sheet, Listing{text}, Subheading{text},
-                         MovingPicture{{turning_beam(text)}, 0, text}}}};
+                         MovingPicture{{turning_beam(text)}, 0, text}, designs}}};
   return document;
 }
 

@@ -188,6 +188,13 @@ with tempfile.TemporaryDirectory() as folder:
         '[study]\n[variables.r]\ndistribution = "normal"\nmean = 4\nsd = 1\n'
         '[limit_state]\nexpression = "r"\n[reliability]\nyears = 2\n'
         'methods = ["form", "sorm", "monte-carlo", "importance", "subset"]\n')
+    indices = pathlib.Path(folder) / "indices.toml"
+    indices.write_text(
+        '[study]\nsamples = 32\n[variables.r]\ndistribution = "normal"\nmean = 4\nsd = 1\n'
+        '[results]\ncolumns = ["f = r^2"]\n[indices]\n')
+    with_indices = run("sweep", indices, "--out", f"{folder}/indices", "--json", "-")
+    check("study", with_indices, "study with indices")
+    check_refuses_changes("study", with_indices, "study with indices")
     reliability = run("reliability", formula, "--out", folder, "--json", "-")
     check("reliability", reliability, "reliability")
     check_refuses_changes("reliability", reliability, "reliability")

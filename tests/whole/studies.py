@@ -144,6 +144,73 @@ def check_kills(folder, study, expected):
     print(f"  {kills} kills")
 
 
+def check_ended(out, study, expected):
+    """A study that has ended is not done again; one whose rows have changed is."""
+    start = time.monotonic()
+    again = run("sweep", study, "--out", out, "--quiet", "--resume")
+    check("none is verified again" in again.stdout and "beam.mass" in again.stdout, f"an ended study: {again.stdout}")
+    check(files_of(out) == expected, "an ended study has changed")
+    took = time.monotonic() - start
+    summary = json.loads(run("sweep", study, "--out", out, "--quiet", "--resume", "--json", "-").stdout)
+    check(summary == json.loads(expected[1]), "the summary of an ended study")
+    rows = out / "rows.csv"
+    rows.write_bytes(rows.read_bytes().replace(b"ok\n", b"OK\n", 1))
+    start = time.monotonic()
+    anew = run("sweep", study, "--out", out, "--quiet", "--resume")
+    check("none is verified again" not in anew.stdout and files_of(out) == expected, "changed rows are believed")
+    print(f"  ended: {took:.1f} s, anew: {time.monotonic() - start:.1f} s")
+
+
+INDICES = """[study]
+seed = 5
+samples = 1024
+sampling = "sobol"
+[variables.x1]
+distribution = "uniform"
+min = -3.141592653589793
+max = 3.141592653589793
+[variables.x2]
+distribution = "uniform"
+min = -3.141592653589793
+max = 3.141592653589793
+[variables.x3]
+distribution = "uniform"
+min = -3.141592653589793
+max = 3.141592653589793
+[results]
+columns = ["f = sin(x1) + 7*sin(x2)^2 + 0.1*x3^4*sin(x1)"]
+[indices]
+"""
+
+
+def check_indices(folder):
+    """Ishigami's function, whose indices are known, as a study without a case."""
+    study = folder / "ishigami.toml"
+    study.write_text(INDICES)
+    run("sweep", study, "--out", folder / "indices1", "--threads", 1, "--quiet")
+    run("sweep", study, "--out", folder / "indices3", "--threads", 3, "--quiet")
+    parts = [folder / f"indices{i}of2" for i in (1, 2)]
+    for i, part in enumerate(parts):
+        run("sweep", study, "--out", part, "--shard", f"{i + 1}/2", "--quiet")
+    run("merge", *parts, "--out", folder / "indices")
+    expected = files_of(folder / "indices1")
+    for name in ("indices3", "indices"):
+        check(files_of(folder / name) == expected, f"{name}: other bytes than one thread")
+    check((folder / "indices/indices.svg").exists(), "the figure of indices")
+    summary = json.loads(expected[1])
+    check(summary["designs"] == 1024 * 5, f"{summary['designs']} designs")
+    of = summary["indices"][0]
+    exact = {"x1": (0.3139052, 0.5575889), "x2": (0.4424111, 0.4424111), "x3": (0.0, 0.2436837)}
+    for at in of["variables"]:
+        for name, value in zip(("S1", "ST"), exact[at["variable"]]):
+            check(at[f"{name}_low"] <= value <= at[f"{name}_high"], f"{name} of {at}")
+            check(abs(at[name] - value) < 0.05, f"{name} of {at}")
+    correlated = folder / "correlated.toml"
+    correlated.write_text(INDICES + '[correlation]\n"x1,x2" = 0.3\n')
+    done = run("sweep", correlated, "--out", folder / "none", code=2)
+    check("independent variables" in done.stderr, f"correlated: {done.stderr}")
+
+
 def check_solve(folder):
     for key, unit, wanted in (("drivers.exciter.amplitude", "m", 2.0), ("drivers.exciter.frequency", "Hz", 1.5),
                               ("fatigue.cycles", "", 1.4)):
@@ -320,6 +387,8 @@ def main():
         start = time.monotonic()
         expected = check_same_bytes(folder, study)
         check_kills(folder, study, expected)
+        check_ended(folder / "killed", study, expected)
+        check_indices(folder)
         check_solve(folder)
         check_sensitivities(folder)
         check_wrong_studies(folder)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "boxbeam/report/mark.hpp"
+#include "boxbeam/study/design_rows.hpp"
 #include "boxbeam/verification/cycle_figure.hpp"
 
 /// A report as a value: what stands in it, in order. Text, HTML and PDF are written from it and add
@@ -84,12 +85,21 @@ struct MovingPicture {
   std::string caption;
 };
 
+/// Designs that a page with scripts lets its reader look through: filtered, drawn against each
+/// other, counted.
+struct DesignTable {
+  DesignRows rows;
+  std::string caption;
+  /// Names of columns that a diagram begins with; "" where the page chooses.
+  std::string x = {}, y = {}, colour = {}, counted = {};
+};
+
 struct Subheading {
   std::string text;
 };
 
 using Block = std::variant<Paragraph, Bullets, Facts, Table, Picture, Sheet, Listing, MovingPicture,
-                           Subheading>;
+                           DesignTable, Subheading>;
 
 struct Chapter {
   std::string title;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "boxbeam/report/marked_text.hpp"
+#include "boxbeam/study/design_rows.hpp"
 #include "boxbeam/study/optimum.hpp"
 
 namespace boxbeam {
@@ -32,6 +33,7 @@ struct OptimumReport {
   std::string verdict;            ///< of the case there; "" without a case
   std::string governing;          ///< id of the check that is used most
   double utilisation = 0.0;       ///< of it
+  DesignRows judged;              ///< all designs that were looked at, or some of very many
 };
 
 /// What `boxbeam optimise` says to people.
@@ -39,5 +41,12 @@ report::MarkedText optimum_text(const OptimumReport& of);
 
 /// "boxbeam.optimum/1": variables in the units of the study, results in SI.
 std::string optimum_json(const OptimumReport& of);
+
+/// Draws front.svg where there are two goals, and parallel.svg of the designs that were looked at.
+/// Returns the names of the files.
+std::vector<std::string> draw_optimum(const OptimumReport& of, const std::string& folder);
+
+/// All that the command may write into a folder.
+std::vector<std::string> files_of_optimum();
 
 }  // namespace boxbeam

@@ -23,7 +23,8 @@ std::vector<std::string> overrides_of(const Study& study, const std::vector<Sett
 
 /// All designs of a study: every combination of the variables with values, for each of these every
 /// sample of those that scatter; the last variable changes first. A design hangs on the study and
-/// its index alone, whoever asks for it and in whatever order.
+/// its index alone, whoever asks for it and in whatever order. Where indices are asked for each
+/// sample is a block of designs, as `sobol_indices_of` has them.
 ///
 /// Random numbers are those of Philox 4x32-10 with the seed as key and (sample, variable) as
 /// counter. Source: Salmon, Moraes, Dror, Shaw, Parallel random numbers: as easy as 1, 2, 3 (2011).
@@ -41,9 +42,11 @@ class DesignSpace {
 
  private:
   std::vector<double> shares_of(std::size_t sample) const;
+  std::vector<double> independent_shares(std::size_t sample, std::size_t count) const;
 
   const Study* study_;
   std::size_t size_ = 1, samples_ = 1;
+  std::size_t block_ = 1;                ///< designs of a sample
   std::vector<std::size_t> scattering_;  ///< variables that do, by index
   Eigen::MatrixXd factor_;               ///< of the correlation, lower triangular
   /// Of Latin hypercubes: the share that each sample of a variable lies in.

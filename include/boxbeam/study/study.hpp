@@ -41,6 +41,11 @@ struct OptimiseDemand {
   std::size_t points = 11;              ///< of the front of two goals
 };
 
+/// Which part of the scatter of results each variable makes.
+struct IndexDemand {
+  std::size_t resamples = 1000;  ///< of the samples, for the bounds of the indices
+};
+
 /// A study as its file has it.
 struct Study {
   std::string path;
@@ -52,10 +57,12 @@ struct Study {
   std::size_t samples = 0;  ///< of variables that scatter
   Sampling sampling = Sampling::random;
   std::vector<Variable> variables;
-  std::vector<std::string> columns;  ///< keys of results
+  std::vector<std::string> columns;   ///< keys of results; without a case names of formulas
+  std::vector<std::string> formulas;  ///< of variables, one for each column, without a case
   /// Of the normal variables behind those that scatter, by the order of these; empty where all are
   /// independent.
   Eigen::MatrixXd correlation;
+  std::optional<IndexDemand> indices;
   std::optional<OptimiseDemand> optimise;
   std::optional<ReliabilityDemand> reliability;  ///< where it has a limit state
 };
