@@ -85,8 +85,8 @@ NeighbourChecks check_lugs(const Project& project, const std::deque<SituationRun
 /// loaded.
 ///
 /// Gates that block: a section that cannot be judged where it is compressed, or that may turn over
-/// then; joints and forces that
-/// load the rod between its ends or turn it, whose bending is not counted.
+/// then; joints and forces that load the rod between its ends or turn it, whose bending is not
+/// counted.
 /// Source: EN 1993-1-1:2005, 6.2.3, 6.2.4 and 6.3.1.
 NeighbourChecks check_rods(const Project& project, const std::deque<SituationRun>& runs);
 
