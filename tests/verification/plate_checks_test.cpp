@@ -609,4 +609,16 @@ TEST_CASE("sheets of plates that buckle end at the factor of the check", "[plate
   }
 }
 
+// kappa = 0.1: beta_1 = 1/(1 + 6.4 x 0.01) = 0.9398, 0.9398^0.1 = 0.9938; beta_2 = 0.6281,
+// 0.6281^0.1 = 0.9546.
+TEST_CASE("beta^kappa of both regions of a beam", "[plates]") {
+  ShearLag lag;
+  lag.kappa = 0.1;
+  lag.beta = shear_lag_factor(0.1, BendingRegion::sagging);
+  CHECK(ultimate_share_of(lag) == Approx(0.9938).margin(5e-5));
+  lag.beta = shear_lag_factor(0.1, BendingRegion::hogging);
+  CHECK(lag.beta == Approx(0.6281).margin(5e-5));
+  CHECK(ultimate_share_of(lag) == Approx(0.9546).margin(5e-5));
+}
+
 }  // namespace plate_checks_test

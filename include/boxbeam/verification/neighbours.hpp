@@ -77,13 +77,16 @@ NeighbourChecks check_lugs(const Project& project, const std::deque<SituationRun
 
 /// The rods a case names, under their largest tension and their largest compression in any
 /// situation, times its load factor: yield and net section; the section, and flexural
-/// buckling about the weaker axis, in class 4 with the effective area, the slenderness by it too
-/// (6.3.1.2). A rod is taken as straight, hinged and of even mass: the force in it is that at its
-/// ends, and its own centrifugal force adds up to m omega^2 L/8 between them; bending by its own
-/// weight and inertia is not counted. No check for a direction in which a rod is never loaded.
+/// buckling about the weaker axis, of thin-walled paths with twisting (6.3.1.4), in class 4 with
+/// the effective area, the slenderness by it too (6.3.1.2); of paths with what the force bends
+/// beside their centroid. A rod is taken as straight, hinged and of even mass: the force in it is
+/// that at its ends, and its own centrifugal force adds up to m omega^2 L/8 between them; bending
+/// by its own weight and inertia is not counted. No check for a direction in which a rod is never
+/// loaded.
 ///
-/// Gates that block: a section that cannot be judged where it is compressed; joints and forces that
-/// load the rod between its ends or turn it, whose bending is not counted.
+/// Gates that block: a section that cannot be judged where it is compressed, or that may turn over
+/// then; joints and forces that load the rod between its ends or turn it, whose bending is not
+/// counted.
 /// Source: EN 1993-1-1:2005, 6.2.3, 6.2.4 and 6.3.1.
 NeighbourChecks check_rods(const Project& project, const std::deque<SituationRun>& runs);
 
