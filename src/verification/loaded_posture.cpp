@@ -203,16 +203,13 @@ LoadedPosture loaded_beam(flexible::Mechanism held, const TaperedBeam& beam, con
 bool stands(const LoadedPosture& posture) {
   const auto index = static_cast<std::size_t>(posture.beam_link);
   if (!flexible::parts_stand(posture.structure.links[index])) return false;
-  return flexible::DynamicStiffness<double>(posture.structure, 0.0, 0.0,
-                                            flexible::StiffnessUse::counting)
-             .frequencies_below() == 0;
+  return flexible::DynamicStiffness<double>(posture.structure, 0.0, 0.0).frequencies_below() == 0;
 }
 
 void require_held(const LoadedPosture& posture) {
   const auto index = static_cast<std::size_t>(posture.beam_link);
   if (!flexible::parts_stand(posture.structure.links[index])) return;
-  const flexible::DynamicStiffness<double> stiffness(posture.structure, 0.0, 0.0,
-                                                     flexible::StiffnessUse::counting);
+  const flexible::DynamicStiffness<double> stiffness(posture.structure, 0.0, 0.0);
 }
 
 SecondOrder second_order_of(const LoadedPosture& posture) {

@@ -269,8 +269,7 @@ std::vector<StressPoint> at_worst_edges(const StationSamples& samples, const Str
   std::vector<StressPoint> moved(asked.size(), whole);
   if (point.edges.empty()) return moved;
   // Without a detail no range is judged: the largest stress decides.
-  const CriterionSet by =
-      point.detail != nullptr ? set_of(asked) : CriterionSet{Criterion::yield};
+  const CriterionSet by = point.detail != nullptr ? set_of(asked) : CriterionSet{Criterion::yield};
   EdgeSearch search(samples, point, by);
   for (std::size_t i = 0; i < asked.size(); ++i) {
     const HoleEdge edge = search.worst(by.has(asked[i]) ? asked[i] : Criterion::yield);

@@ -128,9 +128,8 @@ LinkColumns<Scalar> resistance_of(const std::vector<LinkStiffness<Scalar>>& link
 }  // namespace
 
 template <class Scalar>
-DynamicStiffness<Scalar>::DynamicStiffness(const Structure& structure, double square, double omega,
-                                           StiffnessUse use)
-    : structure_(&structure), square_(square), omega_(omega), use_(use) {
+DynamicStiffness<Scalar>::DynamicStiffness(const Structure& structure, double square, double omega)
+    : structure_(&structure), square_(square), omega_(omega) {
   const int pieces = pieces_at(structure, square);
   if (pieces > 1) {
     finer_ = std::make_shared<const FinerStructure>(cut(structure, pieces));
@@ -375,9 +374,6 @@ void DynamicStiffness<Scalar>::factor_border() {
   const auto clear = partial_lu_.matrixLU().diagonal().cwiseAbs();
   fully_pivoted_ = size > 0 && !(clear.minCoeff() > clearly_regular * clear.maxCoeff());
   if (!fully_pivoted_) return;
-  // Where nothing is solved all that is to be known is that it is not singular.
-  constexpr double far_from_singular = 1e-10;
-  if (use_ == StiffnessUse::counting && partial_lu_.rcond() > far_from_singular) return;
   lu_.compute(border_);
   const auto pivots = lu_.matrixLU().diagonal().cwiseAbs();
   if (size > 0 && !(pivots.minCoeff() > no_pivot * pivots.maxCoeff())) fail_singular();

@@ -27,10 +27,6 @@ struct Deformation {
   Eigen::Matrix<Scalar, 3, Eigen::Dynamic> joints;
 };
 
-/// What a dynamic stiffness is made for: to solve for motions, or only to count the frequencies
-/// below its own, which needs no pivots for that.
-enum class StiffnessUse { solving, counting };
-
 /// Solves the structure under loads that vibrate,
 ///
 ///     (K + K_g + i omega C - omega^2 M) q = f,   links: C = tau K
@@ -55,8 +51,7 @@ class DynamicStiffness {
  public:
   /// `omega`: of the damping [rad/s]; `square` = omega^2, or a shift. Throws AnalysisError where
   /// links are free to move (names them) or the structure is undamped and exactly in resonance.
-  DynamicStiffness(const Structure& structure, double square, double omega,
-                   StiffnessUse use = StiffnessUse::solving);
+  DynamicStiffness(const Structure& structure, double square, double omega);
 
   Deformation<Scalar> solve(const LinkColumns<Scalar>& loads) const;
 
@@ -111,7 +106,6 @@ class DynamicStiffness {
   std::shared_ptr<const FinerStructure> finer_;  ///< in the exact form, where it is cut
   const Structure* structure_;                   ///< that, or as it was given
   double square_, omega_;
-  StiffnessUse use_;
   std::vector<LinkStiffness<Scalar>> links_;
   std::vector<std::size_t> retained_;                   ///< the element of each link that stays
   std::vector<std::vector<Step>> steps_;                ///< of each link, by element
