@@ -47,7 +47,10 @@ double count_of(std::span<const Cycle> cycles) {
 
 /// Factors at which the damage is below and above 1 by more than its sum is rounded: as it grows
 /// with the factor, it is so below the one and above the other as well.
-struct Bracket {
+class Bracket {
+ public:
+  Bracket(double low, double high) : lives(low), fails(high) {}
+
   double lives, fails;
 
   void take(double factor, double damage) {
@@ -55,33 +58,55 @@ struct Bracket {
     if (damage <= 1.0 - clear) lives = std::max(lives, factor);
     if (damage >= 1.0 + clear) fails = std::min(fails, factor);
   }
+  /// Just below a factor and just above.
+  template <class Damage>
+  void take_beside(double factor, const Damage& damage) {
+    for (const double at : {factor * (1.0 - aside), factor * (1.0 + aside)}) take(at, damage(at));
+  }
+  bool is_close() const { return fails < lives * (1.0 + 4.0 * aside); }
+
+ private:
+  static constexpr double aside = 4e-12;
 };
 
-/// As close as secants come in logarithmic axes, in which a branch of a curve is a straight line:
-/// mostly at once, and not where the damage jumps.
+/// Where a range passes the limit or the cut-off of its curve the damage may jump past 1.
 template <class Damage>
-Bracket bracket_near(const Damage& damage, double low, double high) {
+void look_at_jumps(std::span<const Prepared> channels, double gamma, const Damage& damage,
+                   Bracket& bracket) {
+  constexpr std::size_t most = 8;
+  std::size_t cycles = 0;
+  for (const Prepared& channel : channels) cycles += channel.cycles.size();
+  if (cycles > most) return;
+  for (const Prepared& channel : channels) {
+    for (const Cycle& cycle : channel.cycles) {
+      for (const double strength : {channel.line->cut_off(), channel.line->limit()}) {
+        const double at = strength / (gamma * cycle.range.value());
+        if (!(at > bracket.lives && at < bracket.fails)) continue;
+        bracket.take_beside(at, damage);
+      }
+    }
+  }
+}
+
+/// As close as secants come in logarithmic axes, in which a branch of a curve is a straight line:
+/// mostly at once.
+template <class Damage>
+void look_between(const Damage& damage, Bracket& bracket) {
   constexpr int most = 6;
-  constexpr double near = 1e-5, aside = 4e-12;
-  Bracket bracket{low, high};
-  double at = high, exponent = 3.0;
+  constexpr double near = 1e-5;
+  double at = bracket.fails, exponent = 3.0;
   double before = 0.0, damage_before = 0.0;
   for (int i = 0; i < most; ++i) {
     const double of = damage(at);
     bracket.take(at, of);
     if (i > 0) exponent = std::log(of / damage_before) / std::log(at / before);
     const double next = at * std::pow(of, -1.0 / exponent);
-    if (!(next > low && next < high)) break;
-    if (std::abs(next - at) < near * at) {
-      for (const double beside : {next * (1.0 - aside), next * (1.0 + aside)})
-        bracket.take(beside, damage(beside));
-      break;
-    }
+    if (!(next > bracket.lives && next < bracket.fails)) return;
+    if (std::abs(next - at) < near * at) return bracket.take_beside(next, damage);
     before = at;
     damage_before = of;
     at = next;
   }
-  return bracket;
 }
 
 double largest_factor_of(std::span<const Prepared> channels, const FatigueDemand& demand) {
@@ -108,7 +133,9 @@ double largest_factor_of(std::span<const Prepared> channels, const FatigueDemand
     low = high;
     high *= 2.0;
   }
-  const Bracket known = bracket_near(damage, low, high);
+  Bracket known(low, high);
+  look_at_jumps(channels, demand.gamma_Ff * demand.gamma_Mf, damage, known);
+  if (!known.is_close()) look_between(damage, known);
   while (high - low > 1e-15 * high) {
     const double middle = 0.5 * (low + high);
     if (middle <= low || middle >= high) break;
@@ -120,17 +147,21 @@ double largest_factor_of(std::span<const Prepared> channels, const FatigueDemand
 
 }  // namespace
 
-std::vector<double> cycles_to_failure_in(const std::vector<Cycle>& cycles, const SnCurve& curve,
-                                         const FatigueDemand& demand, double factor) {
+std::vector<double> cycles_to_failure_in(const FatigueLoad& load, const FatigueDemand& demand,
+                                         double factor) {
   const double scale = demand.gamma_Ff * demand.gamma_Mf * factor;
-  const SnLine line(curve);
-  const bool limit_exceeded = scale * largest_range_of(cycles).value() > line.limit();
+  const SnLine& line = *load.line;
+  const bool limit_exceeded = scale * largest_range_of(load.cycles).value() > line.limit();
   const Loading loading = limit_exceeded ? Loading::spectrum : demand.loading;
   std::vector<double> endured;
-  endured.reserve(cycles.size());
-  for (const Cycle& cycle : cycles)
+  endured.reserve(load.cycles.size());
+  for (const Cycle& cycle : load.cycles)
     endured.push_back(line.cycles_to_failure(scale * cycle.range.value(), loading));
   return endured;
+}
+
+double damage_of(const FatigueLoad& load, const FatigueDemand& demand, double factor) {
+  return prepare(load.cycles, *load.line).damage(demand, factor);
 }
 
 double damage_of(const std::vector<Cycle>& cycles, const SnCurve& curve,

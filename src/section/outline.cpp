@@ -36,12 +36,14 @@ BorderPiece reversed(const BorderPiece& piece) {
 }
 
 void add(Outline& outline, const Outline& other, double sign) {
+  if (outline.empty()) outline.reserve(2 * other.size());  // mostly a border and a hollow
   for (const BorderPiece& piece : other) outline.push_back(sign > 0.0 ? piece : reversed(piece));
 }
 
 /// `sign` is that of the area wanted, whatever the loop's sense.
 void add_loop(Outline& outline, const Loop& loop, double sign) {
   Outline border;
+  border.reserve(loop.size());
   for (std::size_t i = 0; i < loop.size(); ++i) {
     add_line(border, loop[i], loop[(i + 1) % loop.size()]);
   }
@@ -264,6 +266,7 @@ double crossing_width(const Outline& outline, double z) {
 void add_rectangle(Outline& outline, double y_low, double y_high, double z_low, double z_high,
                    double sign) {
   Outline border;
+  border.reserve(4);
   const Vector2d corners[] = {{y_low, z_low}, {y_high, z_low}, {y_high, z_high}, {y_low, z_high}};
   for (std::size_t i = 0; i < 4; ++i) add_line(border, corners[i], corners[(i + 1) % 4]);
   add(outline, border, sign);

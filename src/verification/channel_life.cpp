@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -66,20 +67,38 @@ std::size_t governing_situation(const Project& project, const std::vector<Spectr
   return worst;
 }
 
-std::vector<FatigueChannel> loads_of(const std::vector<LifeChannel>& channels) {
-  std::vector<FatigueChannel> loads;
-  for (const LifeChannel& channel : channels) loads.push_back(channel.for_damage());
-  return loads;
-}
+/// Channels prepared for many evaluations.
+class PreparedChannels {
+ public:
+  explicit PreparedChannels(const std::vector<LifeChannel>& channels) {
+    cycles_.reserve(channels.size());
+    lines_.reserve(channels.size());
+    for (const LifeChannel& channel : channels) {
+      std::vector<Cycle>& cycles = cycles_.emplace_back();
+      cycles.reserve(channel.spectrum.size());
+      for (const SpectrumRow& row : channel.spectrum) cycles.push_back(row.cycle);
+      loads_.push_back({cycles, &lines_.emplace_back(channel.curve)});
+    }
+  }
+  PreparedChannels(const PreparedChannels&) = delete;
+  PreparedChannels& operator=(const PreparedChannels&) = delete;
+
+  std::span<const FatigueLoad> loads() const { return loads_; }
+
+ private:
+  std::vector<std::vector<Cycle>> cycles_;
+  std::vector<SnLine> lines_;
+  std::vector<FatigueLoad> loads_;
+};
 
 /// With the cycles that they endure, the loads taken k times.
 std::vector<SpectrumRow> spectrum_at(const Project& project,
                                      const std::vector<LifeChannel>& channels,
-                                     const std::vector<FatigueChannel>& loads, double k) {
+                                     const PreparedChannels& prepared, double k) {
   std::vector<SpectrumRow> rows;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const auto endured_at = [&](double times) {
-      return cycles_to_failure_in(loads[i].cycles, loads[i].curve, project.fatigue.demand, times);
+      return cycles_to_failure_in(prepared.loads()[i], project.fatigue.demand, times);
     };
     const std::vector<double> endured = endured_at(k), as_it_is = endured_at(1.0);
     for (std::size_t j = 0; j < endured.size(); ++j) {
@@ -107,31 +126,30 @@ std::vector<SpectrumRow> rows_of(const std::string& situation, StressKind kind,
 }
 
 ChannelLife life_of(const Project& project, const std::vector<LifeChannel>& channels) {
-  const std::vector<FatigueChannel> loads = loads_of(channels);
+  const PreparedChannels prepared(channels);
   ChannelLife life;
-  life.factor = largest_factor(loads, project.fatigue.demand);
+  life.factor = largest_factor(prepared.loads(), project.fatigue.demand);
   // Just above the factor, where the life is used up: at it a range may stand below the cut-off.
   life.governing = governing_situation(
-      project, spectrum_at(project, channels, loads, life.factor * (1.0 + 1e-9)));
+      project, spectrum_at(project, channels, prepared, life.factor * (1.0 + 1e-9)));
   return life;
 }
 
 void take_life(const Project& project, const std::vector<LifeChannel>& channels,
                const ChannelLife& life, Check& check, CheckBasis& basis) {
   const FatigueDemand& demand = project.fatigue.demand;
-  const std::vector<FatigueChannel> loads = loads_of(channels);
+  const PreparedChannels prepared(channels);
   check.safety_factor = life.factor;
   check.required = project.fatigue.required;
   for (const LifeChannel& channel : channels) basis.curves.push_back(channel.curve);
   check.source = fatigue_source(project.fatigue, basis.curves);
-  for (const FatigueChannel& load : loads)
-    basis.damage += damage_of(load.cycles, load.curve, demand);
+  for (const FatigueLoad& load : prepared.loads()) basis.damage += damage_of(load, demand);
   if (channels.size() == 1)
     basis.equivalent = equivalent_range(basis.damage, basis.curves.front(), demand);
-  basis.spectrum = in_classes(spectrum_at(project, channels, loads, life.factor));
+  basis.spectrum = in_classes(spectrum_at(project, channels, prepared, life.factor));
   FatigueDemand constant = demand;
   constant.loading = Loading::constant_amplitude;
-  basis.constant_amplitude_factor = largest_factor(loads, constant);
+  basis.constant_amplitude_factor = largest_factor(prepared.loads(), constant);
 }
 
 }  // namespace boxbeam

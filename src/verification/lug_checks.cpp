@@ -10,9 +10,9 @@
 #include "boxbeam/numerics/extremum.hpp"
 #include "boxbeam/verification/life_cycles.hpp"
 #include "boxbeam/verification/peak_over_time.hpp"
+#include "boxbeam/verification/turning_samples.hpp"
 #include "channel_life.hpp"
 #include "neighbour_parts.hpp"
-#include "turning_samples.hpp"
 
 namespace boxbeam {
 namespace {

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "boxbeam/verification/load_history.hpp"
+#include "boxbeam/verification/turning_samples.hpp"
 #include "bracket_nodes.hpp"
-#include "turning_samples.hpp"
 
 namespace boxbeam {
 namespace {

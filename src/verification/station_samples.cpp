@@ -12,8 +12,8 @@
 #include "boxbeam/strength/weld_throat.hpp"
 #include "boxbeam/strength/yield.hpp"
 #include "boxbeam/verification/life_cycles.hpp"
+#include "boxbeam/verification/turning_samples.hpp"
 #include "boxbeam/verification/whole_life.hpp"
-#include "turning_samples.hpp"
 
 namespace boxbeam {
 namespace {
@@ -98,18 +98,17 @@ double largest_of(const std::vector<double>& values, const SampledInstants& inst
 }
 
 /// The turning points of a stress in order of time, without their instants.
-SituationTurns turns_among(const std::vector<double>& values, const SampledInstants& instants) {
-  SituationTurns of;
+void find_turns(const std::vector<double>& values, const SampledInstants& instants,
+                TurningSamples& found, SituationTurns& of) {
   of.begin = values.front();
   of.end = instants.closed ? values.front() : values.back();
-  const TurningSamples found = turning_samples_of(values);
-  of.turns.reserve(std::max<std::size_t>(1, found.turns.size()));
+  of.turns.clear();
+  find_turning_samples(values, found);
   if (found.turns.empty()) of.turns.push_back({Time{}, values[found.highest], true});
   for (const auto& [i, maximum] : found.turns) {
     const double sign = maximum ? 1.0 : -1.0;
     of.turns.push_back({Time{}, sign * peak_near(values, i, sign, instants), maximum});
   }
-  return of;
 }
 
 std::vector<Cycle> cycles_of(const Project& project, const Turns& turns, bool reduced) {
@@ -143,6 +142,8 @@ double largest_range_of(const Project& project, const Turns& turns) {
 StationSamples::StationSamples(const Project& project,
                                const std::vector<SituationHistory>& histories)
     : project_(&project), whole_(whole_life_of(histories)) {
+  room_.direct_turns.resize(project.situations.size());
+  room_.shear_turns.resize(project.situations.size());
   if (whole_ != nullptr) unit_cuts_ = unit_cuts_of(histories);
   std::array<bool, cut_force::count> acts{};
   const auto each = [](const CutForces& cut) {
@@ -252,28 +253,32 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
       point.shear_detail != nullptr && (asked(Criterion::shear_fatigue) || combined || range);
   const double stress_factor = point.detail != nullptr ? point.detail->stress_factor : 1.0;
 
-  Turns direct_turns(direct ? project_->situations.size() : 0);
-  Turns shear_turns(along ? project_->situations.size() : 0);
+  std::vector<double>& normal = room_.normal;
+  std::vector<double>& shear = room_.shear;
+  std::vector<double>& both = room_.together;
+  Turns& direct_turns = room_.direct_turns;
+  Turns& shear_turns = room_.shear_turns;
   double equivalent = 0.0, throat = 0.0;
   for (const Run& run : runs_) {
-    auto& [normal, shear, of] = room_;
     if (direct || yield) find_stresses(run, influence.normal, normal);
     if (along || yield || weld) find_stresses(run, influence.shear, shear);
     if (yield) {
-      of.resize(normal.size());
-      for (std::size_t i = 0; i < of.size(); ++i) of[i] = equivalent_stress(normal[i], shear[i]);
-      equivalent = std::max(equivalent, run.load_factor * largest_of(of, run.instants));
+      both.resize(normal.size());
+      for (std::size_t i = 0; i < both.size(); ++i)
+        both[i] = equivalent_stress(normal[i], shear[i]);
+      equivalent = std::max(equivalent, run.load_factor * largest_of(both, run.instants));
     }
     if (weld) {
-      of.resize(shear.size());
-      for (std::size_t i = 0; i < of.size(); ++i) of[i] = std::abs(shear[i]);
-      throat = std::max(throat, run.load_factor * largest_of(of, run.instants));
+      both.resize(shear.size());
+      for (std::size_t i = 0; i < both.size(); ++i) both[i] = std::abs(shear[i]);
+      throat = std::max(throat, run.load_factor * largest_of(both, run.instants));
     }
     if (direct) {
-      for (double& stress : normal) stress *= stress_factor;
-      direct_turns[run.situation] = turns_among(normal, run.instants);
+      if (stress_factor != 1.0)
+        for (double& stress : normal) stress *= stress_factor;
+      find_turns(normal, run.instants, room_.turning, direct_turns[run.situation]);
     }
-    if (along) shear_turns[run.situation] = turns_among(shear, run.instants);
+    if (along) find_turns(shear, run.instants, room_.turning, shear_turns[run.situation]);
   }
 
   Utilisations found;
@@ -324,15 +329,14 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
       found.of(Criterion::combined_fatigue) = required / whole_->factor_of(together);
     return found;
   }
-  std::array<std::vector<Cycle>, 2> cycles;
   std::array<FatigueLoad, 2> loads;
   std::size_t channels = 0;
   const auto look = [&](Criterion criterion, const Turns& turns, const Detail& detail,
                         bool reduced) {
-    std::vector<Cycle>& of = cycles[channels];
-    of = cycles_of(*project_, turns, reduced);
-    if (largest_range_of(of) < no_stress_at(point)) return;
-    loads[channels] = {of, &line_of(detail, point.in_plate)};
+    std::vector<Cycle>& counted = room_.cycles[channels];
+    counted = cycles_of(*project_, turns, reduced);
+    if (largest_range_of(counted) < no_stress_at(point)) return;
+    loads[channels] = {counted, &line_of(detail, point.in_plate)};
     if (asked(criterion))
       found.of(criterion) = required / largest_factor({&loads[channels], 1}, demand);
     ++channels;

@@ -71,6 +71,9 @@ class StressPoints {
         gross_(properties_of(field_.section)),
         net_(properties_of(field_.section, field_.holes)),
         lags_(shear_lags_at(zones, section_inside(project.beam, station), station)) {
+    // Points are large, and growing would copy them.
+    constexpr std::size_t usual = 32;
+    points.reserve(usual);
     if (lags_.count()) net_ = effective_properties_of(field_.section, field_.holes, lags_);
     if (set_ == PointSet::in_space) stop_where(unknown_shear_of(field_.section));
   }

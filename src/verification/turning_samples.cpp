@@ -1,4 +1,4 @@
-#include "turning_samples.hpp"
+#include "boxbeam/verification/turning_samples.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,12 +11,18 @@ double noise_between(double lowest, double highest) {
 }
 
 TurningSamples turning_samples_of(const std::vector<double>& values) {
+  TurningSamples found;
+  find_turning_samples(values, found);
+  return found;
+}
+
+void find_turning_samples(const std::vector<double>& values, TurningSamples& found) {
   const std::size_t n = values.size();
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const double noise = noise_between(*low, *high);
-  TurningSamples found;
+  found.turns.clear();
   found.highest = static_cast<std::size_t>(high - values.begin());
-  if (!(*high - *low > noise)) return found;
+  if (!(*high - *low > noise)) return;
 
   // From the highest sample once round.
   std::vector<TurningSample>& turns = found.turns;
@@ -38,7 +44,6 @@ TurningSamples turning_samples_of(const std::vector<double>& values) {
     return std::pair(a.index, a.maximum) < std::pair(b.index, b.maximum);
   });
   turns.erase(std::unique(turns.begin(), turns.end()), turns.end());
-  return found;
 }
 
 }  // namespace boxbeam

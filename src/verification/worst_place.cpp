@@ -15,9 +15,9 @@ namespace {
 constexpr std::array of_plates{Criterion::yield, Criterion::fatigue, Criterion::shear_fatigue,
                                Criterion::combined_fatigue, Criterion::stress_range};
 
-constexpr CriterionSet set_of(std::span<const Criterion> criteria) {
+constexpr CriterionSet set_of(std::span<const Criterion> asked) {
   CriterionSet set({});
-  for (const Criterion criterion : criteria) set.add(criterion);
+  for (const Criterion criterion : asked) set.add(criterion);
   return set;
 }
 
@@ -263,17 +263,16 @@ StressPoint at_worst_edge(const StationSamples& samples, const StressPoint& poin
 }
 
 std::vector<StressPoint> at_worst_edges(const StationSamples& samples, const StressPoint& point,
-                                        std::span<const Criterion> criteria) {
+                                        std::span<const Criterion> asked) {
   StressPoint whole = point;
   whole.edges.clear();
-  std::vector<StressPoint> moved(criteria.size(), whole);
+  std::vector<StressPoint> moved(asked.size(), whole);
   if (point.edges.empty()) return moved;
   // Without a detail no range is judged: the largest stress decides.
-  const CriterionSet by =
-      point.detail != nullptr ? set_of(criteria) : CriterionSet{Criterion::yield};
+  const CriterionSet by = point.detail != nullptr ? set_of(asked) : CriterionSet{Criterion::yield};
   EdgeSearch search(samples, point, by);
-  for (std::size_t i = 0; i < criteria.size(); ++i) {
-    const HoleEdge edge = search.worst(by.has(criteria[i]) ? criteria[i] : Criterion::yield);
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const HoleEdge edge = search.worst(by.has(asked[i]) ? asked[i] : Criterion::yield);
     moved[i].y = edge.y;
     moved[i].z = edge.z;
     moved[i].influence = edge.influence;

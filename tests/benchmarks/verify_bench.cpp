@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "boxbeam/mechanism/planar/motion.hpp"
 #include "boxbeam/project/project.hpp"
@@ -64,7 +65,23 @@ void chain(benchmark::State& bench) {
   bench.SetComplexityN(bench.range(0));
 }
 
-/// Reading the case and verifying it, in one process that is already warm.
+/// Verifying a case that is read once, in one process that is already warm.
+void verify_read_case(benchmark::State& bench) {
+  const Project project = read_project(case_path("rig.toml"));
+  for (auto _ : bench) benchmark::DoNotOptimize(verify(project));
+}
+
+/// The same of designs that differ in what resists alone, whose model is known.
+void verify_known_model(benchmark::State& bench) {
+  const Project project = read_project(case_path("rig.toml"));
+  std::vector<ModelChoice> models;
+  for (auto _ : bench) {
+    std::vector<Project> beams{project};
+    benchmark::DoNotOptimize(verify_beams_by(models, std::move(beams)));
+  }
+}
+
+/// Reading the case and verifying it, likewise.
 void verify_in_process(benchmark::State& bench) {
   for (auto _ : bench) {
     const Project project = read_project(case_path("rig.toml"));
@@ -117,6 +134,8 @@ BENCHMARK(chain)
     ->Arg(1000)
     ->Complexity(benchmark::oN);
 BENCHMARK(verify_in_process)->Name("verify/sledge")->Unit(benchmark::kMillisecond);
+BENCHMARK(verify_read_case)->Name("verify/sledge/read")->Unit(benchmark::kMillisecond);
+BENCHMARK(verify_known_model)->Name("verify/sledge/known-model")->Unit(benchmark::kMillisecond);
 BENCHMARK(verify_as_process)
     ->Name("verify/sledge/process")
     ->Unit(benchmark::kMillisecond)

@@ -90,4 +90,34 @@ TEST_CASE("property: more cycles, a weaker curve or another channel never raise 
   });
 }
 
+TEST_CASE("property: the largest factor is that of halving alone, to its last digit") {
+  test::holds([] {
+    const SnCurve curve = *rc::gen::arbitrary<bool>() ? any_curve() : en_1993_1_9_shear(80);
+    const FatigueDemand demand{
+        *rc::gen::arbitrary<bool>() ? Loading::spectrum : Loading::constant_amplitude, 1.0, 1.15};
+    std::vector<Cycle> cycles = any_spectrum();
+    // So many cycles that the largest range may do no damage but where it passes the cut-off.
+    const double times = *rc::gen::element(1.0, 1e2, 1e6);
+    for (Cycle& cycle : cycles) cycle.count *= times;
+    if (cycles.size() < 2) return;
+    // One of its ranges at the strength of all cycles is below, twice that again and again above.
+    double count = 0.0, largest = 0.0;
+    for (const Cycle& cycle : cycles) {
+      count += cycle.count;
+      largest = std::max(largest, cycle.range.value());
+    }
+    if (largest == 0.0) return;
+    double low = strength_at(curve, count, demand.loading).value() /
+                 (demand.gamma_Ff * demand.gamma_Mf * largest);
+    double high = 2.0 * low;
+    for (; damage_of(cycles, curve, demand, high) <= 1.0; high *= 2.0) low = high;
+    while (high - low > 1e-15 * high) {
+      const double middle = 0.5 * (low + high);
+      if (middle <= low || middle >= high) break;
+      (damage_of(cycles, curve, demand, middle) <= 1.0 ? low : high) = middle;
+    }
+    RC_ASSERT(largest_factor(cycles, curve, demand) == low);
+  });
+}
+
 }  // namespace damage_properties_test

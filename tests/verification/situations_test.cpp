@@ -239,6 +239,47 @@ TEST_CASE("on a hole's edge the place with the largest range of the change is fo
   CHECK(edges == 6);  // the hub's hole and two bolts, on both sides of the force
 }
 
+TEST_CASE("the edge of a hole has the same worst places whether criteria are asked for together") {
+  const Project project = test::rig();
+  const std::deque<SituationRun> runs = run_situations(project);
+  const Station hub{si<Length>(3.2), Side::before};
+  const std::vector<SituationHistory> histories = histories_at(runs, hub);
+  const StationSamples samples(project, histories);
+  int edges = 0;
+  for (const StressPoint& point :
+       stress_points_at(project, bending_zones_of(project, runs), hub)) {
+    if (point.edges.empty()) continue;
+    const std::vector<StressPoint> together = at_worst_edges(samples, point, stress_criteria);
+    REQUIRE(together.size() == stress_criteria.size());
+    for (std::size_t k = 0; k < stress_criteria.size(); ++k) {
+      const StressPoint alone = at_worst_edge(samples, point, stress_criteria[k]);
+      CHECK(together[k].influence.normal == alone.influence.normal);
+      CHECK(together[k].concentration->edge.angle == alone.concentration->edge.angle);
+      CHECK(together[k].edges.empty());
+      // Places of the list itself are no worse.
+      for (const HoleEdge& edge : point.edges) {
+        const Criterion by = stress_criteria[k];
+        const double there = samples.judge(point, edge.influence, {by}).of(by);
+        CHECK(samples.judge(together[k], {by}).of(by) >= there * (1.0 - 1e-6));
+      }
+    }
+    ++edges;
+  }
+  CHECK(edges == 3);
+}
+
+TEST_CASE("sections that do not change have one stress field wherever they are") {
+  const Project project = test::rig();
+  StressFields fields;
+  const Section plain = section_at(project.beam, {si<Length>(0.7)});
+  const auto field = fields.of(plain, {}, {});
+  CHECK(fields.of(section_at(project.beam, {si<Length>(1.2)}), {}, {}) == field);
+  CHECK(fields.of(section_at(project.beam, {si<Length>(4.9)}), {}, {}) != field);
+  CHECK(fields.of(plain, holes_at(project, si<Length>(3.2)), {}) != field);
+  const Station tapers{si<Length>(2.0)};
+  CHECK(fields.of(plain, {}, taper_at(project.beam, tapers)) != field);
+}
+
 TEST_CASE("the order of the situations does not matter") {
   const Situation slow = at_speed("slow", 1e7, 0.8);
   const Situation fast = at_speed("fast", 1e5, 1.1);

@@ -4,8 +4,11 @@
 
 #include <cmath>
 #include <set>
+#include <type_traits>
+#include <utility>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/report/result_book.hpp"
 #include "catch.hpp"
 #include "support/rig.hpp"
 
@@ -281,6 +284,75 @@ TEST_CASE("every check has an id of its own") {
   std::set<std::string> ids;
   for (const CheckResult& result : rig().checks) ids.insert(result.check.id);
   CHECK(ids.size() == rig().checks.size());
+}
+
+TEST_CASE("designs that differ in what resists alone have the results of a case of their own") {
+  std::vector<ModelChoice> models;
+  for (const double cycles : {1e8, 3e7, 1e6}) {
+    const auto design = [&] {
+      std::vector<Project> beams{test::rig()};
+      beams.front().situations.front().cycles = cycles;
+      beams.front().strength.gamma_M0 = 1.0 + 1e-9 * cycles;
+      return beams;
+    };
+    const Verification own = std::move(verify_beams(design()).front().verification);
+    const Verification by = std::move(verify_beams_by(models, design()).front().verification);
+    REQUIRE(models.size() == 1);
+    CHECK(by.model.reason == own.model.reason);
+    REQUIRE(by.checks.size() == own.checks.size());
+    for (std::size_t i = 0; i < own.checks.size(); ++i) {
+      CHECK(by.checks[i].check.id == own.checks[i].check.id);
+      CHECK(by.checks[i].check.safety_factor == own.checks[i].check.safety_factor);
+    }
+  }
+}
+
+TEST_CASE("the model looks at all but at what resists") {
+  CHECK_FALSE(model_depends_on("fatigue.cycles=1e7"));
+  CHECK_FALSE(model_depends_on("strength.gamma_M0"));
+  for (const char* key : {"drivers.exciter.frequency", "beam.segments.0.length", "material.steel",
+                          "sections.A1.web=50 mm", "fatigue={cycles = 1e7}", "points.0.z"})
+    CHECK(model_depends_on(key));
+}
+
+TEST_CASE("numbers that are asked for are those of the whole results") {
+  std::vector<Project> project{test::rig()};
+  const std::vector<VerifiedBeam> beams = verify_beams(std::move(project));
+  const ResultBook whole = results_of(beams);
+  for (const char* key :
+       {"governing.fatigue.safety_factor", "fatigue.safety_factor", "yield.acting", "beam.mass",
+        "mass", "beam.stations[3.2-].M.max", "checks[0].utilisation", "model.frequencies[0]",
+        "critical_instants[0].value", "search.evaluations"}) {
+    const ResultBook few = results_of(beams, {key});
+    const ResultValue* const value = whole.find(key);
+    CAPTURE(key);
+    if (value == nullptr) {
+      CHECK(few.find(key) == nullptr);
+      continue;
+    }
+    REQUIRE(few.find(key) != nullptr);
+    CHECK(few.find(key)->key == value->key);
+    CHECK(few.find(key)->unit == value->unit);
+    CHECK(few.find(key)->value == value->value);
+  }
+  CHECK(results_of(beams, {"beam.mass"}).find("beam.mass") != nullptr);
+  CHECK(results_of(beams, {"beam.mass"}).find("checks[0].utilisation") == nullptr);
+  CHECK(results_of(beams, {"nothing"}).find("nothing") == nullptr);
+}
+
+TEST_CASE("what a check rests on is copied with it, and moved with it") {
+  static_assert(std::is_nothrow_move_constructible_v<CheckResult>);
+  CheckResult one;
+  one.basis.emplace().damage = 0.5;
+  CheckResult other = one;
+  other.basis->damage = 0.25;
+  CHECK(one.basis->damage == 0.5);
+  const CheckBasis* const where = &*one.basis;
+  const CheckResult moved = std::move(one);
+  CHECK(&*moved.basis == where);
+  other = moved;
+  CHECK(other.basis->damage == 0.5);
+  CHECK(&*other.basis != where);
 }
 
 }  // namespace verify_test

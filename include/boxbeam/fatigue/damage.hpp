@@ -36,10 +36,11 @@ struct FatigueLoad {
 /// 1993-1-9:2005, 7.1(2), 7.1(3), annex A.5.
 double damage_of(const std::vector<Cycle>& cycles, const SnCurve& curve,
                  const FatigueDemand& demand, double factor = 1.0);
+double damage_of(const FatigueLoad& load, const FatigueDemand& demand, double factor = 1.0);
 
 /// Cycles to failure of each cycle of a spectrum, all ranges multiplied by `factor`.
-std::vector<double> cycles_to_failure_in(const std::vector<Cycle>& cycles, const SnCurve& curve,
-                                         const FatigueDemand& demand, double factor);
+std::vector<double> cycles_to_failure_in(const FatigueLoad& load, const FatigueDemand& demand,
+                                         double factor);
 
 /// The largest factor on the loads for which the damage of all channels together is at most 1. It
 /// exists and is finite even where the spectrum does no damage. Infinity only without any cycles.

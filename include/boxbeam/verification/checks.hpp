@@ -193,9 +193,8 @@ std::string id_of(Criterion criterion, const Station& station, const std::string
 class PointHistory {
  public:
   /// Looks at all of them, which stay.
-  PointHistory(const Project& project, const std::vector<SituationHistory>& histories,
-               const StressPoint& point)
-      : project(&project), histories(&histories), point(&point) {}
+  PointHistory(const Project& of, const std::vector<SituationHistory>& in, const StressPoint& at)
+      : project(&of), histories(&in), point(&at) {}
 
   /// Of the direct stress times a factor.
   const Turns& direct(double factor);

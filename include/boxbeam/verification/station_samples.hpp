@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "boxbeam/verification/check.hpp"
+#include "boxbeam/verification/life_cycles.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/stress_points.hpp"
+#include "boxbeam/verification/turning_samples.hpp"
 
 namespace boxbeam {
 
@@ -108,6 +110,9 @@ class StationSamples {
   /// Room for the stresses of one judgement, of which a station has thousands.
   struct Room {
     std::vector<double> normal, shear, together;
+    TurningSamples turning;
+    Turns direct_turns, shear_turns;
+    std::array<std::vector<Cycle>, 2> cycles;
   };
   mutable Room room_;
 

@@ -13,7 +13,7 @@ StressPoint at_worst_edge(const StationSamples& samples, const StressPoint& poin
 
 /// The same by each of some criteria, in their order.
 std::vector<StressPoint> at_worst_edges(const StationSamples& samples, const StressPoint& point,
-                                        std::span<const Criterion> criteria);
+                                        std::span<const Criterion> asked);
 
 /// A point on a stretch of wall moved to the place where a criterion is worst. Each local maximum
 /// on a grid (10 degrees of a round tube, a twelfth of a straight wall) that may be the largest is

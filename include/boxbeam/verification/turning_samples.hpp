@@ -26,5 +26,7 @@ double noise_between(double lowest, double highest);
 /// jumps from its end to its begin. A turn counts where the values come back from it by more than
 /// the noise.
 TurningSamples turning_samples_of(const std::vector<double>& values);
+/// The same into what had turns before, whose room is used again.
+void find_turning_samples(const std::vector<double>& values, TurningSamples& found);
 
 }  // namespace boxbeam
