@@ -19,9 +19,22 @@ bool of_one_span(const LoadsOverTime& figure) {
   });
 }
 
+/// What is round-off beside the largest force, of moments at the length of the beam.
+double round_off_of(const LoadsOverTime& figure, cut_force::Index which, Length beam) {
+  double largest = 0.0;
+  for (const LoadsOverTime::Line& line : figure.lines) {
+    for (const CutForces& forces : line.values)
+      for (const cut_force::Index force : {cut_force::N, cut_force::V_y, cut_force::V_z})
+        largest = std::max(largest, std::abs(value_of(forces, force)));
+  }
+  const bool is_force = which == cut_force::N || which == cut_force::V_y || which == cut_force::V_z;
+  return 1e-10 * largest * (is_force ? 1.0 : beam.value());
+}
+
 /// The lines of one cut force, a row for each instant.
 std::vector<std::vector<Row2>> lines_of(const LoadsOverTime& figure, cut_force::Index which,
-                                        bool seconds) {
+                                        bool seconds, Length beam) {
+  const double none = round_off_of(figure, which, beam);
   std::vector<std::vector<Row2>> lines;
   for (const LoadsOverTime::Line& line : figure.lines) {
     const double begin = line.times.front().value();
@@ -29,8 +42,9 @@ std::vector<std::vector<Row2>> lines_of(const LoadsOverTime& figure, cut_force::
     std::vector<Row2>& rows = lines.emplace_back();
     for (std::size_t i = 0; i < line.times.size(); ++i) {
       const double time = line.times[i].value();
+      const double value = value_of(line.values[i], which);
       rows.emplace_back(seconds ? time : (time - begin) / length,
-                        1e-3 * value_of(line.values[i], which));
+                        std::abs(value) <= none ? 0.0 : 1e-3 * value);
     }
   }
   return lines;
@@ -109,8 +123,8 @@ void loads_over_time(Script& gp, const Project& project, const Verification& ver
     gp << (lowest ? "set format x '%g'\n" : "set format x ''\n");
     const double left = p < 3 ? 56.0 : 358.0;
     const double top = highest - static_cast<double>(p % 3) * (height + between);
-    draw_panel(gp, *name, lines_of(figure, order[p], seconds), lowest ? footing : "",
-               {left, top - height, left + 242.0, top});
+    draw_panel(gp, *name, lines_of(figure, order[p], seconds, project.beam.length()),
+               lowest ? footing : "", {left, top - height, left + 242.0, top});
   }
 }
 
