@@ -246,8 +246,7 @@ TEST_CASE("the edge of a hole has the same worst places whether criteria are ask
   const std::vector<SituationHistory> histories = histories_at(runs, hub);
   const StationSamples samples(project, histories);
   int edges = 0;
-  for (const StressPoint& point :
-       stress_points_at(project, bending_zones_of(project, runs), hub)) {
+  for (const StressPoint& point : stress_points_at(project, bending_zones_of(project, runs), hub)) {
     if (point.edges.empty()) continue;
     const std::vector<StressPoint> together = at_worst_edges(samples, point, stress_criteria);
     REQUIRE(together.size() == stress_criteria.size());
