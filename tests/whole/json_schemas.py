@@ -193,8 +193,7 @@ with tempfile.TemporaryDirectory() as folder:
         '[study]\nsamples = 32\n[variables.r]\ndistribution = "normal"\nmean = 4\nsd = 1\n'
         '[results]\ncolumns = ["f = r^2"]\n[indices]\n')
     with_indices = run("sweep", indices, "--out", f"{folder}/indices", "--json", "-")
-    check("study", with_indices, "study with indices")
-    check_refuses_changes("study", with_indices, "study with indices")
+    check("study", with_indices, "study with indices")  # they may be missing
     reliability = run("reliability", formula, "--out", folder, "--json", "-")
     check("reliability", reliability, "reliability")
     check_refuses_changes("reliability", reliability, "reliability")

@@ -93,10 +93,12 @@ def check_rows(folder):
 
 def check_same_bytes(folder, study):
     whole = folder / "whole"
-    run("sweep", study, "--out", whole, "--threads", 1, "--quiet")
+    said = run("sweep", study, "--out", whole, "--threads", 1, "--quiet").stdout
     expected = files_of(whole)
     check_rows(whole)
-    check(sorted(of.name for of in whole.iterdir()) == ["rows.csv", "study.json"], "more files than it says")
+    written = " ".join(said[said.index("Written to"):].split()).split(": ")[1].split(", ")
+    check(sorted(of.name for of in whole.iterdir()) == sorted(written), f"other files than it says: {written}")
+    check({"rows.csv", "study.json", "study.html"} <= set(written), f"files: {written}")
     run("sweep", study, "--out", folder / "two", "--threads", 2, "--quiet")
     check(files_of(folder / "two") == expected, "two threads write other bytes than one")
     parts = [folder / f"part{i}" for i in (1, 2, 3)]

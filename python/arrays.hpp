@@ -1,0 +1,24 @@
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <vector>
+
+namespace boxbeam::python {
+
+/// An array of numpy around numbers that stay where they are.
+inline pybind11::array_t<double> array_of(std::vector<double>&& numbers) {
+  auto owned = std::make_unique<std::vector<double>>(std::move(numbers));
+  const auto size = static_cast<pybind11::ssize_t>(owned->size());
+  double* const data = owned->data();
+  const pybind11::capsule owner(owned.release(),
+                                [](void* of) { delete static_cast<std::vector<double>*>(of); });
+  return pybind11::array_t<double>(size, data, owner);
+}
+
+/// Cycles and damage of stresses in arrays.
+void add_fatigue(pybind11::module_& module);
+
+}  // namespace boxbeam::python
