@@ -7,6 +7,7 @@
 
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/verification/judged_section.hpp"
+#include "plate_panels.hpp"
 
 namespace boxbeam {
 namespace {
@@ -150,7 +151,10 @@ class ChoicesInSegment {
  public:
   ChoicesInSegment(const Project& project, const std::vector<BendingZone>& zones,
                    const Segment& segment)
-      : limits_(thickness_limits_of(project)), zones_(&zones), segment_(&segment) {}
+      : project_(&project),
+        limits_(thickness_limits_of(project)),
+        zones_(&zones),
+        segment_(&segment) {}
 
   Choices at(double fraction) const {
     const Section section = interpolate(segment_->from, segment_->to, fraction);
@@ -165,6 +169,8 @@ class ChoicesInSegment {
       // The laws of EN 1993-1-5, table 3.1.
       choices.push_back(!lag ? 0 : (lag->kappa <= 0.02 ? 1 : (lag->kappa <= 0.7 ? 2 : 3)));
     }
+    const Side inwards = fraction > 0.5 ? Side::before : Side::behind;
+    for (const int of : plate_choices_at(*project_, {s, inwards})) choices.push_back(of);
     return choices;
   }
 
@@ -179,6 +185,7 @@ class ChoicesInSegment {
   }
 
  private:
+  const Project* project_;
   std::vector<Length> limits_;
   const std::vector<BendingZone>* zones_;
   const Segment* segment_;
