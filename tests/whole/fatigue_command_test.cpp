@@ -1,5 +1,6 @@
 // boxbeam fatigue as a user runs it: a stress history and a detail, damage and life.
 
+#include <fmt/format.h>
 #include <sys/wait.h>
 
 #include <cmath>
