@@ -27,6 +27,21 @@ void require_writing_in(const fs::path& folder, const std::string& what) {
                                 std::strerror(errno)));
 }
 
+/// Makes a folder and takes it away again: what a file system refuses is known only then.
+void require_making(const fs::path& path, const fs::path& there) {
+  std::error_code error;
+  if (fs::exists(path, error)) return;
+  std::error_code trouble;
+  fs::create_directories(path, trouble);
+  for (fs::path made = path; made != there && !made.empty(); made = made.parent_path()) {
+    if (made.has_filename()) fs::remove(made, error);  // "reports/"
+    if (!made.has_parent_path() || made.parent_path() == made) break;
+  }
+  if (trouble)
+    throw OutputError(
+        fmt::format("the folder {} cannot be made: {}", path.string(), trouble.message()));
+}
+
 }  // namespace
 
 void require_file(const std::string& path) {
@@ -70,6 +85,7 @@ void require_folder(const std::string& path) {
         fmt::format("the folder {} cannot be made: {} is no folder", path, there.string()));
   }
   require_writing_in(there, path);
+  require_making(path, there);
 }
 
 std::optional<std::string> svg_in(const std::string& folder, const std::string& name) {

@@ -48,8 +48,7 @@ Entry solve_entry(CLI::App& app) {
       ->type_name("A B");
   add_json(command, options->json, "values", "the text");
   return {&command,
-          {"boxbeam solve rig.toml --for sections.A1.flange --such-that \"fatigue.safety_factor = "
-           "2\""},
+          {"boxbeam solve rig.toml --for sections.A1.flange --such-that \"beam.mass = 2 t\""},
           [options] { return run_solve(*options); }};
 }
 

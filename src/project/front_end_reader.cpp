@@ -23,9 +23,13 @@ Changeable changeable_of_bodies(const std::string& beam_body) {
 void refuse_planar_parts(TableReader& root, const Project& project, bool deflects) {
   for (const char* key :
        {"loops", "newton_chain", "equivalent_mass", "pins", "rods", "deflection"}) {
-    if ((deflects && key == std::string_view("deflection")) || !root.has_misplaced(key)) continue;
+    const bool deflection = key == std::string_view("deflection");
+    if ((deflects && deflection) || !root.has_misplaced(key)) continue;
     root.problem(
-        key, fmt::format("\"{}\" is known for rigid mechanisms in the plane only", key),
+        key,
+        fmt::format("\"{}\" is known for {}", key,
+                    deflection ? "planar, static and loads cases only"
+                               : "rigid mechanisms in the plane only"),
         fmt::format("remove it from this case of kind = \"{}\"", kind_word_of(project.mechanism)));
   }
 }

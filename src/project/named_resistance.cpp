@@ -101,6 +101,7 @@ NamedResistance resistance_named(const std::string& text, StressKind kind,
   }
   NamedResistance resistance;
   resistance.curve = *curve;
+  resistance.damage_limit = damage_limit_of(family);
   // Of a category that is given as such nobody knows the row, and with it the size effect.
   if (family.starts_with("EN 1993-1-9")) {
     if (kind == StressKind::direct) {

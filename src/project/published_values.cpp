@@ -239,7 +239,7 @@ class PublishedReader {
 }  // namespace
 
 PublishedValues read_published(const std::string& path) {
-  const FileText file = read_text_file(path);
+  const FileText file = read_regular_file(path);
   if (file.trouble != FileText::Trouble::none) {
     throw InputError({{path, 0, 0, {}, file.why, "give the path of a table of published values"}});
   }

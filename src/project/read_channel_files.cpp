@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <future>
 #include <utility>
 
 #include "boxbeam/project/limits.hpp"
 #include "recorded_reader.hpp"
+#include "text_file.hpp"
 
 namespace boxbeam::readers {
 namespace {
@@ -143,9 +143,13 @@ recorded::Channels ChannelFiles::read(TableReader& root, TimeTables& tables) con
     }
     all.emplace_back();
     if (signals.empty()) continue;
-    if (!std::filesystem::is_regular_file(files_[f].source.path)) {
+    const FileText absent = look_for_regular_file(files_[f].source.path);
+    if (absent.trouble != FileText::Trouble::none) {
       TableReader table = files_[f].table;
-      table.problem("path", fmt::format("there is no file {}", files_[f].source.path),
+      table.problem("path",
+                    absent.trouble == FileText::Trouble::missing
+                        ? fmt::format("there is no file {}", files_[f].source.path)
+                        : fmt::format("{}: {}", files_[f].source.path, absent.why),
                     "give the path of a file of signals, from the folder of the case");
       continue;
     }

@@ -92,7 +92,7 @@ SnCurve read_line(TableReader& line, SnCurve curve, double knee) {
 
 std::vector<SnCurve> read_group(TableReader& group, const std::string& code) {
   SnCurve common;
-  common.code = code;
+  common.code = group.has("code") ? group.text("code") : code;  // of another edition
   common.reference_cycles = reference_cycles;
   common.kind =
       group.choice("kind", {"direct", "shear"}) == 0 ? StressKind::direct : StressKind::shear;

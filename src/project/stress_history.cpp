@@ -27,7 +27,7 @@ constexpr std::size_t chunk_samples = 16384;
 constexpr const char* header_hint =
     "the first line reads for example: time [s], sigma [MPa], tau [MPa]; below it numbers";
 
-/// A file, a device or standard input, read in blocks.
+/// A file or standard input, read in blocks.
 class ByteSource {
  public:
   explicit ByteSource(const std::string& path)
@@ -59,7 +59,9 @@ class ByteSource {
 
   File open(const std::string& path) const {
     if (path == "-") return File(stdin);
-    const FileText absent = look_for_file(path);
+    const FileText absent = look_for_regular_file(path);
+    if (absent.trouble == FileText::Trouble::unreadable)
+      fail(absent.why, "write - and give it to standard input");
     if (absent.trouble != FileText::Trouble::none) fail(absent.why, "give the path of a history");
     File file(std::fopen(path.c_str(), "rb"));
     if (!file) fail(fmt::format("the file cannot be read: {}", std::strerror(errno)), {});

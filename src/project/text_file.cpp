@@ -51,14 +51,19 @@ FileText read_text_file(const std::string& path) {
   return file;
 }
 
-FileText read_regular_file(const std::string& path) {
+FileText look_for_regular_file(const std::string& path) {
   FileText absent = look_for_file(path);
   if (absent.trouble != FileText::Trouble::none) return absent;
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) {
     return {{}, FileText::Trouble::unreadable, "this is a pipe or a device, no file"};
   }
-  return read_text_file(path);
+  return {};
+}
+
+FileText read_regular_file(const std::string& path) {
+  FileText absent = look_for_regular_file(path);
+  return absent.trouble == FileText::Trouble::none ? read_text_file(path) : absent;
 }
 
 void unify_line_ends(std::string& text) {

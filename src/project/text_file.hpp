@@ -19,11 +19,13 @@ struct FileText {
 /// The trouble with a path that names no file at all; no trouble otherwise.
 FileText look_for_file(const std::string& path);
 
+/// The same where only a file will do: who opens a pipe may wait for ever for its writer.
+FileText look_for_regular_file(const std::string& path);
+
 /// Reads a file, a device or a pipe of at most 8 MB.
 FileText read_text_file(const std::string& path);
 
-/// The same where only a file will do: who opens a pipe that is named in another file may wait for
-/// ever.
+/// The same where only a file will do.
 FileText read_regular_file(const std::string& path);
 
 /// Ends lines with LF where they end with CR alone.

@@ -120,6 +120,11 @@ Hint value_hint(const Assignment& line) {
                                     {"off", "false"}}) {
     if (lower == word) return fmt::format("write {} = {}", line.key, meant);
   }
+  if (value.starts_with('=')) {
+    const std::size_t from = value.find_first_not_of("= ");
+    return fmt::format("a single = stands between a key and its value: {} = {}", line.key,
+                       from == std::string_view::npos ? "\"1.5 m\"" : value.substr(from));
+  }
   if (contains(value, "=")) return "one key = value stands in a line; begin a new line";
   const std::size_t comma = value.find(',');
   if (comma != std::string_view::npos && comma > 0 && is_digit(value[comma - 1]) &&

@@ -87,6 +87,13 @@ std::vector<std::string> remarks_of(const HistoryDemand& demand, const HistoryFa
   return remarks;
 }
 
+/// ", of 0.5 that IIW allows for ranges of many sizes"; "" where it is the whole.
+std::string allowed_text(const ChannelFatigue& channel) {
+  if (channel.damage_limit == 1.0) return "";
+  return fmt::format(", of {} that {} allows for ranges of many sizes",
+                     text::significant(channel.damage_limit), channel.resistance.curve.code);
+}
+
 std::string channel_text(const std::string& title, const ChannelFatigue& channel, double gamma_Ff) {
   std::string out = layout::heading(title);
   out += layout::entry("curve", curve_text(channel.resistance.curve));
@@ -108,7 +115,7 @@ std::string channel_text(const std::string& title, const ChannelFatigue& channel
             channel.resistance.curve.kind == StressKind::direct ? "1.5 f_y" : "1.5 f_y/sqrt(3)",
             channel.range_passes(gamma_Ff) ? "held" : "EXCEEDED"));
   }
-  out += layout::entry("damage", text::significant(channel.damage));
+  out += layout::entry("damage", text::significant(channel.damage) + allowed_text(channel));
   out += layout::entry("range", fmt::format("{} at 2e6 cycles does the same damage",
                                             text::MPa(channel.equivalent_range.value())));
   out += "\n";
@@ -174,6 +181,7 @@ void put_channel(Fields& to, const ChannelFatigue& channel) {
   put_cycles(to, channel);
   to.boolean("binned", channel.binned);
   to.number("damage", "1", channel.damage);
+  to.number({"damage_limit", "what its code allows"}, "1", channel.damage_limit);
   to.number("equivalent_range", "Pa", channel.equivalent_range.value());
   put_resistance(to, channel);
 }
@@ -194,7 +202,8 @@ std::string to_text(const CountingRule& rule) {
 report::MarkedText history_text(const HistoryDemand& demand, const HistoryFatigue& fatigue) {
   report::MarkedText out = fatigue.passes() ? report::MarkedText("PASS", report::Mark::passes)
                                             : report::MarkedText("FAIL", report::Mark::fails);
-  out += fmt::format("  damage {}{}\n", text::significant(fatigue.damage),
+  out += fmt::format("  damage {}{}{}\n", text::significant(fatigue.damage),
+                     fatigue.shear ? "" : allowed_text(fatigue.direct),
                      demand.repetitions == 1.0
                          ? ""
                          : fmt::format(" in {} repetitions", text::cycles(demand.repetitions)));
@@ -247,6 +256,11 @@ void report::put_history(Fields& to, const HistoryDemand& demand, const HistoryF
   put_cycles(to, fatigue.direct);
   to.boolean("binned", fatigue.direct.binned);
   to.number({"damage", "of normal and shear stress together"}, "1", fatigue.damage);
+  to.number({"damage_limit",
+             "what its code allows, of normal stress; less than 1 for ranges of many "
+             "sizes"},
+            "1", fatigue.direct.damage_limit);
+  to.number({"use", "damage by what is allowed, of both together"}, "1", fatigue.use);
   to.number({"equivalent_range", "of 2e6 cycles, normal stress"}, "Pa",
             fatigue.direct.equivalent_range.value());
   to.number_or_null({"life", "repetitions; null: unlimited"}, "1", fatigue.life);

@@ -452,6 +452,17 @@ void add_nested_profiles(const Project& project, std::vector<std::string>& remar
 
 }  // namespace
 
+namespace {
+
+std::string second_order_not_checked(const ModelChoice& model) {
+  if (knows_second_order(model)) return "";
+  const SecondOrderEstimate& of = model.second_order;
+  return fmt::format(", second order (bending by N w{})",
+                     of.change ? ": " + text::percent(*of.change) + " estimated" : std::string());
+}
+
+}  // namespace
+
 std::string Remark::whole() const {
   switch (kind) {
     case Kind::assumed: return "assumed: " + text;
@@ -536,8 +547,7 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
                          has_fillet_seams(project) ? " and their seams" : "")) +
       std::string(verification.model.second_order.lateral ? "" : ", lateral torsional buckling") +
       std::string(project.pins.empty() ? ", pins" : "") + rods_not_checked(project, verification) +
-      (project.deflection ? "" : ", deflection") +
-      (knows_second_order(verification.model) ? "" : ", second order (bending by N w)"));
+      (project.deflection ? "" : ", deflection") + second_order_not_checked(verification.model));
   for (std::string& remark : remarks) all.push_back({Kind::other, std::move(remark)});
   return all;
 }

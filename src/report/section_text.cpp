@@ -116,12 +116,12 @@ std::string under_text(const SectionUnderForces& under) {
     table.row({"reduced stress", reduced->sheared.name, "", percent(reduced->reduced.use), "10"});
   }
   return out + "\n" + table.text() +
-         "  partial factors 1; panels without diaphragms, end posts not rigid. " +
-         (reduced != nullptr
-              ? "Two routes: effective widths with\n"
-                "  interaction, or reduced stress, which lets nothing yield elsewhere\n"
-              : "Reduced stresses (10) are not\n"
-                "  computed of plates that stiffeners divide, nor of thin-walled paths\n");
+         layout::paragraph(
+             std::string("partial factors 1; panels without diaphragms, end posts not rigid. ") +
+             (reduced != nullptr ? "Two routes: effective widths with interaction, or reduced "
+                                   "stress, which lets nothing yield elsewhere"
+                                 : "Reduced stresses (10) are not computed of plates that "
+                                   "stiffeners divide, nor of thin-walled paths"));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/verification/judged_section.hpp"
 #include "boxbeam/verification/slender_path.hpp"
+#include "plate_panels.hpp"
 
 namespace boxbeam {
 namespace {
@@ -151,7 +152,8 @@ class ChoicesInSegment {
  public:
   ChoicesInSegment(const Project& project, const std::vector<BendingZone>& zones,
                    std::size_t segment)
-      : limits_(thickness_limits_of(project)),
+      : project_(&project),
+        limits_(thickness_limits_of(project)),
         materials_(materials_of(project, segment)),
         zones_(&zones),
         segment_(&project.beam.segments[segment]) {}
@@ -170,6 +172,8 @@ class ChoicesInSegment {
       choices.push_back(law_of(lag));
     }
     add_path_lags(section, {s}, choices);
+    const Side inwards = fraction > 0.5 ? Side::before : Side::behind;
+    for (const int of : plate_choices_at(*project_, {s, inwards})) choices.push_back(of);
     return choices;
   }
 
@@ -201,6 +205,7 @@ class ChoicesInSegment {
     }
   }
 
+  const Project* project_;
   std::vector<Length> limits_;
   PlateMaterials materials_;
   const std::vector<BendingZone>* zones_;

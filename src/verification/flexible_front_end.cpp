@@ -121,7 +121,9 @@ class FlexibleFrontEnd : public FrontEnd {
   }
 
   std::optional<ModelChoice> own_model(const SharedMotions&) const override {
-    return choose_for_links(*project_);
+    ModelChoice choice = choose_for_links(*project_);
+    choice.reason += ", which is the error of this model of the links alone";
+    return choice;
   }
 
   std::string obstacle_to_vibration(const std::deque<SituationRun>&) const override {

@@ -1,11 +1,23 @@
 #include "boxbeam/verification/history_fatigue.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 #include "boxbeam/core/error.hpp"
 
 namespace boxbeam {
 namespace {
+
+/// The curves were measured with ranges of one size.
+bool one_size(const ChannelFatigue& of) {
+  constexpr double same = 1e-6;
+  if (of.binned) return false;
+  double low = of.largest.value();
+  for (const SpectrumBin& bin : of.spectrum) {
+    if (bin.count > 0.0) low = std::min(low, bin.range.value());
+  }
+  return of.largest.value() - low <= same * of.largest.value();
+}
 
 /// A stress on its way from samples to damage.
 struct Channel {
@@ -27,6 +39,7 @@ struct Channel {
     fatigue.cycles = collector.count() * demand.repetitions;
     fatigue.largest = collector.largest();
     fatigue.damage = collector.damage() * demand.repetitions;
+    if (!one_size(fatigue)) fatigue.damage_limit = resistance.damage_limit;
     fatigue.equivalent_range = equivalent_range(fatigue.damage, curve, demand.demand);
     fatigue.fewest_endured =
         cycles_to_failure(scaled(curve, 1.0 / demand.demand.gamma_Mf),
@@ -61,14 +74,16 @@ HistoryFatigue fatigue_of_history(const HistoryDemand& demand,
   direct.counter.finish();
   result.direct = direct.result(demand, demand.direct);
   result.damage = result.direct.damage;
+  result.use = result.direct.damage / result.direct.damage_limit;
   if (shear && result.history.has_shear) {
     shear->counter.finish();
     result.shear = shear->result(demand, *demand.shear);
     result.damage += result.shear->damage;
+    result.use += result.shear->damage / result.shear->damage_limit;
   }
   result.ranges_pass = result.direct.range_passes(demand.demand.gamma_Ff) &&
                        (!result.shear || result.shear->range_passes(demand.demand.gamma_Ff));
-  if (result.damage > 0.0) result.life = demand.repetitions / result.damage;
+  if (result.use > 0.0) result.life = demand.repetitions / result.use;
   return result;
 }
 

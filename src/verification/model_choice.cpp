@@ -339,6 +339,7 @@ ModelledRuns run_by_chosen_model(const Project& project, const SharedMotions& sh
   if (std::optional<ModelChoice> own = front_end->own_model(shared)) {
     std::deque<SituationRun> runs = run_situations(project, own->chosen, shared);
     own->second_order = estimate_second_order(project, runs);
+    own->reason += "; " + second_order_text(own->second_order);
     return {std::move(*own), std::move(runs)};
   }
   std::deque<SituationRun> rigid = run_situations(project, {}, shared);

@@ -12,6 +12,7 @@
 #include "boxbeam/verification/balance_defect.hpp"
 #include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
+#include "boxbeam/verification/planar_links.hpp"
 
 namespace boxbeam {
 namespace {
@@ -91,6 +92,18 @@ void look_at_turning_over(const Project& project, const ModelChoice& model,
   }
 }
 
+/// More bodies than the elasticity of a mechanism is computed with.
+void look_at_bodies(const Project& project, std::vector<Gate>& gates) {
+  const auto* const mechanism = std::get_if<planar::Mechanism>(&project.mechanism);
+  if (mechanism == nullptr || !has_too_many_bodies(*mechanism)) return;
+  gates.push_back({"", "",
+                   fmt::format("the mechanism has {} bodies: of more than {} neither the beam's "
+                               "vibration nor second order is estimated; make one body of those "
+                               "that are joined rigidly",
+                               mechanism->bodies.size(), most_elastic_bodies),
+                   true});
+}
+
 /// What its loads leave unbalanced is known of a vibrating beam only after it was chosen.
 bool is_beyond_tolerance(const ModelChoice& model) {
   if (!model.bends_rigid_motion || model.weighed.empty()) return false;
@@ -112,6 +125,7 @@ std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& mode
   }
   look_at_second_order(project, model, gates);
   look_at_turning_over(project, model, gates);
+  look_at_bodies(project, gates);
   if (project.model.demand == ModelDemand::automatic && is_beyond_tolerance(model)) {
     const double found = *model.weighed.back().found;
     gates.push_back(
@@ -152,6 +166,67 @@ std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& mode
                                percent_text(model.tolerance)),
                    true});
   return gates;
+}
+
+namespace {
+
+/// Whether a check is of the stress of the beam, and of its range; those of members hold second
+/// order, those of pins and rods are of forces that bending hardly changes.
+enum class Judges { stress, range, neither };
+
+Judges judges(Criterion criterion) {
+  switch (criterion) {
+    case Criterion::yield:
+    case Criterion::weld:
+    case Criterion::effective_section:
+    case Criterion::shear_buckling:
+    case Criterion::interaction:
+    case Criterion::reduced_stress:
+    case Criterion::patch_loading:
+    case Criterion::deflection: return Judges::stress;
+    case Criterion::fatigue:
+    case Criterion::shear_fatigue:
+    case Criterion::combined_fatigue:
+    case Criterion::stress_range: return Judges::range;
+    case Criterion::distortion:
+    case Criterion::distortion_fatigue:
+    case Criterion::member:
+    case Criterion::pin:
+    case Criterion::lug_fatigue:
+    case Criterion::rod:
+    case Criterion::buckling: break;
+  }
+  return Judges::neither;
+}
+
+}  // namespace
+
+std::vector<Gate> second_order_gates_of(const ModelChoice& model,
+                                        const std::vector<CheckResult>& checks) {
+  if (model.counts_second_order || !model.second_order.change) return {};
+  const Check* most = nullptr;
+  double grown = 1.0, growth = 0.0;
+  for (const CheckResult& result : checks) {
+    const Check& check = result.check;
+    const Judges of = judges(check.criterion);
+    if (of == Judges::neither || !check.passes()) continue;
+    const double adds =
+        second_order_growth_at(model.second_order, check.station.s, of == Judges::range);
+    if (!(check.utilisation() * (1.0 + adds) > grown)) continue;
+    grown = check.utilisation() * (1.0 + adds);
+    growth = adds;
+    most = &check;
+  }
+  if (most == nullptr) return {};
+  return {{"", "",
+           fmt::format("second order (bending by N w) is not in the cut forces and is estimated to "
+                       "add {} to the {} of {} at s = {} m, {}: {} used becomes {}, which does not "
+                       "pass",
+                       percent_text(growth),
+                       judges(most->criterion) == Judges::range ? "stress range" : "stress",
+                       to_text(most->criterion), to_text(most->station), most->point,
+                       percent_text(most->utilisation()), percent_text(grown)),
+           true}};
 }
 
 namespace {

@@ -33,21 +33,59 @@ PatchSearch::PatchSearch(const Project& project, const std::vector<BendingZone>&
     : project_(&project), zones_(&zones) {
   const TaperedBeam& beam = project.beam;
   for (const Segment& segment : beam.segments) {
-    Slender& of = slender_.emplace_back();
-    for (const Station& end :
-         {Station{segment.start, Side::behind}, Station{segment.end(), Side::before}}) {
-      const auto walls = walls_at(end);
-      look_at_plates(end, of);
-      if (!walls) {
-        look_at_path(end, of);
-        continue;
-      }
-      for (const BoxPlate plate : box_plates) {
-        if (!may_buckle_in_shear(walls->of(plate))) continue;
-        (is_flange(plate) ? of.along_y : of.along_z) = true;
-      }
-    }
+    Slender& of = slender_.emplace_back(slender_at({segment.start, Side::behind}));
+    of.add(slender_at({segment.end(), Side::before}));
   }
+}
+
+void PatchSearch::Slender::add(const Slender& other) {
+  along_z = along_z || other.along_z;
+  along_y = along_y || other.along_y;
+  path = path || other.path;
+  web_along_z = web_along_z || other.web_along_z;
+  web_along_y = web_along_y || other.web_along_y;
+  none = std::min(none, other.none);
+  depth = std::max(depth, other.depth);
+  closed = closed || other.closed;
+}
+
+PatchSearch::Slender PatchSearch::slender_at(const Station& station) const {
+  Slender of;
+  look_at_plates(station, of);
+  if (const auto walls = deciding_walls_at(*project_, station)) {
+    for (const BoxPlate plate : box_plates) {
+      if (!may_buckle_in_shear(walls->of(plate))) continue;
+      (is_flange(plate) ? of.along_y : of.along_z) = true;
+    }
+  } else {
+    look_at_path(station, of);
+  }
+  return of;
+}
+
+const PatchSearch::Slender& PatchSearch::slender_near(Length s) {
+  const auto known = near_.find(s.value());
+  if (known != near_.end()) return known->second;
+  constexpr std::size_t most = 4096;
+  if (near_.size() >= most) near_.clear();
+  const TaperedBeam& beam = project_->beam;
+  Slender of;
+  const auto look = [&](Length at) {
+    if (at > Length{}) of.add(slender_at({at, Side::before}));
+    if (at < beam.length()) of.add(slender_at({at, Side::behind}));
+  };
+  look(s);
+  // What is no box has its depth by its outline.
+  const Extent extent = extent_of(section_at(beam, {s, Side::both}).outer);
+  const Length reach = of.depth > Length{} ? of.depth : Length(extent.z_high - extent.z_low);
+  const Length from = std::max(Length{}, Length(s - reach));
+  const Length to = std::min(beam.length(), Length(s + reach));
+  look(from);
+  look(to);
+  for (const Segment& segment : beam.segments) {
+    if (segment.start > from && segment.start < to) look(segment.start);
+  }
+  return near_.emplace(s.value(), of).first->second;
 }
 
 void PatchSearch::look_at_plates(const Station& station, Slender& of) const {
@@ -78,7 +116,7 @@ const Diaphragm* PatchSearch::diaphragm_at(Length s) const {
 }
 
 void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
-                            std::vector<Patch>& patches) const {
+                            std::vector<Patch>& patches) {
   const auto largest_on = [&](const LineLoad& line) {
     const Polynomial<3>& per_length = line.force[along_z ? 2 : 1];
     double most = 0.0;
@@ -100,11 +138,7 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
       if (i > begin && !alike) break;
       if (std::abs(here) > std::abs(most)) most = here;
       const Length centre = lines[i].start + 0.5 * lines[i].length;
-      const Slender& at = slender_[segment_at(project_->beam, {centre, Side::both})];
-      of.along_z = of.along_z || at.along_z;
-      of.along_y = of.along_y || at.along_y;
-      of.none = std::min(of.none, at.none);
-      of.depth = std::max(of.depth, at.depth);
+      of.add(slender_[segment_at(project_->beam, {centre, Side::both})]);
     }
     if (!(along_z ? of.along_z : of.along_y)) continue;
     const std::span<const LineLoad> alike(lines.data() + begin, i - begin);
@@ -128,7 +162,9 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
           if (reaches && std::abs(there) > std::abs(per_length)) per_length = there;
         }
         patch.force = si<Force>(per_length * patch.stiff_length.value());
-        if (abs(patch.force) > of.none) patches.push_back(patch);
+        const Slender& here = slender_near(patch.s);
+        if (abs(patch.force) > of.none && (along_z ? here.along_z : here.along_y))
+          patches.push_back(patch);
       }
     }
   }
@@ -260,7 +296,6 @@ const LoadIntroduction* PatchSearch::introduction_at(Length s) const {
 }
 
 bool PatchSearch::say_how_it_comes_in(Patch& patch) {
-  const TaperedBeam& beam = project_->beam;
   const LoadIntroduction* const by = introduction_at(patch.s);
   if (by != nullptr && !by->stiff_length) return false;
   patch.diaphragm = diaphragm_at(patch.s);
@@ -270,10 +305,8 @@ bool PatchSearch::say_how_it_comes_in(Patch& patch) {
   }
   patch.given = by != nullptr || patch.diaphragm != nullptr;
   if (patch.given) return true;
-  const Slender& of = slender_[segment_at(beam, {patch.s, Side::both})];
-  const Slender& before =
-      slender_[segment_at(beam, {patch.s, patch.s.value() > 0.0 ? Side::before : Side::both})];
-  return patch.along_z ? of.along_z || before.along_z : of.along_y || before.along_y;
+  const Slender& of = slender_near(patch.s);
+  return patch.along_z ? of.along_z : of.along_y;
 }
 
 void PatchSearch::add_groups(std::vector<Patch>& patches) {

@@ -76,7 +76,7 @@ class PatchSearch {
     Length s;
     Moment torque;
   };
-  PathTorque torque_into_path(const BeamLoads& loads) const;
+  PathTorque torque_into_path(const BeamLoads& loads);
   /// A force into a path that is not judged: into its walls, or at a diaphragm, whose bearing is
   /// not judged.
   struct OnPath {
@@ -94,6 +94,7 @@ class PatchSearch {
   std::string obstacle_of(const LoadIntroduction& of);
 
  private:
+  /// What a force meets.
   struct Slender {
     bool along_z = false, along_y = false;
     bool path = false;                              ///< a thin-walled one
@@ -102,6 +103,8 @@ class PatchSearch {
     Force none = si<Force>(std::numeric_limits<double>::infinity());
     Length depth;         ///< the largest
     bool closed = false;  ///< a path around cells
+
+    void add(const Slender& other);
   };
 
   /// The section of a station by its effective widths and, where these do not judge it, by reduced
@@ -120,9 +123,12 @@ class PatchSearch {
   /// By the introduction of the narrowest stretch.
   const LoadIntroduction* introduction_at(Length s) const;
 
+  Slender slender_at(const Station& station) const;
+  /// Anywhere within the depth of the plates on either side of a place, as far as a patch reaches.
+  const Slender& slender_near(Length s);
   void look_at_plates(const Station& station, Slender& of) const;
   /// patched_paths.cpp
-  void look_at_path(const Station& station, Slender& of);
+  void look_at_path(const Station& station, Slender& of) const;
   /// Why what a path bears of a patch is not judged, "" where it is.
   std::string path_obstacle_of(const Patch& patch, const PathWebs& of) const;
   /// A web where a diaphragm takes a patch, and why it is not judged as one, "" where it is: of a
@@ -132,10 +138,9 @@ class PatchSearch {
   std::string bearing_obstacle_of(const Patch& patch, const PathWebs& of,
                                   const Station& station) const;
   std::vector<Borne> path_ways_at(const Patch& patch, const Station& station,
-                                  const JudgedSection& judged, const CutForces& cut) const;
+                                  const JudgedSection& judged, const CutForces& cut);
   /// Loads along the beam, each by the largest of it over a plate's depth.
-  void add_lines(const std::vector<LineLoad>& lines, bool along_z,
-                 std::vector<Patch>& patches) const;
+  void add_lines(const std::vector<LineLoad>& lines, bool along_z, std::vector<Patch>& patches);
   const Diaphragm* diaphragm_at(Length s) const;
 
   /// Whether the patch is to be looked at.
@@ -200,7 +205,8 @@ class PatchSearch {
 
   const Project* project_;
   const std::vector<BendingZone>* zones_;
-  std::vector<Slender> slender_;  ///< by segment
+  std::vector<Slender> slender_;    ///< by segment, of both its ends
+  std::map<double, Slender> near_;  ///< by place
   std::set<std::string> clamps_;
   std::set<const LoadIntroduction*> used_;  ///< by which a force has come in
   std::map<std::pair<double, Side>, JudgedSection> judged_;

@@ -189,7 +189,7 @@ std::optional<PatchSearch::OnPath> PatchSearch::unjudged_on_path(const Patch& pa
   for (const Side side : {Side::before, Side::behind}) {
     if (side == Side::before ? patch.s == Length{} : patch.s == project_->beam.length()) continue;
     const Station station{patch.s, side};
-    const bool slender = slender_[segment_at(project_->beam, station)].path;
+    const bool slender = slender_near(patch.s).path;
     const bool asked = patch.given && patch.diaphragm == nullptr;
     const JudgedSection& judged = judged_at(station);
     if (!judged.path || !(slender || asked)) continue;
@@ -206,12 +206,11 @@ std::optional<PatchSearch::OnPath> PatchSearch::unjudged_on_path(const Patch& pa
 }
 
 std::vector<Borne> PatchSearch::path_ways_at(const Patch& patch, const Station& station,
-                                             const JudgedSection& judged,
-                                             const CutForces& cut) const {
+                                             const JudgedSection& judged, const CutForces& cut) {
   std::vector<Borne> ways;
   const PathWebs of = webs_of_path(judged.path->path(), patch.along_z, patch.force < Force{});
   if (!path_obstacle_of(patch, of).empty()) return ways;
-  const Slender& here = slender_[segment_at(project_->beam, station)];
+  const Slender& here = slender_near(patch.s);
   if (!patch.given && !(patch.along_z ? here.web_along_z : here.web_along_y)) return ways;
   Borne borne;
   PatchBasis& basis = borne.basis;
@@ -253,7 +252,7 @@ Length PatchSearch::depth_of_path(const Patch& patch, const JudgedSection& judge
   return webs.empty() ? Length{} : webs.front().bears.depth;
 }
 
-void PatchSearch::look_at_path(const Station& station, Slender& of) {
+void PatchSearch::look_at_path(const Station& station, Slender& of) const {
   if (!slender_path_at(*project_, {}, station)) return;
   of.path = of.along_y = of.along_z = true;
   const PathSection path = *judged_path_at(*project_, {}, station);
@@ -265,17 +264,13 @@ void PatchSearch::look_at_path(const Station& station, Slender& of) {
   of.web_along_y = of.web_along_y || slender(false);
 }
 
-PatchSearch::PathTorque PatchSearch::torque_into_path(const BeamLoads& loads) const {
+PatchSearch::PathTorque PatchSearch::torque_into_path(const BeamLoads& loads) {
   PathTorque most;
   for (const PointLoad& load : loads.points) {
     const Length s = std::clamp(load.s, Length{}, project_->beam.length());
-    const auto is_closed = [&](Side side) {
-      const Slender& of = slender_[segment_at(project_->beam, {s, side})];
-      return of.path && of.closed;
-    };
     const Moment torque = si<Moment>(std::abs(load.moment.x()));
     if (!(torque > most.torque) || diaphragm_at(s) != nullptr) continue;
-    if (is_closed(Side::both) || (s.value() > 0.0 && is_closed(Side::before))) most = {s, torque};
+    if (slender_near(s).closed) most = {s, torque};
   }
   return most;
 }

@@ -142,7 +142,8 @@ class PlanarMotion : public SolvedMotion {
     const planar::DegreesOfFreedom& freedom = motion.freedom;
     const bool holds = project_->dynamics == Dynamics::rigorous &&
                        project_->beam_body != planar::ground && freedom.undriven == 0 &&
-                       freedom.redundant == 0 && obstacle_to_links(*mechanism_).empty();
+                       freedom.redundant == 0 && obstacle_to_links(*mechanism_).empty() &&
+                       !has_too_many_bodies(*mechanism_);
     if (!holds) return {};
     if (!stopped_) {
       constexpr int parts = 16;
@@ -196,6 +197,8 @@ class PlanarFrontEnd : public FrontEnd {
   }
 
   std::string obstacle_to_vibration(const std::deque<SituationRun>& rigid) const override {
+    if (has_too_many_bodies(planar_of(*project_)))
+      return fmt::format("the mechanism has more than {} bodies", most_elastic_bodies);
     if (project_->dynamics == Dynamics::newton_chain) {
       return "the Newton chain's loads are not in balance with the beam's inertia";
     }
@@ -213,6 +216,8 @@ class PlanarFrontEnd : public FrontEnd {
         return "forces decide the motion: with its drivers held the mechanism is free to move";
       }
       if (!planar_motion_of(run).closed) return "the motion does not repeat";
+      if (planar::time_span_of(mechanism).steeper)
+        return "the edges of a table of forces are steeper than the instants looked at";
       if (freedom.redundant > 0) {
         return fmt::format(
             "joints repeat each other ({}), and without play they leave elastic links no unique "

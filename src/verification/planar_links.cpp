@@ -191,6 +191,10 @@ std::string obstacle_to_links(const planar::Mechanism& mechanism) {
   return "";
 }
 
+bool has_too_many_bodies(const planar::Mechanism& mechanism) {
+  return mechanism.bodies.size() > most_elastic_bodies;
+}
+
 flexible::Mechanism links_of(const planar::Mechanism& mechanism, const planar::State& state,
                              const ElasticBody& elastic) {
   flexible::Mechanism wheels;

@@ -203,13 +203,12 @@ WebInteraction interaction_of(const ShearedPlate& plate, const PlasticBox& plast
 std::shared_ptr<const SlenderPlates> slender_plates_at(const Project& project,
                                                        const std::vector<BendingZone>& zones,
                                                        const Station& station) {
-  const std::vector<FourWalls> ends = walls_of_segment(project, station);
-  const bool slender = std::any_of(ends.begin(), ends.end(), [](const FourWalls& of) {
-    return std::any_of(of.walls.begin(), of.walls.end(),
-                       [](const BoxWall& wall) { return may_buckle(wall); });
-  });
+  const std::optional<FourWalls> deciding = deciding_walls_at(project, station);
+  const bool slender =
+      deciding && std::any_of(deciding->walls.begin(), deciding->walls.end(),
+                              [](const BoxWall& wall) { return may_buckle(wall); });
   if (!slender || !plates_obstacle(project, station).empty()) return nullptr;
-  const std::optional<FourWalls> walls = judged_walls_at(project, station, ends);
+  const std::optional<FourWalls> walls = judged_walls_at(project, station);
   if (!walls) return nullptr;
   const Section section = judged_section_at(project, station);
   const LagShares lag = lag_shares_at(zones, section, station);
@@ -218,11 +217,8 @@ std::shared_ptr<const SlenderPlates> slender_plates_at(const Project& project,
   plates->sheared = sheared_plates_of(section, *walls, taper_at(project.beam, station),
                                       !project.in_space, project.strength.gamma_M1);
   divide_into_panels(project, station, plates->sheared);
-  for (ShearedPlate& plate : plates->sheared) {
-    plate.may_buckle = std::any_of(ends.begin(), ends.end(), [&](const FourWalls& of) {
-      return may_buckle_in_shear(of.of(plate.plate));
-    });
-  }
+  for (ShearedPlate& plate : plates->sheared)
+    plate.may_buckle = may_buckle_in_shear(deciding->of(plate.plate));
   const Segment& segment = project.beam.segments[segment_at(project.beam, station)];
   plates->route = plate_route_of(project, segment);
   plates->steep = is_steep(segment);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,21 +20,30 @@ void divide_into_panels(const Project& project, const Station& station,
 /// How long the panel at a station is; nothing where it is not between two diaphragms.
 std::optional<Length> panel_length_at(const TaperedBeam& beam, const Station& station);
 
-/// The plates of both ends of the segment of a station, between which c/t has its largest value at
-/// one of them: what is judged does not come and go within a segment.
+/// The plates that decide what of a station is judged, so that it is no matter of the segments into
+/// which a beam is cut: those of the station, of a steep segment as wide as they become in their
+/// panel. On both sides of where they cross a limit the beam is cut (`plate_choices_at`).
+std::optional<FourWalls> deciding_walls_at(const Project& project, const Station& station);
+
+/// Which plates of a station are judged, each a number that changes where it is judged otherwise.
+std::vector<int> plate_choices_at(const Project& project, const Station& station);
+
+/// The plates of both ends of the segment of a station.
 std::vector<FourWalls> walls_of_segment(const Project& project, const Station& station);
+
+/// The clear widths of the plates where they are widest, by BoxPlate, in the panel of a station:
+/// between diaphragms, or on a side without one to where the beam is steep no more.
+std::array<Length, 4> widest_in_panel(const Project& project, const Station& station);
 
 /// The plates of a station with what supports them across. Stiffeners of a plate that would do
 /// without them are left out, they count as area alone.
 std::optional<FourWalls> judged_walls_at(const Project& project, const Station& station);
-std::optional<FourWalls> judged_walls_at(const Project& project, const Station& station,
-                                         const std::vector<FourWalls>& ends);
 
 /// c/t above the limit of class 3 in even compression.
 bool may_buckle(const BoxWall& wall);
 
-/// Whether a plate has stiffeners at one of the ends of its segment and may buckle without them.
-bool may_buckle_with_stiffeners(const std::vector<FourWalls>& ends, BoxPlate plate);
+/// Whether a plate has stiffeners and may buckle without them.
+bool may_buckle_with_stiffeners(const FourWalls& walls, BoxPlate plate);
 
 /// Why the stiffened plates of a section are not judged, "" where they are.
 std::string stiffener_obstacle(const FourWalls& of);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -29,11 +30,19 @@ double slope_of(const Segment& segment) {
   return std::atan(std::max(of.along_y, of.along_z));
 }
 
-/// Why a hole of a segment keeps its plates from being judged.
-std::string hole_obstacle(const Project& project, const Segment& segment, const FourWalls& walls) {
+/// Why a hole keeps the plates of its panel, between diaphragms or ends of the beam, from being
+/// judged.
+std::string hole_obstacle(const Project& project, const Station& station) {
+  const Supports supports = supports_around(project.beam, station);
   for (const BeamHole& at : project.holes) {
-    if (at.s < segment.start || at.s > segment.end()) continue;
-    Length width;  // of all holes of these plates in one section
+    if (at.s < supports.before.value_or(Length{}) ||
+        at.s > supports.behind.value_or(project.beam.length()))
+      continue;
+    const Station here{at.s, Side::both};
+    const auto walls = four_walls_of(section_at(project.beam, here).outer,
+                                     materials_of(project, segment_at(project.beam, here)));
+    if (!walls) continue;  // those of its station are none of these
+    Length width;          // of all holes of these plates in one section
     for (const BeamHole& other : project.holes) {
       if (other.s != at.s || other.hole.walls != at.hole.walls) continue;
       const bool pair =
@@ -42,7 +51,7 @@ std::string hole_obstacle(const Project& project, const Segment& segment, const 
     }
     for (const BoxPlate plate : box_plates) {
       const bool drilled = (at.hole.walls == HoleWalls::flanges) == is_flange(plate);
-      if (drilled && width > widest_opening * walls.of(plate).clear())
+      if (drilled && width > widest_opening * walls->of(plate).clear())
         return fmt::format("hole \"{}\" is wider than 0.05 of its plate (2.3)", at.hole.name);
     }
   }
@@ -91,24 +100,43 @@ std::vector<FourWalls> walls_of_segment(const Project& project, const Station& s
   return walls;
 }
 
-std::optional<FourWalls> judged_walls_at(const Project& project, const Station& station,
-                                         const std::vector<FourWalls>& ends) {
+std::optional<FourWalls> deciding_walls_at(const Project& project, const Station& station) {
+  const std::size_t index = segment_at(project.beam, station);
+  auto walls =
+      four_walls_of(section_inside(project.beam, station).outer, materials_of(project, index));
+  if (!walls || !is_steep(project.beam.segments[index])) return walls;
+  const std::array<Length, 4> widest = widest_in_panel(project, station);
+  for (std::size_t k = 0; k < widest.size(); ++k) {
+    BoxWall& wall = walls->walls[k];
+    wall.high = std::max(wall.high, Length(wall.low + widest[k]));
+  }
+  return walls;
+}
+
+std::vector<int> plate_choices_at(const Project& project, const Station& station) {
+  const auto walls = deciding_walls_at(project, station);
+  if (!walls) return path_choices_at(project, station);
+  std::vector<int> choices{stiffener_obstacle(*walls).empty() ? 1 : 0};
+  for (const BoxWall& wall : walls->walls) {
+    choices.push_back(may_buckle(wall) ? 1 : 0);
+    choices.push_back(may_buckle_in_shear(wall) ? 1 : 0);
+  }
+  return choices;
+}
+
+std::optional<FourWalls> judged_walls_at(const Project& project, const Station& station) {
   const Section section = judged_section_at(project, station);
   if (section.inner) return std::nullopt;
   auto walls =
       four_walls_of(section.outer, materials_of(project, segment_at(project.beam, station)));
   if (!walls) return std::nullopt;
   walls->length = supported_length_at(project, station);
+  const auto deciding = deciding_walls_at(project, station);
+  if (!deciding) return std::nullopt;
   for (const BoxPlate plate : box_plates) {
-    const bool slender = std::any_of(ends.begin(), ends.end(),
-                                     [&](const FourWalls& of) { return may_buckle(of.of(plate)); });
-    if (!slender) walls->of(plate).stiffeners.clear();
+    if (!may_buckle(deciding->of(plate))) walls->of(plate).stiffeners.clear();
   }
   return walls;
-}
-
-std::optional<FourWalls> judged_walls_at(const Project& project, const Station& station) {
-  return judged_walls_at(project, station, walls_of_segment(project, station));
 }
 
 EdgeSlopes edge_slopes_of(const Segment& segment) {
@@ -137,14 +165,12 @@ std::string plates_obstacle(const Project& project, const Station& station) {
   const Segment& segment = project.beam.segments[index];
   if (section.inner) return "a profile inside another shares its buckling";
   if (std::holds_alternative<ThinWalled>(section.outer)) return path_obstacle(project, station);
-  const auto walls = four_walls_of(section.outer, materials_of(project, index));
+  const auto walls = deciding_walls_at(project, station);
   if (!walls) return "only boxes, rectangular tubes and thin-walled paths are";
-  const std::vector<FourWalls> ends = walls_of_segment(project, station);
-  for (const FourWalls& end : ends)
-    if (std::string why = stiffener_obstacle(end); !why.empty()) return why;
+  if (std::string why = stiffener_obstacle(*walls); !why.empty()) return why;
   if (plate_route_of(project, segment) == PlateRoute::reduced_stresses) {
     for (const BoxPlate plate : box_plates) {
-      if (!may_buckle_with_stiffeners(ends, plate)) continue;
+      if (!may_buckle_with_stiffeners(*walls, plate)) continue;
       return fmt::format(
           "the {} needs its stiffeners, which reduced stresses do not judge{}", to_text(plate),
           is_steep(segment)
@@ -152,17 +178,16 @@ std::string plates_obstacle(const Project& project, const Station& station) {
               : std::string(": write plates = \"effective widths\" under [strength]"));
     }
   }
-  return hole_obstacle(project, segment, *walls);
+  return hole_obstacle(project, station);
 }
 
-bool may_buckle_with_stiffeners(const std::vector<FourWalls>& ends, BoxPlate plate) {
-  return std::any_of(ends.begin(), ends.end(), [&](const FourWalls& of) {
-    return !of.of(plate).stiffeners.empty() && may_buckle(of.of(plate));
-  });
+bool may_buckle_with_stiffeners(const FourWalls& walls, BoxPlate plate) {
+  return !walls.of(plate).stiffeners.empty() && may_buckle(walls.of(plate));
 }
 
 bool may_buckle_with_stiffeners(const Project& project, const Station& station, BoxPlate plate) {
-  return may_buckle_with_stiffeners(walls_of_segment(project, station), plate);
+  const auto walls = deciding_walls_at(project, station);
+  return walls && may_buckle_with_stiffeners(*walls, plate);
 }
 
 }  // namespace boxbeam

@@ -11,30 +11,6 @@
 namespace boxbeam {
 namespace {
 
-/// The clear widths of the plates where they are widest, by BoxPlate, in the panel of a station.
-std::array<Length, 4> widest_in_panel(const Project& project, const Station& station) {
-  const TaperedBeam& beam = project.beam;
-  const Segment& segment = beam.segments[segment_at(beam, station)];
-  const Supports supports = supports_around(beam, station);
-  const Length from = supports.before.value_or(segment.start);
-  const Length to = supports.behind.value_or(segment.end());
-  std::vector<Station> places{{from, Side::behind}, {to, Side::before}};
-  for (const Segment& of : beam.segments) {
-    if (!(of.start > from && of.start < to)) continue;
-    places.push_back({of.start, Side::before});
-    places.push_back({of.start, Side::behind});
-  }
-  std::array<Length, 4> widest{};
-  for (const Station& at : places) {
-    const auto walls =
-        four_walls_of(section_at(beam, at).outer, materials_of(project, segment_at(beam, at)));
-    if (!walls) continue;
-    for (std::size_t k = 0; k < widest.size(); ++k)
-      widest[k] = std::max(widest[k], walls->walls[k].clear());
-  }
-  return widest;
-}
-
 /// Makes rectangles of the plates of a steep segment.
 void make_rectangles(const Project& project, const Station& station,
                      std::vector<ReducedPlate>& plates) {
@@ -54,6 +30,31 @@ void make_rectangles(const Project& project, const Station& station,
 }
 
 }  // namespace
+
+std::array<Length, 4> widest_in_panel(const Project& project, const Station& station) {
+  const TaperedBeam& beam = project.beam;
+  std::size_t first = segment_at(beam, station), last = first;
+  while (first > 0 && is_steep(beam.segments[first - 1])) --first;
+  while (last + 1 < beam.segments.size() && is_steep(beam.segments[last + 1])) ++last;
+  const Supports supports = supports_around(beam, station);
+  const Length from = supports.before.value_or(beam.segments[first].start);
+  const Length to = supports.behind.value_or(beam.segments[last].end());
+  std::vector<Station> places{{from, Side::behind}, {to, Side::before}};
+  for (const Segment& of : beam.segments) {
+    if (!(of.start > from && of.start < to)) continue;
+    places.push_back({of.start, Side::before});
+    places.push_back({of.start, Side::behind});
+  }
+  std::array<Length, 4> widest{};
+  for (const Station& at : places) {
+    const auto walls =
+        four_walls_of(section_at(beam, at).outer, materials_of(project, segment_at(beam, at)));
+    if (!walls) continue;
+    for (std::size_t k = 0; k < widest.size(); ++k)
+      widest[k] = std::max(widest[k], walls->walls[k].clear());
+  }
+  return widest;
+}
 
 PanelStress ReducedPlate::under(const CutForces& cut) const {
   const PlateStress of = ends.under(cut);

@@ -29,6 +29,8 @@ namespace {
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr std::size_t spread = 48;  ///< instants looked at
 constexpr std::size_t peaks = 3;    ///< and of largest compression
+/// A range below this part of the largest stress is none, as where nothing moves.
+constexpr double no_range = 1e-3;
 
 /// The loads of one plane as those of the plane of motion.
 BeamLoads in_plane(BeamLoads loads, Plane plane) {
@@ -163,10 +165,81 @@ struct Compared {
     const Eigen::MatrixXd bent = straight + change;
     const double peak = bent.cwiseAbs().maxCoeff();
     if (peak == 0.0) return 0.0;
-    const double range = largest_range(bent);
-    const double apart = change.cwiseAbs().maxCoeff() / peak;
-    return range > 0.0 ? std::max(apart, largest_range(change) / range) : apart;
+    const double range = std::max(largest_range(bent), no_range * peak);
+    return std::max(change.cwiseAbs().maxCoeff() / peak, largest_range(change) / range);
   }
+};
+
+/// The larger of the two fibres of each place.
+Eigen::ArrayXd by_place(const Eigen::ArrayXd& fibres) {
+  const Eigen::Index places = fibres.size() / 2;
+  return fibres.reshaped(2, places).colwise().maxCoeff().transpose();
+}
+
+/// Of one plane: the growth of the stresses of all situations that are looked at.
+class GrowthByPlace {
+ public:
+  /// `factor`: the load factor of the situation, which fatigue does not count.
+  void add(const Compared& of, double factor) {
+    if (of.straight.rows() == 0) return;
+    const Eigen::MatrixXd bent = of.straight + of.change;
+    const Situation here{factor * peaks_of(of.straight), factor * peaks_of(bent),
+                         ranges_of(of.straight), ranges_of(bent)};
+    const auto join = [](Eigen::MatrixXd& all, const Eigen::MatrixXd& rows) {
+      const Eigen::Index known = all.rows();
+      all.conservativeResize(known + 2, rows.cols());
+      all.row(known) = rows.colwise().minCoeff();
+      all.row(known + 1) = rows.colwise().maxCoeff();
+    };
+    join(straight_, of.straight);
+    join(bent_, bent);
+    situations_.push_back(here);
+  }
+
+  /// Adds what is found to that of another plane, in which a corner is stressed as well.
+  void add_to(std::vector<StressGrowth>& growth) const {
+    if (situations_.empty()) return;
+    Situation all{situations_.front().straight, situations_.front().bent, ranges_of(straight_),
+                  ranges_of(bent_)};
+    for (const Situation& of : situations_) {
+      all.straight = all.straight.max(of.straight);
+      all.bent = all.bent.max(of.bent);
+    }
+    const double most = all.straight.maxCoeff();
+    const double most_range = std::max(all.range.maxCoeff(), no_range * most);
+    for (std::size_t k = 0; k < growth.size(); ++k) {
+      const auto at = static_cast<Eigen::Index>(k);
+      growth[k].stress += excess(all.bent[at], all.straight[at], no_range * most);
+      double range = excess(all.bent_range[at], all.range[at], no_range * most_range);
+      for (const Situation& of : situations_)
+        range = std::max(range, excess(of.bent_range[at], of.range[at], counts * most_range));
+      growth[k].range += range;
+    }
+  }
+
+ private:
+  /// Of each place, the larger fibre.
+  struct Situation {
+    Eigen::ArrayXd straight, bent, range, bent_range;
+  };
+
+  /// A range so much smaller than the largest of all situations does no damage beside it.
+  static constexpr double counts = 0.1;
+
+  static Eigen::ArrayXd peaks_of(const Eigen::MatrixXd& stresses) {
+    return by_place(stresses.cwiseAbs().colwise().maxCoeff().transpose().array());
+  }
+  static Eigen::ArrayXd ranges_of(const Eigen::MatrixXd& stresses) {
+    return by_place(
+        (stresses.colwise().maxCoeff() - stresses.colwise().minCoeff()).transpose().array());
+  }
+  /// What is less than `least` counts as much.
+  static double excess(double bent, double straight, double least) {
+    return std::max(0.0, (bent - straight) / std::max(straight, least));
+  }
+
+  std::vector<Situation> situations_;
+  Eigen::MatrixXd straight_, bent_;  ///< smallest and largest of each situation
 };
 
 class Estimating {
@@ -185,6 +258,7 @@ class Estimating {
       const auto yield = yield_strength_of(*first.material, wall);
       yield_.push_back(yield ? yield->value() : unbounded);
       modulus_across_.push_back(properties_of(section).W_z.value());
+      result_.growth.push_back({place.station});
       excess_.push_back(excess_points_of(section));
     }
     for (const Segment& segment : project.beam.segments) {
@@ -225,6 +299,7 @@ class Estimating {
       result_.bending = std::max(result_.bending, factor * bending_of_yield(diagram));
       if (result_.in_plane.part >= 1.0 || result_.across->part >= 1.0) {
         result_.change.reset();
+        result_.growth.clear();
         continue;
       }
       compare(held.in_plane, loads, factor, compared);
@@ -232,6 +307,11 @@ class Estimating {
     }
     if (!result_.change) return;
     result_.change = std::max(*result_.change, compared.relative());
+    growth_.add(compared, factor);
+    growth_across_.add(with_modulus_across(across), factor);
+    constexpr double slight = 100.0;  // times its loads
+    if (const auto whole = run.motion->critical_factor(run.loads, slight); whole && *whole < slight)
+      result_.sway = std::max(result_.sway, *whole > 1.0 ? 1.0 / (*whole - 1.0) : unbounded);
     // By the section modulus of the other plane, which a ratio does not know.
     if (across.straight.rows() > 0) {
       result_.change = std::max(*result_.change, across.relative());
@@ -269,7 +349,11 @@ class Estimating {
     result_.bending = std::max(result_.bending, grown * straight);
   }
 
-  const SecondOrderEstimate& result() const { return result_; }
+  SecondOrderEstimate result() {
+    growth_.add_to(result_.growth);
+    growth_across_.add_to(result_.growth);
+    return std::move(result_);
+  }
 
  private:
   Held held_at(const SituationRun& run, Time time, const BeamLoads& loads) {
@@ -290,6 +374,22 @@ class Estimating {
     const double part = factor * lateral_.part(diagram, loads, turning.at, load.part / factor);
     if (part <= load.part) return;
     load = {part, time, situation, turning.words, !turning.said};
+  }
+
+  /// Of the other plane, whose bending is by W_y: by its own modulus.
+  Compared with_modulus_across(Compared of) const {
+    for (Eigen::MatrixXd* const stresses : {&of.straight, &of.change}) {
+      if (stresses->rows() == 0) continue;
+      for (std::size_t k = 0; k < places_.size(); ++k) {
+        const auto i = 2 * static_cast<Eigen::Index>(k);
+        const Eigen::VectorXd axial = 0.5 * (stresses->col(i) + stresses->col(i + 1));
+        const Eigen::VectorXd bending = 0.5 * (stresses->col(i) - stresses->col(i + 1)) /
+                                        (modulus_across_[k] * places_[k].per_M);
+        stresses->col(i) = axial + bending;
+        stresses->col(i + 1) = axial - bending;
+      }
+    }
+    return of;
   }
 
   void compare(const MakePosture& make, const BeamLoads& loads, double factor, Compared& compared) {
@@ -359,6 +459,7 @@ class Estimating {
   bool open_ = false;  ///< a segment of open thin walls, which may twist under compression
   LateralEstimate lateral_;
   BeamAlone in_plane_, across_;
+  GrowthByPlace growth_, growth_across_;
   SecondOrderEstimate result_;
 };
 
@@ -370,6 +471,21 @@ SecondOrderEstimate estimate_second_order(const Project& project,
   for (const SituationRun& run : runs) estimating.look_at(run);
   estimating.take_extremes(runs);
   return estimating.result();
+}
+
+double second_order_growth_at(const SecondOrderEstimate& of, Length s, bool of_range) {
+  if (!of.change) return unbounded;
+  double most = 0.0;
+  const auto look = [&](const StressGrowth& at) {
+    most = std::max(most, of_range ? at.range : at.stress);
+  };
+  for (std::size_t k = 0; k < of.growth.size(); ++k) {
+    const Length here = of.growth[k].station.s;
+    const bool before = here <= s && (k + 1 == of.growth.size() || of.growth[k + 1].station.s > s);
+    const bool behind = here >= s && (k == 0 || of.growth[k - 1].station.s < s);
+    if (before || behind) look(of.growth[k]);
+  }
+  return std::max(most, of.sway);
 }
 
 std::vector<std::string> assumed_holds_of(const SecondOrderEstimate& of, bool in_space) {

@@ -23,23 +23,12 @@ const ThinWalled* path_in(const Section& section) {
   return section.inner ? nullptr : std::get_if<ThinWalled>(&section.outer);
 }
 
-/// The plates of both ends of a segment, between which c/t has its largest value at one of them,
-/// and in a taper of the station itself, at which others may hold each other.
-std::vector<PathPlate> plates_around(const Project& project, const Station& station) {
-  const std::size_t index = segment_at(project.beam, station);
-  const Segment& segment = project.beam.segments[index];
-  std::vector<PathPlate> plates;
-  const auto add = [&](const Section& section) {
-    const ThinWalled* const path = path_in(section);
-    if (path == nullptr) return;
-    for (PathPlate& plate : plates_of(*path, materials_of(project, index)))
-      plates.push_back(std::move(plate));
-  };
-  add(segment.from);
-  if (segment.from == segment.to) return plates;
-  add(segment.to);
-  add(judged_section_at(project, station));
-  return plates;
+/// The plates that decide what of a station is judged; none where a profile stands in another.
+std::vector<PathPlate> deciding_plates_at(const Project& project, const Station& station) {
+  const Section section = section_inside(project.beam, station);
+  const ThinWalled* const path = path_in(section);
+  if (path == nullptr) return {};
+  return plates_of(*path, materials_of(project, segment_at(project.beam, station)));
 }
 
 bool is_slender(const std::vector<PathPlate>& plates) {
@@ -273,6 +262,12 @@ std::optional<PathSection> judged_path_at(const Project& project,
   return of;
 }
 
+bool may_buckle_in_shear(const PathPlate& plate) {
+  return shear_buckling_need(plate.clear(), plate.thickness, plate.class_strength,
+                             shear_hardening_factor(plate.class_strength))
+      .check_needed();
+}
+
 SlenderPath slender_path_of(const ThinWalled& profile, const PathSection& path, const Taper& taper,
                             std::optional<Length> panel_length, double gamma_M1,
                             const std::vector<PathPlate>& looked_at) {
@@ -287,11 +282,7 @@ SlenderPath slender_path_of(const ThinWalled& profile, const PathSection& path, 
   for (ShearedWall& wall : of.sheared) {
     wall.panel.length = panel_length;
     wall.resists = shear_resistance_of(wall.panel, gamma_M1);
-    wall.may_buckle = is(wall, [](const PathPlate& plate) {
-      return shear_buckling_need(plate.clear(), plate.thickness, plate.class_strength,
-                                 shear_hardening_factor(plate.class_strength))
-          .check_needed();
-    });
+    wall.may_buckle = is(wall, [](const PathPlate& plate) { return may_buckle_in_shear(plate); });
   }
   of.outstands = sheared_walls_of(profile, path, taper, true);
   of.reduced = reduced_plates_of(path, of.sheared, of.outstands);
@@ -323,9 +314,9 @@ std::string section_obstacle(const EffectivePath& of) {
 
 std::string path_obstacle(const Project& project, const Station& station) {
   const Segment& segment = project.beam.segments[segment_at(project.beam, station)];
-  const std::vector<PathPlate> ends = plates_around(project, station);
-  if (ends.empty()) return "a profile inside another shares its buckling";
-  if (std::string why = widths_obstacle(ends); !why.empty()) return why;
+  const std::vector<PathPlate> plates = deciding_plates_at(project, station);
+  if (plates.empty()) return "a profile inside another shares its buckling";
+  if (std::string why = widths_obstacle(plates); !why.empty()) return why;
   if (project.strength.plates == PlateRoute::reduced_stresses)
     return "reduced stresses are for boxes: write plates = \"effective widths\" under [strength]";
   constexpr double steepest = 10.0;
@@ -336,15 +327,26 @@ std::string path_obstacle(const Project& project, const Station& station) {
   return section_obstacle(EffectivePath(*path));
 }
 
+std::vector<int> path_choices_at(const Project& project, const Station& station) {
+  std::vector<int> choices;
+  for (const PathPlate& plate : deciding_plates_at(project, station)) {
+    const bool slender = may_buckle(plate);
+    choices.push_back(slender && width_obstacle(plate).empty() ? 1 : 0);
+    choices.push_back(slender ? 1 : 0);
+    choices.push_back(may_buckle_in_shear(plate) ? 1 : 0);
+  }
+  return choices;
+}
+
 std::shared_ptr<const SlenderPath> slender_path_at(const Project& project,
                                                    const std::vector<BendingZone>& zones,
                                                    const Station& station) {
-  const std::vector<PathPlate> ends = plates_around(project, station);
-  if (!is_slender(ends) || !path_obstacle(project, station).empty()) return nullptr;
+  const std::vector<PathPlate> plates = deciding_plates_at(project, station);
+  if (!is_slender(plates) || !path_obstacle(project, station).empty()) return nullptr;
   const Section section = judged_section_at(project, station);
   return std::make_shared<SlenderPath>(slender_path_of(
       *path_in(section), *judged_path_at(project, zones, station), taper_at(project.beam, station),
-      path_panel_length_at(project, station), project.strength.gamma_M1, ends));
+      path_panel_length_at(project, station), project.strength.gamma_M1, plates));
 }
 
 Utilisations path_uses_of(const Project& project, const SlenderPath& path,

@@ -157,6 +157,7 @@ Verification judge(const Project& project, const std::deque<SituationRun>& runs,
   sort_worst_first(beam.beside);
   std::vector<Gate> gates =
       all_gates(std::move(beam.gates), std::move(neighbours.gates), model_gates_of(project, model));
+  append(second_order_gates_of(model, checks), gates);
   append(material_gates_of(project), gates);
   append(stability_gates_of(project, runs), gates);
   append(distortion_gates_of(project, distortion.estimates, checks), gates);

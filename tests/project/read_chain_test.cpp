@@ -317,7 +317,7 @@ TEST_CASE("what is wrong in a case in space is said with what to write", "[bad_i
            "[drivers.swing]\njoint = \"hinge\"\nkind = \"polynomial\"\n"
            "coefficients = [\"0 rad\", \"1 rad/s\", \"1 rad/s^2\"]\n",
        "\"hinge\" neither repeats nor ends", "duration"},
-      {all + "[deflection]\nlimit = \"1 mm\"\n", "known for rigid mechanisms in the plane only",
+      {all + "[deflection]\nlimit = \"1 mm\"\n", "known for planar, static and loads cases only",
        "remove it"},
       {all + "[[hand_formulas]]\nname = \"v\"\nquantity = \"omega\"\nof = \"arm\"\n"
              "formula = [\"1/0\", \"0\", \"0\"]\n",

@@ -31,6 +31,7 @@ TEST_CASE("what is no TOML is answered by what stands there") {
       {"a = 9.81 m/s^2  # g\n",
        "a value with its unit stands in quotation marks: a = \"9.81 m/s^2\""},
       {"name = rig\n", "a text stands in quotation marks: name = \"rig\""},
+      {"mass == \"1 kg\"\n", "a single = stands between a key and its value: mass = \"1 kg\""},
       {"length = 1,5\n", "the decimal sign is a point: length = 1.5"},
       {"length = 1,5 m\n", "the decimal sign is a point: length = \"1.5 m\""},
       {"x = \xE2\x88\x92"

@@ -63,6 +63,8 @@ TEST_CASE("BS 7608: from 1e7 cycles on the slope is larger by 2, IACS rules 5.2.
 
 TEST_CASE("BS 7608: classes that were not read in a source say so", "[sn_catalogue]") {
   for (const char* name : {"E", "F", "F2", "G", "W1 (2014)"}) CHECK(curve_of(name).unconfirmed);
+  CHECK(curve_of("W1 (2014)").code == "BS 7608:2014");
+  CHECK(curve_of("F").code == "BS 7608:1993");
 }
 
 }  // namespace bs_7608_test

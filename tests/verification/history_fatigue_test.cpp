@@ -80,7 +80,7 @@ TEST_CASE("normal and shear stress are counted apart and their damages added, 8(
   text += "0, 0\n";
   HistoryDemand demand = demand_on(folder.write("both.csv", text));
   CHECK_THROWS_AS(fatigue_of_history(demand), InputError);
-  demand.shear = NamedResistance{en_1993_1_9_shear(80), "", 1.0, "", ""};
+  demand.shear = NamedResistance{en_1993_1_9_shear(80), "", 1.0, 1.0, "", ""};
   const HistoryFatigue fatigue = fatigue_of_history(demand);
   REQUIRE(fatigue.shear);
   CHECK(fatigue.direct.damage == Approx(5.0 / (2e6 * std::pow(0.56, 3))).epsilon(1e-12));
@@ -91,7 +91,7 @@ TEST_CASE("normal and shear stress are counted apart and their damages added, 8(
 TEST_CASE("a curve for shear and a history without any: the normal stress alone") {
   const test::TemporaryFolder folder;
   HistoryDemand demand = demand_on(folder.write("one.csv", "sigma [MPa]\n0\n100\n0\n"));
-  demand.shear = NamedResistance{en_1993_1_9_shear(80), "", 1.0, "", ""};
+  demand.shear = NamedResistance{en_1993_1_9_shear(80), "", 1.0, 1.0, "", ""};
   const HistoryFatigue fatigue = fatigue_of_history(demand);
   CHECK_FALSE(fatigue.shear);
   CHECK(fatigue.damage == fatigue.direct.damage);

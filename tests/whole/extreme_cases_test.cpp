@@ -190,6 +190,31 @@ TEST_CASE("a pipe or a device in the place of a table is refused at once", "[ext
   }
 }
 
+TEST_CASE("a pipe that nobody writes is no history and no table of comparison", "[extreme]") {
+  const test::TemporaryFolder folder;
+  const std::string pipe = (folder.path() / "pipe.csv").string();
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  const std::string press = test::project_file("sections/slider-crank-press/press.toml");
+  for (const std::string& file : {pipe, std::string("/dev/zero")}) {
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"compare", press, file}, {"fatigue", file, "--detail", "100"}}) {
+      CAPTURE(file, arguments.front());
+      const test::ProgramResult result = test::run_program(arguments);
+      CHECK(result.exit_code == 2);
+      CHECK(has(result.err, "this is a pipe or a device, no file"));
+    }
+  }
+  // Named in a case it is refused as what it is.
+  const std::string of_files = folder.write(
+      "loads.toml", test::read_file(test::project_file("sections/templates/loads.toml")) +
+                        "\n[files.run]\npath = \"pipe.csv\"\n[loads.more]\nstation = \"0 m\"\n"
+                        "file = \"run\"\ncolumns = { F_z = \"F\" }\n");
+  const test::ProgramResult result = test::run_program({"validate", of_files});
+  CHECK(result.exit_code == 2);
+  INFO(result.err);
+  CHECK(has(result.err, "pipe.csv: this is a pipe or a device, no file"));
+}
+
 TEST_CASE("a thousand wrong names are answered in one go", "[extreme]") {
   const test::TemporaryFolder folder;
   std::string rows = "result,published,tolerance\n";

@@ -1,5 +1,6 @@
 // boxbeam fatigue as a user runs it: a stress history and a detail, damage and life.
 
+#include <fmt/format.h>
 #include <sys/wait.h>
 
 #include <cmath>
@@ -131,6 +132,28 @@ TEST_CASE(
   CHECK(unknown["damage"].get<double>() == Approx(1.0 / (2e6 * 0.729)).epsilon(1e-12));
   CHECK(unknown["resistance"]["not_applied"].get<std::string>().find("--thickness") !=
         std::string::npos);
+}
+
+TEST_CASE("fatigue: IIW allows half of the damage sum to ranges of many sizes, and it is said") {
+  // FAT 90, above its knee: N S^3 = 2e6 90^3; once 100, 80 and 60 MPa.
+  const std::string many = waves({{100, 1}, {80, 1}, {60, 1}});
+  const double sum = (1e6 + 512e3 + 216e3) / (2e6 * 729e3);
+  const auto at = [&](const std::string& history, double damage, double one, int exit_code) {
+    return judged(history,
+                  {"--detail", "IIW:FAT 90", "--thickness", "25 mm", "--repetitions",
+                   fmt::format("{:.12g}", damage / one)},
+                  exit_code);
+  };
+  const Json beyond = at(many, 0.51, sum, 1);
+  CHECK(beyond["damage"].get<double>() == Approx(0.51).epsilon(1e-9));
+  CHECK(beyond["damage_limit"].get<double>() == 0.5);
+  CHECK(beyond["use"].get<double>() == Approx(1.02).epsilon(1e-9));
+  CHECK(beyond["life"].get<double>() == Approx(0.5 / sum).epsilon(1e-9));
+  at(many, 0.49, sum, 0);
+  // One size is what the curves were measured with.
+  CHECK(at(waves({{100, 3}}), 0.99, 3e6 / (2e6 * 729e3), 0)["damage_limit"].get<double>() == 1.0);
+  // EN 1993-1-9, 8(2), allows the whole sum.
+  CHECK(judged(many, {"--detail", "90"}, 0)["damage_limit"].get<double>() == 1.0);
 }
 
 TEST_CASE("fatigue: a recalled row is marked") {

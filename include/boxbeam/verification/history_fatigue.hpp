@@ -31,7 +31,8 @@ struct ChannelFatigue {
   double cycles = 0.0;
   Stress largest;
   double damage = 0.0;
-  Stress equivalent_range;  ///< of 2e6 cycles with the same damage
+  double damage_limit = 1.0;  ///< of its code; 1 where all its ranges have one size
+  Stress equivalent_range;    ///< of 2e6 cycles with the same damage
   /// What the largest range may be, 1.5 f_y or 1.5 f_y/sqrt(3); nothing where f_y is not known.
   /// Source: EN 1993-1-9:2005, 8(1), equation 8.1.
   std::optional<Stress> range_limit;
@@ -48,10 +49,11 @@ struct HistoryFatigue {
   ChannelFatigue direct;
   std::optional<ChannelFatigue> shear;
   double damage = 0.0;         ///< of both; EN 1993-1-9, 8(2) and 8(3)
-  std::optional<double> life;  ///< repetitions of the history to a damage of 1; nothing: no damage
+  double use = 0.0;            ///< of both, each by its limit
+  std::optional<double> life;  ///< repetitions of the history to a use of 1; nothing: no damage
   bool ranges_pass = true;     ///< none is above its limit, or the limits are not known
 
-  bool passes() const { return damage <= 1.0 && ranges_pass; }
+  bool passes() const { return use <= 1.0 && ranges_pass; }
 };
 
 /// Counts a history and sums its damage, in one pass and with constant memory. `progress` is told

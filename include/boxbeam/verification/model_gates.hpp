@@ -13,6 +13,11 @@ namespace boxbeam {
 /// estimated to miss the tolerance.
 std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& model);
 
+/// Second order where it is not in the cut forces: the check that passes, and by its estimate would
+/// not, the most. None where all would.
+std::vector<Gate> second_order_gates_of(const ModelChoice& model,
+                                        const std::vector<CheckResult>& checks);
+
 /// What of EN 1993 is not known of a material that is no structural steel of 210 GPa up to S700:
 /// its lines of fatigue and limits of slenderness hold for steel (EN 1993-1-9, 1.1(2)), those of
 /// stainless steel are lower (EN 1993-1-4:2006+A1:2015, table 5.2: c/t <= 37 epsilon where a plate

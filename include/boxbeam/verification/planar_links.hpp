@@ -23,6 +23,11 @@ struct ElasticBody {
 /// links: the gearbox that couples two turns by a ratio, by name; "" where they can.
 std::string obstacle_to_links(const planar::Mechanism& mechanism);
 
+/// With more bodies nothing is computed of its elasticity: the work grows with the third power of
+/// their number.
+inline constexpr std::size_t most_elastic_bodies = 50;
+bool has_too_many_bodies(const planar::Mechanism& mechanism);
+
 /// A planar mechanism stopped in a posture: every body a rigid link of the same index with its
 /// mass, the elastic one a full link; toothed wheels on it come behind them; joints without play
 /// and drivers held. Springs and dampers between points count along their line, with the length

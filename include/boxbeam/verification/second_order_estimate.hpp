@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "boxbeam/beam/tapered_beam.hpp"
 #include "boxbeam/core/units.hpp"
 
 namespace boxbeam {
@@ -32,6 +33,13 @@ struct LateralLoad {
   bool assumed = false;  ///< the case does not say so
 };
 
+/// How much more a place of the beam is stressed than the straight beam is, by its stress there.
+struct StressGrowth {
+  Station station;
+  double stress = 0.0;  ///< of the largest
+  double range = 0.0;   ///< of the largest range
+};
+
 /// What bending under its axial force changes in a beam that was computed as a straight one.
 ///
 /// N_cr is the factor on all forces of an instant at which the tapered beam with its axial force as
@@ -49,6 +57,10 @@ struct SecondOrderEstimate {
   std::optional<BucklingLoad> twisting;
   /// As `difference_between`, of the straight beam from the bent one; nothing where it buckles.
   std::optional<double> change;
+  std::vector<StressGrowth> growth;  ///< along the beam; none where it buckles
+  /// What the sway of the whole that carries the beam adds at least, 1/(alpha_cr - 1); 0: nothing
+  /// is known of it. Source: EN 1993-1-1:2005, 5.2.2(5), equation 5.4.
+  double sway = 0.0;
   double turn = 0.0;  ///< largest turn of a section by bending [rad]
   /// Times the load factor of its situation: the largest N/(A f_y), and M/(W f_y) in the plane, of
   /// the bent beam, of the straight one where it buckles; and across it, of the straight one. Over
@@ -69,6 +81,11 @@ inline constexpr double no_buckling_below = 0.04;
 inline constexpr double first_order_below = 0.1;
 /// Of M/M_cr: 6.3.2.2(4) with lambda_LT,0 = 0.2, the plateau of its curves; 6.3.2.3 has 0.4.
 inline constexpr double no_turning_over_below = 0.04;
+
+/// What second order is estimated to add to the stress, or to its range, at a station, by what it
+/// is there: the larger of the places on either side of it and of the sway. Where it buckles:
+/// infinite.
+double second_order_growth_at(const SecondOrderEstimate& of, Length s, bool of_range);
 
 /// How the beam is taken to be held, wherever this counts and nobody has said so: "across the plane
 /// of motion the beam is pinned at s = 0 m and 3 m, by which N/N_cr = 0.2; [[beam.restraints]] ..".

@@ -18,7 +18,7 @@ struct ShearedWall {
   std::string name;  ///< "web" where both are stressed alike, "wall 3"
   ShearPanel panel;
   ShearResistance resists;
-  bool may_buckle = false;  ///< in the segment it is so slender that shear buckling is judged
+  bool may_buckle = false;  ///< it is so slender that shear buckling is judged
   /// A part of its clear width, between edges and feet of stiffeners, where the shear flow jumps.
   struct Piece {
     double width = 0.0;  ///< over the clear one

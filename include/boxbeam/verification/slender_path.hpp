@@ -44,8 +44,11 @@ std::string section_obstacle(const EffectivePath& of);
 
 /// Why the plates of a path are not judged by effective widths, "" where they are: where the case
 /// asks for reduced stresses, its walls are inclined by more than 10 degrees (2.3), or its section
-/// has an obstacle, here or at an end of its segment.
+/// has an obstacle.
 std::string path_obstacle(const Project& project, const Station& station);
+
+/// Which plates of a path are judged, each a number that changes where it is judged otherwise.
+std::vector<int> path_choices_at(const Project& project, const Station& station);
 
 /// Half of the way between the middles of what holds a plate, or from there to its free end: the
 /// width over which shear lag works. Source: EN 1993-1-5:2006, 3.2.1, figure 3.1.

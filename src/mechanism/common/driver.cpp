@@ -113,6 +113,11 @@ struct Timing {
     }
     // Between three points of a table a value can swing once.
     timing.highest_omega = 0.5 * full_turn / shortest;
+    if (curve.interpolation() == Interpolation::linear ||
+        curve.interpolation() == Interpolation::step) {
+      const double pieces = static_cast<double>(curve.points().size()) - 1.0;
+      timing.mean_omega = 0.5 * full_turn * pieces / (curve.last_x() - curve.first_x());
+    }
     return timing;
   }
 };

@@ -9,6 +9,14 @@
 #include "boxbeam/core/error.hpp"
 
 namespace boxbeam {
+namespace {
+
+/// Whether loads are looked at at the points of a table, between which they are straight.
+bool followed_by_points(const DriverUse& use, const DriverTiming& timing) {
+  return use.on != DriverUse::On::joint && timing.mean_omega.has_value();
+}
+
+}  // namespace
 
 double waves_of(const TimeSpan& span, int most) {
   const double waves = span.length * span.highest_omega / full_turn;
@@ -23,6 +31,25 @@ double waves_of(const TimeSpan& span, int most) {
        {}});
 }
 
+namespace {
+
+/// Of forces from tables whose points are as far apart as their smallest distance, all waves; of
+/// others those of the mean distance, and at least so many in the time looked at.
+void count_edges(const std::vector<DriverUse>& uses, TimeSpan& span) {
+  constexpr double waves = 256.0;
+  const double fewest = waves * full_turn / span.length;
+  for (const DriverUse& use : uses) {
+    const DriverTiming timing = timing_of(*use.driver, use.turning);
+    if (!followed_by_points(use, timing)) continue;
+    const double counted =
+        std::min(timing.highest_omega, std::max(fewest, 2.0 * *timing.mean_omega));
+    span.steeper = span.steeper || counted < timing.highest_omega;
+    span.highest_omega = std::max(span.highest_omega, counted);
+  }
+}
+
+}  // namespace
+
 TimeSpan time_span_of(const std::vector<DriverUse>& uses, const Duration& duration) {
   TimeSpan span;
   std::vector<double> omegas;
@@ -32,7 +59,8 @@ TimeSpan time_span_of(const std::vector<DriverUse>& uses, const Duration& durati
     const DriverTiming timing = timing_of(*use.driver, use.turning);
     omegas.insert(omegas.end(), timing.omegas.begin(), timing.omegas.end());
     span.closed = span.closed && timing.repeats;
-    span.highest_omega = std::max(span.highest_omega, timing.highest_omega);
+    if (!followed_by_points(use, timing))
+      span.highest_omega = std::max(span.highest_omega, timing.highest_omega);
     end = std::max(end, timing.end);
     endless = endless || (!timing.repeats && timing.end <= 0.0);
   }
@@ -58,6 +86,7 @@ TimeSpan time_span_of(const std::vector<DriverUse>& uses, const Duration& durati
          {},
          {}});
   }
+  count_edges(uses, span);
   return span;
 }
 

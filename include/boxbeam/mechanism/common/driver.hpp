@@ -80,6 +80,9 @@ struct DriverTiming {
   std::optional<std::pair<double, double>> known = {};
   /// Highest angular frequency that it holds [rad/s]: a bound for the sampling of what follows it.
   double highest_omega = 0.0;
+  /// Of a table that is straight or level between its points: the same by the mean distance of
+  /// these. What it does between them is known from its points alone.
+  std::optional<double> mean_omega = {};
 };
 
 /// `turning`: the driver moves an angle, whose whole turns are no difference.

@@ -19,6 +19,9 @@ struct TimeSpan {
   double length = 0.0;         ///< [s]
   bool closed = true;          ///< the drivers repeat after `length`
   double highest_omega = 0.0;  ///< of drivers and forces [rad/s]
+  /// A force has edges of a table that are too steep for waves of this frequency: what it does
+  /// there is looked at at the points of the table.
+  bool steeper = false;
 };
 
 /// A function of time that a mechanism follows, and what follows it.
@@ -35,8 +38,8 @@ struct DriverUse {
 /// table. Throws AnalysisError where none of these is known.
 TimeSpan time_span_of(const std::vector<DriverUse>& uses, const Duration& duration);
 
-/// How many waves of the fastest function the time holds. Throws AnalysisError where they are more
-/// than `most` instants resolve, eight for each.
+/// How many waves of the fastest function, but for steep edges of a force, the time holds. Throws
+/// AnalysisError where they are more than `most` instants resolve, eight for each.
 double waves_of(const TimeSpan& span, int most);
 
 /// The times from `from` to `until` at which any of the functions is not smooth, ascending, each
