@@ -102,6 +102,7 @@ ChainJoint joint_of(const Mechanism& mechanism, const spatial::State& state, std
                     mechanism.bodies[on_carrier ? static_cast<std::size_t>(beam) : i].name,
                     sign * wrench.force,
                     sign * wrench.moment,
+                    {},
                     {}};
   if (joint.kind == spatial::JointKind::fixed) return result;
   result.coordinate = state.coordinates[i];
@@ -122,6 +123,7 @@ ChainJoint joint_of(const Mechanism& mechanism, const spatial::State& state,
                     mechanism.bodies[static_cast<std::size_t>(on)].name,
                     sign * wrench.force,
                     sign * wrench.moment,
+                    {},
                     {}};
   if (joint.kind != spatial::ClosingKind::distance) return result;
   result.coordinate = driver_at(joint.length, state.time);
