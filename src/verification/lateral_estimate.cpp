@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/section/section_properties.hpp"
@@ -39,6 +40,23 @@ std::size_t nearest_of(const std::vector<double>& nodes, double s) {
   return index;
 }
 
+/// The shear centre of a section, that of a path found with its nodes about its centroid: its walls
+/// carry a little less than V, for bending counts their inertia over the thickness, and what is
+/// missing must not turn about an axis far away.
+std::optional<SectionPlace> shear_centre_in(const Section& section) {
+  const auto* const path = std::get_if<ThinWalled>(&section.outer);
+  if (path == nullptr || section.inner) return torsion_properties_of(section).shear_centre;
+  const SectionProperties of = properties_of(section);
+  ThinWalled centred = *path;
+  for (SectionPlace& node : centred.nodes) {
+    node.y = node.y - of.centroid_y;
+    node.z = node.z - of.centroid_z;
+  }
+  const auto place = torsion_properties_of({centred, {}}).shear_centre;
+  if (!place) return std::nullopt;
+  return SectionPlace{place->y + of.centroid_y, place->z + of.centroid_z};
+}
+
 /// int sigma r^2 dA about the shear centre, per M_y and per M_z, of walls along their mid-lines;
 /// none of sections around cells, which resist so much more. Exact: sigma is linear and r^2
 /// quadratic along a wall, which Simpson's rule integrates. Source: Timoshenko, Gere, section 6.6
@@ -46,10 +64,10 @@ std::size_t nearest_of(const std::vector<double>& nodes, double s) {
 std::array<double, 2> turned_stresses_of(const Section& section) {
   const auto* const path = std::get_if<ThinWalled>(&section.outer);
   if (path == nullptr || section.inner) return {};
-  const TorsionProperties torsion = torsion_properties_of(section);
-  if (!torsion.shear_centre || torsion.enclosed.value() > 0.0) return {};
+  const auto centre = shear_centre_in(section);
+  if (!centre || enclosed_area_of(section.outer).value() > 0.0) return {};
   const AreaSums sums = sums_of(outline_of(section, {}));
-  const double y_s = torsion.shear_centre->y.value(), z_s = torsion.shear_centre->z.value();
+  const double y_s = centre->y.value(), z_s = centre->z.value();
   std::array<double, 2> turned{};
   double largest = 0.0;
   for (const ThinWall& wall : path->walls) {
@@ -89,8 +107,8 @@ bool goes_on_at(const TaperedBeam& beam, double s) {
 SectionReach reach_of(const Section& section) {
   const Extent extent = extent_of(section.outer);
   const SectionProperties of = properties_of(section);
-  const SectionPlace centre = torsion_properties_of(section).shear_centre.value_or(
-      SectionPlace{of.centroid_y, of.centroid_z});
+  const SectionPlace centre =
+      shear_centre_in(section).value_or(SectionPlace{of.centroid_y, of.centroid_z});
   return {{(extent.z_low - centre.z).value(), (extent.y_low - centre.y).value()},
           {(extent.z_high - centre.z).value(), (extent.y_high - centre.y).value()},
           {(of.centroid_z - centre.z).value(), (of.centroid_y - centre.y).value()}};

@@ -408,7 +408,7 @@ MUTATIONS = [
     *_in("src/strength", "lateral_buckling.cpp",
          ("warping-stiffness", "EI_w * second[i] * second[j]", "0.5 * EI_w * second[i] * second[j]",
           "what resists warping as a beam turns over", "lateral_buckling_test anderson_trahair_test"),
-         ("warping-free", "std::abs(before - behind) <= round_off * std::max(before, behind);", "before > round_off;",
+         ("warping-free", "std::abs(before - behind) <= round_off * std::max(before, behind);", "before > round_off && behind > 0.0;",
           "where its section changes a beam warps freely", "lateral_buckling_test")),
     *_in("src/strength", "rod.cpp",
          ("rod-twists", "const SectionProperties p = properties_of(section);\n  const double y = (torsion.shear_centre->y - p.centroid_y).value();", "const SectionProperties p = properties_of(section);\n  const double y = 0.0;",
