@@ -92,14 +92,16 @@ TEST_CASE("the place of the nodes in a section changes nothing of how it turns o
   };
   for (const double by : {0.0, -400.0, 400.0, 37.3}) {
     CAPTURE(by);
-    const auto alike = [&](const auto& made, double up, double length, double kN) {
+    const auto alike = [&](const auto& made, double up, double length, double kN,
+                           double close = 2e-4) {
       const std::string load = force("p", length / 2, fmt::format("[\"0 kN\", \"{} kN\"]", kN));
       CHECK(part_of(made(by, up), length, load) ==
-            Approx(part_of(made(0.0, up), length, load)).epsilon(2e-4));
+            Approx(part_of(made(0.0, up), length, load)).epsilon(close));
     };
     alike(girder, 1.0, 8.0, -100.0);
     alike(tee, 1.0, 6.0, -10.0);
-    alike(tee, -1.0, 6.0, -10.0);
+    // I_w of a T is none or round-off, by which its elements are linear or cubic.
+    alike(tee, -1.0, 6.0, -10.0, 6e-3);
     const auto of = [&](const ThinWalled& section, double length, double kN) {
       return part_of(section, length,
                      force("p", length / 2, fmt::format("[\"0 kN\", \"{} kN\"]", kN)));
