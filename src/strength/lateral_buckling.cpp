@@ -68,7 +68,8 @@ Unknowns unknowns_of(const TurningBeam& beam) {
     const double before = i > 0 ? warping_in(beam, i - 1) : 0.0;
     const double behind = i + 1 < count ? warping_in(beam, i) : 0.0;
     constexpr double round_off = 1e-9;
-    const bool on = std::abs(before - behind) <= round_off * std::max(before, behind);
+    const bool parted = !beam.parted.empty() && beam.parted[i];
+    const bool on = !parted && std::abs(before - behind) <= round_off * std::max(before, behind);
     if (before > 0.0 && !on) of.before[i] = of.count++;
     if (!beam.held[i]) of.phi[i] = of.count++;
     if (behind > 0.0) of.behind[i] = of.count++;

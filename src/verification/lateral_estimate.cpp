@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/section/section_properties.hpp"
@@ -12,16 +13,22 @@ namespace boxbeam {
 namespace {
 
 constexpr int elements = 48;  ///< at least
-constexpr double same_place = 1e-6;
+constexpr double same_place = 1e-4;
 
-std::vector<double> nodes_of(const TaperedBeam& beam, const std::vector<double>& at) {
-  const double length = beam.length().value();
-  std::vector<double> nodes = at;
-  for (int i = 0; i <= elements; ++i) nodes.push_back(length * i / elements);
-  for (const Segment& segment : beam.segments) nodes.push_back(segment.end().value());
-  std::sort(nodes.begin(), nodes.end());
+/// Where something stands, and even steps between.
+std::vector<double> nodes_of(double length, std::vector<double> places) {
+  places.insert(places.end(), {0.0, length});
+  std::sort(places.begin(), places.end());
   const auto alike = [&](double a, double b) { return b - a < same_place * length; };
-  nodes.erase(std::unique(nodes.begin(), nodes.end(), alike), nodes.end());
+  places.erase(std::unique(places.begin(), places.end(), alike), places.end());
+  places.back() = length;
+  std::vector<double> nodes{places.front()};
+  for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+    const double gap = places[k + 1] - places[k];
+    const int steps = std::max(1, static_cast<int>(std::ceil(elements * gap / length - 1e-9)));
+    for (int i = 1; i < steps; ++i) nodes.push_back(places[k] + gap * i / steps);
+    nodes.push_back(places[k + 1]);
+  }
   return nodes;
 }
 
@@ -33,6 +40,23 @@ std::size_t nearest_of(const std::vector<double>& nodes, double s) {
   return index;
 }
 
+/// The shear centre of a section, that of a path found with its nodes about its centroid: its walls
+/// carry a little less than V, for bending counts their inertia over the thickness, and what is
+/// missing must not turn about an axis far away.
+std::optional<SectionPlace> shear_centre_in(const Section& section) {
+  const auto* const path = std::get_if<ThinWalled>(&section.outer);
+  if (path == nullptr || section.inner) return torsion_properties_of(section).shear_centre;
+  const SectionProperties of = properties_of(section);
+  ThinWalled centred = *path;
+  for (SectionPlace& node : centred.nodes) {
+    node.y = node.y - of.centroid_y;
+    node.z = node.z - of.centroid_z;
+  }
+  const auto place = torsion_properties_of({centred, {}}).shear_centre;
+  if (!place) return std::nullopt;
+  return SectionPlace{place->y + of.centroid_y, place->z + of.centroid_z};
+}
+
 /// int sigma r^2 dA about the shear centre, per M_y and per M_z, of walls along their mid-lines;
 /// none of sections around cells, which resist so much more. Exact: sigma is linear and r^2
 /// quadratic along a wall, which Simpson's rule integrates. Source: Timoshenko, Gere, section 6.6
@@ -40,10 +64,10 @@ std::size_t nearest_of(const std::vector<double>& nodes, double s) {
 std::array<double, 2> turned_stresses_of(const Section& section) {
   const auto* const path = std::get_if<ThinWalled>(&section.outer);
   if (path == nullptr || section.inner) return {};
-  const TorsionProperties torsion = torsion_properties_of(section);
-  if (!torsion.shear_centre || torsion.enclosed.value() > 0.0) return {};
+  const auto centre = shear_centre_in(section);
+  if (!centre || enclosed_area_of(section.outer).value() > 0.0) return {};
   const AreaSums sums = sums_of(outline_of(section, {}));
-  const double y_s = torsion.shear_centre->y.value(), z_s = torsion.shear_centre->z.value();
+  const double y_s = centre->y.value(), z_s = centre->z.value();
   std::array<double, 2> turned{};
   double largest = 0.0;
   for (const ThinWall& wall : path->walls) {
@@ -65,6 +89,68 @@ std::array<double, 2> turned_stresses_of(const Section& section) {
   return turned;
 }
 
+/// Whether the section at a node is one and the same on both sides, in outline and place: only then
+/// does it warp on alike, whatever its I_w.
+bool goes_on_at(const TaperedBeam& beam, double s) {
+  const Section before = section_at(beam, {si<Length>(s), Side::before});
+  const Section behind = section_at(beam, {si<Length>(s), Side::behind});
+  if (before == behind) return true;
+  if (!same_kind(before, behind)) return false;
+  const std::vector<Length> of = dimensions_of(before), next = dimensions_of(behind);
+  constexpr double round_off = 1e-9;
+  const double close = round_off * height_of(before.outer).value();
+  return std::equal(of.begin(), of.end(), next.begin(), next.end(),
+                    [&](Length a, Length b) { return std::abs((a - b).value()) <= close; });
+}
+
+/// How far a section reaches from its shear centre, and its centroid, along z and y.
+SectionReach reach_of(const Section& section) {
+  const Extent extent = extent_of(section.outer);
+  const SectionProperties of = properties_of(section);
+  const SectionPlace centre =
+      shear_centre_in(section).value_or(SectionPlace{of.centroid_y, of.centroid_z});
+  return {{(extent.z_low - centre.z).value(), (extent.y_low - centre.y).value()},
+          {(extent.z_high - centre.z).value(), (extent.y_high - centre.y).value()},
+          {(of.centroid_z - centre.z).value(), (of.centroid_y - centre.y).value()}};
+}
+
+/// Of both sides of a node the farther reach.
+SectionReach reach_at(const TaperedBeam& beam, double s) {
+  SectionReach of = reach_of(section_at(beam, {si<Length>(s), Side::before}));
+  const SectionReach behind = reach_of(section_at(beam, {si<Length>(s), Side::behind}));
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    of.low[axis] = std::min(of.low[axis], behind.low[axis]);
+    of.high[axis] = std::max(of.high[axis], behind.high[axis]);
+  }
+  return of;
+}
+
+/// Force, along z and y, times its height above the shear centre at the edge where it turns the
+/// beam over; at none does it count as righting it.
+double tipping_at_edges(const std::array<double, 2>& force, const SectionReach& reach) {
+  double sum = 0.0;
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    sum += std::max({0.0, -force[axis] * reach.low[axis], -force[axis] * reach.high[axis]});
+  return sum;
+}
+
+/// Whether lines of force act from outside, beside weight and inertia.
+bool lines_press(const AnyMechanism& mechanism) {
+  if (const auto* const spatial = std::get_if<spatial::Mechanism>(&mechanism))
+    return !spatial->line_forces.empty();
+  if (const auto* const recorded = std::get_if<recorded::Loads>(&mechanism))
+    return recorded->as_cuts;
+  const auto* const structure = std::get_if<frame::Structure>(&mechanism);
+  if (structure == nullptr) return false;
+  const auto is_line = [](const frame::Action& of) {
+    return std::holds_alternative<frame::LineAction>(of.kind);
+  };
+  return std::any_of(structure->cases.begin(), structure->cases.end(),
+                     [&](const frame::LoadCase& of) {
+                       return std::any_of(of.actions.begin(), of.actions.end(), is_line);
+                     });
+}
+
 /// I_w of a segment; none of one that tapers, whose flanges, no longer parallel, make it bend
 /// otherwise, nor of what is not open.
 double warping_constant_in(const Segment& segment) {
@@ -74,6 +160,9 @@ double warping_constant_in(const Segment& segment) {
 
 }  // namespace
 
+LateralEstimate::LateralEstimate(const Project& project)
+    : project_(&project), lines_press_(lines_press(project.mechanism)) {}
+
 bool LateralEstimate::is_known() const {
   const std::vector<Segment>& segments = project_->beam.segments;
   return std::all_of(segments.begin(), segments.end(), [](const Segment& segment) {
@@ -81,12 +170,17 @@ bool LateralEstimate::is_known() const {
   });
 }
 
-void LateralEstimate::hold(const std::vector<double>& at) {
-  if (at == at_ && !beam_.nodes.empty()) return;
+void LateralEstimate::hold(const std::vector<double>& at, const BeamLoads& loads) {
+  std::vector<double> places = at;
+  for (const PointLoad& load : loads.points) places.push_back(load.s.value());
+  if (at == at_ && places == places_) return;
   at_ = at;
+  for (const Segment& segment : project_->beam.segments) places.push_back(segment.end().value());
   const TaperedBeam& beam = project_->beam;
   const double E = project_->model.youngs_modulus, G = project_->model.shear_modulus;
-  beam_.nodes = nodes_of(beam, at);
+  beam_.nodes = nodes_of(beam.length().value(), places);
+  places.resize(places.size() - beam.segments.size());
+  places_ = std::move(places);
   const std::size_t count = beam_.nodes.size();
   beam_.held.assign(count, false);
   for (const double s : at) beam_.held[nearest_of(beam_.nodes, s)] = true;
@@ -99,7 +193,7 @@ void LateralEstimate::hold(const std::vector<double>& at) {
   turned_.assign(count - 1, {});
   bool any_turned = false;
   twisting_.resize(count - 1);
-  edges_.resize(count);
+  reach_.resize(count - 1);
   for (std::size_t e = 0; e + 1 < count; ++e) {
     const std::array<double, 2> places = gauss_places(beam_, e);
     beam_.warping_stiffness[e] = E * I_w[segment_at(beam, {si<Length>(places[0])})];
@@ -114,21 +208,21 @@ void LateralEstimate::hold(const std::vector<double>& at) {
       by_M_y_[e][g] = std::max(0.0, sideways - upright);
       by_M_z_[e][g] = std::max(0.0, upright - sideways);
       turned_[e][g] = turned_stresses_of(section);
+      reach_[e][g] = reach_of(section);
       any_turned = any_turned || turned_[e][g] != std::array{0.0, 0.0};
     }
   }
   if (!any_turned) turned_.clear();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Section section = section_at(beam, {si<Length>(beam_.nodes[i])});
-    const Extent extent = extent_of(section.outer);
-    edges_[i] = {std::max(-extent.z_low.value(), extent.z_high.value()),
-                 std::max(-extent.y_low.value(), extent.y_high.value())};
+  beam_.parted.assign(count, false);
+  for (std::size_t i = 1; i + 1 < count; ++i) {
+    if (beam_.warping_stiffness[i - 1] > 0.0 && beam_.warping_stiffness[i] > 0.0)
+      beam_.parted[i] = !goes_on_at(beam, beam_.nodes[i]);
   }
 }
 
 double LateralEstimate::part(const CutForceDiagram& diagram, const BeamLoads& loads,
                              const std::vector<double>& at, double known) {
-  hold(at);
+  hold(at, loads);
   for (std::size_t e = 0; e < twisting_.size(); ++e) {
     const std::array<double, 2> places = gauss_places(beam_, e);
     for (std::size_t g = 0; g < 2; ++g) {
@@ -137,14 +231,39 @@ double LateralEstimate::part(const CutForceDiagram& diagram, const BeamLoads& lo
       twisting_[e][g] = M_y * M_y * by_M_y_[e][g] + M_z * M_z * by_M_z_[e][g];
     }
   }
+  tip(loads);
+  return turned_.empty() ? lateral_buckling_part(beam_, twisting_, tipping_, known)
+                         : part_with_turned(diagram, known);
+}
+
+void LateralEstimate::tip(const BeamLoads& loads) {
   tipping_.assign(beam_.nodes.size(), 0.0);
   for (const PointLoad& load : loads.points) {
     const std::size_t i = nearest_of(beam_.nodes, load.s.value());
-    tipping_[i] +=
-        std::abs(load.force.z()) * edges_[i][0] + std::abs(load.force.y()) * edges_[i][1];
+    if (beam_.held[i]) continue;
+    tipping_[i] += tipping_at_edges({load.force.z(), load.force.y()},
+                                    reach_at(project_->beam, beam_.nodes[i]));
   }
-  return turned_.empty() ? lateral_buckling_part(beam_, twisting_, tipping_, known)
-                         : part_with_turned(diagram, known);
+  for (const LineLoad& line : loads.lines) {
+    if (line.force[1].c == Polynomial<3>{}.c && line.force[2].c == Polynomial<3>{}.c) continue;
+    const double start = line.start.value(), end = start + line.length.value();
+    for (std::size_t e = 0; e < reach_.size(); ++e) {
+      const double first = beam_.nodes[e], length = beam_.nodes[e + 1] - first;
+      const double from = std::max(first, start), to = std::min(first + length, end);
+      if (!(from < to)) continue;
+      const std::array<double, 2> places = gauss_places(beam_, e);
+      for (std::size_t g = 0; g < 2; ++g) {
+        const double s = from + (places[g] - first) / length * (to - from);
+        const std::array force{line.force[2](s - start), line.force[1](s - start)};
+        const SectionReach& reach = reach_[e][g];
+        double per_length = -force[0] * reach.centroid[0] - force[1] * reach.centroid[1];
+        if (lines_press_) per_length = std::max(per_length, tipping_at_edges(force, reach));
+        const double part = (s - first) / length, of = 0.5 * (to - from) * per_length;
+        tipping_[e] += (1.0 - part) * of;
+        tipping_[e + 1] += part * of;
+      }
+    }
+  }
 }
 
 double LateralEstimate::part_with_turned(const CutForceDiagram& diagram, double known) const {

@@ -242,11 +242,27 @@ class GrowthByPlace {
   Eigen::MatrixXd straight_, bent_;  ///< smallest and largest of each situation
 };
 
+/// Where forces act: in between, the moments of beams have no peak but under loads along them. Only
+/// in frames do they move.
+std::vector<Length> loaded_places_of(const Project& project, const std::deque<SituationRun>& runs) {
+  const bool move = std::holds_alternative<frame::Structure>(project.mechanism);
+  std::vector<Length> places;
+  for (const SituationRun& run : runs) {
+    std::vector<std::size_t> instants{0};
+    if (move) instants = instants_of(run.loads);
+    for (const std::size_t i : instants) {
+      const BeamLoads loads = run.loads.loads_at(run.loads.time_of(i));
+      for (const PointLoad& load : loads.points) places.push_back(load.s);
+    }
+  }
+  return places;
+}
+
 class Estimating {
  public:
-  explicit Estimating(const Project& project)
+  Estimating(const Project& project, const std::deque<SituationRun>& runs)
       : project_(&project),
-        places_(compared_places_of(project.beam)),
+        places_(compared_places_of(project.beam, loaded_places_of(project, runs))),
         lateral_(project),
         in_plane_(project, Plane::z),
         across_(project, Plane::y) {
@@ -467,7 +483,7 @@ class Estimating {
 
 SecondOrderEstimate estimate_second_order(const Project& project,
                                           const std::deque<SituationRun>& runs) {
-  Estimating estimating(project);
+  Estimating estimating(project, runs);
   for (const SituationRun& run : runs) estimating.look_at(run);
   estimating.take_extremes(runs);
   return estimating.result();

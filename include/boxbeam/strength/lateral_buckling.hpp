@@ -15,6 +15,9 @@ struct TurningBeam {
   /// E I_w of each element, even along it [N m^4]; none: of no element. Where it changes at a node,
   /// warping is free there, on the safe side.
   std::vector<double> warping_stiffness = {};
+  /// Of each node, whether the section behind it warps otherwise though its E I_w be the same, so
+  /// that warping is free there; none: nowhere.
+  std::vector<bool> parted = {};
 };
 
 /// Where the Gauss points of an element stand [m].
