@@ -189,7 +189,10 @@ std::vector<NotJudged> not_judged_of_flats(const Project& project) {
       if (side == Side::before ? of.s == Length{} : of.s == project.beam.length()) continue;
       const auto length = panel_length_at(project.beam, station);
       const auto path = judged_path_at(project, {}, station);
-      if (!length || !path || is_of_cells(*path) || !slender_path_at(project, {}, station))
+      if (!length || !path || is_of_cells(*path)) continue;
+      const auto slender = slender_path_at(project, {}, station);
+      if (!slender || std::none_of(slender->sheared.begin(), slender->sheared.end(),
+                                   [](const ShearedWall& wall) { return wall.may_buckle; }))
         continue;
       std::vector<std::string>& at = places[bounds_obstacle(project, station, *length)];
       const std::string place = to_text(Station{of.s, Side::both});
