@@ -128,37 +128,78 @@ Force TwistingRod::critical() const {
   return one / twisting_part({one / about_y, one / about_z, one / by_twisting, y_0, z_0, coupling});
 }
 
+namespace {
+
+/// A thin-walled path by itself; nothing of other sections.
+const ThinWalled* path_alone_in(const Section& section) {
+  return section.inner ? nullptr : std::get_if<ThinWalled>(&section.outer);
+}
+
+/// The least of a whole section, on the safe side by the corners of the rectangle around it.
+SectionModulus least_modulus_of(const SectionProperties& p, bool about_y) {
+  const AreaSums sums = sums_of(p);
+  double most = 0.0;
+  for (const bool negative : {false, true})
+    for (const Length& y : {p.y_left, p.y_right})
+      for (const Length& z : {p.z_top, p.z_bottom})
+        most = std::max(most, std::abs(most_per_moment(sums, moment_alone(about_y, negative),
+                                                       y.value(), z.value())));
+  return si<SectionModulus>(1.0 / most);
+}
+
+}  // namespace
+
+std::string bent_plates_obstacle_of(const Section& section, Stress yield_strength) {
+  if (path_alone_in(section) != nullptr) return "";
+  const CompressedSection of = compressed_section_of(section, yield_strength);
+  if (!of.obstacle.empty()) return of.obstacle;
+  return of.class_4
+             ? "its force acts beside its centroid (y = z = 0 of its section), and its plates "
+               "of class 4 may buckle under what that bends, which is not computed (EN "
+               "1993-1-5, 4.4)"
+             : "";
+}
+
 std::optional<EccentricForce> eccentric_force_of(const Section& section, Stress yield_strength,
                                                  Length shift_y, Length shift_z) {
-  const auto* const path = std::get_if<ThinWalled>(&section.outer);
-  if (path == nullptr || section.inner) return std::nullopt;
   const SectionProperties p = properties_of(section);
   const double nothing = 1e-9 * std::sqrt(p.area.value());
   const auto farther = [&](Length centroid, Length shift) {
     const Length most = std::max(abs(centroid), abs(Length(centroid + shift)), std::less<>());
     return most.value() > nothing ? most : Length{};
   };
-  const Length e_y = farther(p.centroid_y, shift_y), e_z = farther(p.centroid_z, shift_z);
-  if (e_y == Length{} && e_z == Length{}) return std::nullopt;
-  const EffectivePath works(*path_section_of(*path, steel_of(yield_strength)));
-  return EccentricForce{e_y, e_z, works.least_modulus(true), works.least_modulus(false)};
+  EccentricForce of{farther(p.centroid_y, shift_y), farther(p.centroid_z, shift_z), {}, {}};
+  if (of.e_y == Length{} && of.e_z == Length{}) return std::nullopt;
+  if (const ThinWalled* const path = path_alone_in(section)) {
+    const EffectivePath works(*path_section_of(*path, steel_of(yield_strength)));
+    of.W_y = works.least_modulus(true);
+    of.W_z = works.least_modulus(false);
+  } else {
+    of.W_y = least_modulus_of(p, true);
+    of.W_z = least_modulus_of(p, false);
+  }
+  return of;
 }
 
-std::string turning_obstacle_of(const Section& section, const EccentricForce& of) {
+std::string turning_obstacle_of(const Section& section, Length shift_y, Length shift_z) {
   if (enclosed_area_of(section.outer).value() > 0.0) return "";
   const SectionProperties p = properties_of(section);
-  constexpr double alike = 1.0 + 1e-6, mirrored = 1e-6;
-  const double I_y = p.I_y.value(), I_z = p.I_z.value();
-  const bool stiffer = (of.e_z > Length{} && I_y > alike * I_z) ||
-                       (of.e_y > Length{} && I_z > alike * I_y) ||
-                       std::abs(p.I_yz.value()) > mirrored * std::sqrt(I_y * I_z);
-  if (!stiffer) return "";
-  return fmt::format(
-      "its force acts {:.3g} mm beside its centroid along z and {:.3g} mm along y (y = z = 0 of "
-      "its "
-      "section, which buckling walls may move), and may turn the open section over, which is not "
-      "computed (EN 1993-1-1, 6.3.3)",
-      1e3 * of.e_z.value(), 1e3 * of.e_y.value());
+  constexpr double alike = 1.0 + 1e-6, along_axis = 1e-6;
+  if (!(p.I_1 > alike * p.I_2)) return "";
+  const double nothing = 1e-9 * std::sqrt(p.area.value());
+  const double c = std::cos(p.principal_angle), s = std::sin(p.principal_angle);
+  for (const double part : {0.0, 1.0}) {
+    const double y = (p.centroid_y + part * shift_y).value();
+    const double z = (p.centroid_z + part * shift_z).value();
+    // Across the axis that I_1 is about.
+    if (!(std::abs(c * z - s * y) > std::max(along_axis * std::hypot(y, z), nothing))) continue;
+    return fmt::format(
+        "its force acts {:.3g} mm beside its centroid along z and {:.3g} mm along y (y = z = 0 of "
+        "its section, which buckling walls may move), and may turn the open section over, which "
+        "is not computed (EN 1993-1-1, 6.3.3)",
+        1e3 * std::abs(z), 1e3 * std::abs(y));
+  }
+  return "";
 }
 
 std::optional<TwistingRod> twisting_rod_of(const Section& section, Stress youngs_modulus,

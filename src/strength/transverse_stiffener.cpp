@@ -1,7 +1,10 @@
 #include "boxbeam/strength/transverse_stiffener.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "boxbeam/strength/plate_slenderness.hpp"
 
 namespace boxbeam {
 
@@ -11,11 +14,16 @@ SecondMoment rigid_stiffener_inertia(Length depth, Length thickness, Length leng
                                                         : 0.75 * h_w * std::pow(t, 3));
 }
 
-SecondMoment stiffener_inertia(Length web_thickness, Length width, Length thickness,
-                               bool both_sides) {
-  const double half = 0.5 * web_thickness.value(), b = width.value();
-  const double one = thickness.value() * (std::pow(half + b, 3) - std::pow(half, 3)) / 3.0;
-  return si<SecondMoment>(both_sides ? 2.0 * one : one);
+SecondMoment stiffener_inertia(const BearingStiffener& flats) {
+  const double t = flats.web_thickness.value(), b = flats.width.value();
+  const double t_s = flats.thickness.value(), most = 15.0 * epsilon_of(flats.yield_strength) * t;
+  const double strip =
+      std::min(flats.web_before.value(), most) + std::min(flats.web_behind.value(), most) + t_s;
+  const double web = strip * t, flat = b * t_s, out = 0.5 * (t + b);
+  const double own = strip * std::pow(t, 3) / 12.0, of_flat = t_s * std::pow(b, 3) / 12.0;
+  if (flats.both_sides) return si<SecondMoment>(own + 2.0 * (of_flat + flat * out * out));
+  // Of two areas about the centroid of both.
+  return si<SecondMoment>(own + of_flat + web * flat / (web + flat) * out * out);
 }
 
 }  // namespace boxbeam

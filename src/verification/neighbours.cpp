@@ -298,6 +298,13 @@ std::optional<EccentricForce> force_beside(const RodInput& rod, const Compressed
   return eccentric_force_of(rod.section, rod.yield_strength, section.shift_y, section.shift_z);
 }
 
+/// Why a rod is not judged under tension, "" where it is.
+std::string tension_obstacle_of(const RodInput& rod) {
+  return eccentric_force_of(rod.section, rod.yield_strength)
+             ? bent_plates_obstacle_of(rod.section, rod.yield_strength)
+             : std::string();
+}
+
 /// Why a rod is not judged under compression, "" where it is.
 std::string compression_obstacle_of(const RodInput& rod, const CompressedSection& section) {
   if (!section.obstacle.empty()) return section.obstacle;
@@ -308,7 +315,9 @@ std::string compression_obstacle_of(const RodInput& rod, const CompressedSection
     return "how it twists is not known, and so its torsional buckling is not (EN 1993-1-1, "
            "6.3.1.4)";
   const auto beside = force_beside(rod, section);
-  return beside ? turning_obstacle_of(rod.section, *beside) : std::string();
+  if (!beside) return "";
+  const std::string why = bent_plates_obstacle_of(rod.section, rod.yield_strength);
+  return why.empty() ? turning_obstacle_of(rod.section, section.shift_y, section.shift_z) : why;
 }
 
 NeighbourResult check_compression(const Project& project, const RodInput& rod,
@@ -357,7 +366,11 @@ NeighbourChecks check_rods(const Project& project, const std::deque<SituationRun
       checks.not_judged.push_back({Criterion::rod, "rod " + rod.name, "no force"});
     }
     if (tension.value > nothing) {
-      checks.results.push_back(check_tension(project, rod, tension));
+      const std::string obstacle = tension_obstacle_of(rod);
+      if (obstacle.empty())
+        checks.results.push_back(check_tension(project, rod, tension));
+      else
+        checks.gates.push_back(rod_gate(rod, obstacle));
     }
     if (compression.value > nothing) {
       const CompressedSection section = compressed_section_of(rod.section, rod.yield_strength);

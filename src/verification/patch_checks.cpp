@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <tuple>
 
 #include "boxbeam/numerics/extremum.hpp"
 #include "boxbeam/verification/distorted_stretch.hpp"
 #include "patch_search.hpp"
+#include "patched_path.hpp"
 
 namespace boxbeam {
 namespace {
@@ -33,8 +36,8 @@ struct PathForce {
 
 /// What is not judged of slender paths.
 struct OnPaths {
-  /// By the name of the force, and whether a diaphragm is missing.
-  std::map<std::pair<std::string, bool>, PathForce> forces;
+  /// By the name of the force, whether a diaphragm is missing, and whether it blocks.
+  std::map<std::tuple<std::string, bool, bool>, PathForce> forces;
   PatchSearch::PathTorque torque;
 };
 
@@ -95,7 +98,7 @@ class PatchRun {
     const auto of = search_->unjudged_on_path(patch);
     if (!of) return;
     const Force size = run_->situation->load_factor * abs(patch.force);
-    PathForce& most = on_paths_->forces[{patch.name, of->open}];
+    PathForce& most = on_paths_->forces[{patch.name, of->open, of->blocks}];
     if (size > most.size) most = {patch.s, size, of->why};
   }
 
@@ -257,7 +260,8 @@ Gate gate_of(const Project& project, const WorstPatch& worst) {
           true};
 }
 
-Gate gate_of(const Project& project, const std::string& name, bool open, const PathForce& of) {
+Gate gate_of(const Project& project, const std::string& name, bool open, bool blocks,
+             const PathForce& of) {
   const std::size_t segment = segment_at(project.beam, {of.s, Side::both});
   const std::string what =
       fmt::format("at s = {} m \"{}\", {:.4g} kN, comes into walls of a path",
@@ -269,12 +273,14 @@ Gate gate_of(const Project& project, const std::string& name, bool open, const P
                      " where a diaphragm is taken to bear it, which is not judged (EN 1993-1-5, "
                      "9.4): " +
                      of.why,
-          open};
+          blocks};
 }
 
 void add_gates(const Project& project, const OnPaths& of, std::vector<Gate>& gates) {
-  for (const auto& [key, force] : of.forces)
-    gates.push_back(gate_of(project, key.first, key.second, force));
+  for (const auto& [key, force] : of.forces) {
+    const auto& [name, open, blocks] = key;
+    gates.push_back(gate_of(project, name, open, blocks, force));
+  }
   if (of.torque.torque > Moment{}) {
     const std::size_t segment = segment_at(project.beam, {of.torque.s, Side::both});
     gates.push_back(
@@ -301,6 +307,7 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
   add_gates(project, on_paths, found.gates);
   // A use this small is none, as stress is (`no_stress_at`).
   constexpr double no_use = 1e-6;
+  std::set<std::string> sideways;
   const auto add = [&](CheckResult result) {
     // A force that pushes to and fro comes in by either flange: the worse one stays.
     const auto same =
@@ -311,13 +318,22 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
     else if (result.check.utilisation() > same->check.utilisation())
       *same = std::move(result);
   };
+  found.not_judged = not_judged_of_flats(project);
   for (auto& [key, of] : worst) {
     if (!(of.use > no_use)) continue;
+    const auto* const bears = std::get_if<BearingStiffener>(&of.borne.basis.bears);
+    if (bears != nullptr && !bears->ends_clamped)
+      sideways.insert(to_text({of.patch.s, Side::both}));
     if (!of.patch.given && of.use > 1.0)
       found.gates.push_back(gate_of(project, of));
     else
       add(check_of(project, search, std::move(of)));
   }
+  if (!sideways.empty())
+    found.not_judged.push_back(
+        {Criterion::patch_loading, fmt::format("flats at s = {} m", fmt::join(sideways, ", ")),
+         "L_cr = h_w takes it that both flanges are held sideways there, which no "
+         "[[beam.restraints]] say (EN 1993-1-5, 9.4(2))"});
   for (const LoadIntroduction& of : project.beam.introductions) {
     const std::string why = of.stiff_length ? search.obstacle_of(of) : "";
     if (why.empty()) continue;

@@ -421,12 +421,11 @@ std::vector<Borne> PatchSearch::ways_at(const Patch& patch, const Station& stati
     basis.share = std::abs(shares[k]);
     of.plate = webs[k];
     if (patch.diaphragm != nullptr) {
-      const BoxWall& wall = walls.of(webs[k]);
       const BoxWall& across =
           walls.of(is_flange(webs[k]) ? BoxPlate::left_web : BoxPlate::top_flange);
       const BearingStiffener stiffener =
-          stiffener_of(wall.clear(), wall.thickness, wall.yield_strength, across.clear(),
-                       *patch.diaphragm, station);
+          stiffener_of(*project_, web_of(walls, webs[k], flanges_of(patch).front(), patch, station),
+                       across.clear(), *patch.diaphragm, station);
       basis.resistance = bearing_resistance_of(stiffener, project_->strength.gamma_M1);
       basis.bears = stiffener;
       ways.push_back(of);
@@ -529,19 +528,18 @@ std::optional<Length> PatchSearch::distance_to_end(const Patch& patch) const {
   return nearest;
 }
 
-BearingStiffener PatchSearch::stiffener_of(Length depth, Length thickness, Stress yield_strength,
-                                           Length inside, const Diaphragm& diaphragm,
-                                           const Station& station) const {
+BearingStiffener stiffener_of(const Project& project, const PatchedWeb& web, Length inside,
+                              const Diaphragm& diaphragm, const Station& station) {
   BearingStiffener of;
-  of.web_depth = depth;
-  of.web_thickness = thickness;
+  of.web_depth = web.depth;
+  of.web_thickness = web.thickness;
   of.web_before = station.s;
-  of.web_behind = project_->beam.length() - station.s;
+  of.web_behind = project.beam.length() - station.s;
   of.thickness = diaphragm.thickness;
   of.width = 0.5 * (inside - diaphragm.opening);
-  of.yield_strength = yield_strength;
+  of.yield_strength = web.yield_strength;
   const Material& steel =
-      materials_of(*project_, segment_at(project_->beam, station)).of(PlateKind::inner);
+      materials_of(project, segment_at(project.beam, station)).of(PlateKind::inner);
   if (const auto own = yield_strength_of(steel, diaphragm.thickness))
     of.yield_strength = std::min(of.yield_strength, *own, std::less<>());
   return of;

@@ -51,6 +51,10 @@ struct Borne {
 struct PathWeb;
 struct PathWebs;
 
+/// A diaphragm beside a web as what bears forces there; `inside`: from web to web.
+BearingStiffener stiffener_of(const Project& project, const PatchedWeb& web, Length inside,
+                              const Diaphragm& diaphragm, const Station& station);
+
 /// What forces do to the webs that they come into, of the loads of one instant.
 class PatchSearch {
  public:
@@ -80,7 +84,8 @@ class PatchSearch {
   /// A force into a path that is not judged: into its walls, or at a diaphragm, whose bearing is
   /// not judged.
   struct OnPath {
-    bool open = false;  ///< without a diaphragm that takes it
+    bool open = false;   ///< without a diaphragm that takes it
+    bool blocks = true;  ///< a wall would have to bear it
     std::string why;
   };
   /// Nothing where what it does is judged, or nothing of it is a slender path.
@@ -197,11 +202,6 @@ class PatchSearch {
 
   /// From the stiff length to the nearer end of the beam that no diaphragm keeps off.
   std::optional<Length> distance_to_end(const Patch& patch) const;
-
-  /// `inside`: from web to web.
-  BearingStiffener stiffener_of(Length depth, Length thickness, Stress yield_strength,
-                                Length inside, const Diaphragm& diaphragm,
-                                const Station& station) const;
 
   const Project* project_;
   const std::vector<BendingZone>* zones_;

@@ -16,26 +16,33 @@ struct PathWeb {
   Length place;          ///< of its mid-line, across the force
   PatchedWeb bears;      ///< far from an end, under no force yet
   bool slender = false;  ///< it may buckle in shear
-  /// How far a plate across it reaches on both sides within the flanges at both its ends; 0 where
-  /// one of these stands on one side of it alone.
+  /// How far a plate across it reaches within the flanges at both its ends, on each of both sides
+  /// or on the only one; 0 where the flanges reach to unlike sides.
   Length beside;
+  bool both_sides = false;
 };
 
 /// The walls of a path that bear forces along z, or along y, between two flanges.
 struct PathWebs {
-  std::vector<PathWeb> webs;  ///< one, or two from the higher place on
-  std::string obstacle;       ///< why it is not judged what they bear; "" where it is
+  std::vector<PathWeb> webs;  ///< from the higher place on; none where no wall lies along the force
+  std::string obstacle;       ///< why it is not judged what walls along it bear; "" where it is
 };
 
-/// One or two walls square to the flanges at both their ends, between the same two levels.
+/// Walls along the force between the same two levels, with flanges square to them (within 10
+/// degrees) at both their ends.
 /// `onto_high`: the forces push onto the flange at the higher end. The flange is as wide as the
 /// plates that meet the wall there: outstands, and half of those that lead on to another one.
 /// Source: EN 1993-1-5:2006, 6.1, 6.5.
 PathWebs webs_of_path(const PathSection& path, bool along_z, bool onto_high);
 
 /// How long the panel of a path at a station is; nothing where it is not between two diaphragms, or
-/// where one of these is, beside a single web, too weak to bound it (9.3.3).
+/// where one of these is, beside a single web, too weak to bound it (9.3.3), twists (9.2.1(8)), or
+/// is not known to.
 std::optional<Length> path_panel_length_at(const Project& project, const Station& station);
+
+/// What is not checked of the diaphragms beside single webs of slender paths: why they bound no
+/// panels, or what they bear as stiffeners of these.
+std::vector<NotJudged> not_judged_of_flats(const Project& project);
 
 /// The place of a force across its own direction, by its couple.
 Length place_of(const Patch& patch);

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
+#include <map>
 
+#include "boxbeam/section/wall_cells.hpp"
 #include "boxbeam/strength/shear_buckling.hpp"
 #include "boxbeam/strength/stiffened_plate.hpp"
 #include "boxbeam/strength/transverse_stiffener.hpp"
@@ -17,6 +19,9 @@ namespace {
 
 /// What is less than that, over a length of the section, is round-off.
 constexpr double flat = 1e-9;
+/// The sine of 10 degrees: plates that lean so little are taken as square to the force. In the
+/// plane of the web they bend no easier than square ones; their reach is their projection.
+constexpr double lean = 0.17364817766693033;
 
 /// Whether a plate bears forces as a web does; an obstacle where it does so unlike one.
 bool is_web(const PathPlate& plate, Eigen::Index along, std::string& obstacle) {
@@ -25,7 +30,7 @@ bool is_web(const PathPlate& plate, Eigen::Index along, std::string& obstacle) {
     obstacle = plate.name + " is folded";
     return false;
   }
-  if (std::abs(plate.direction[along]) <= flat) return false;
+  if (std::abs(plate.direction[along]) <= lean) return false;
   if (std::abs(plate.direction[1 - along]) > flat)
     obstacle = plate.name + " is inclined";
   else if (plate.ribbed)
@@ -33,17 +38,22 @@ bool is_web(const PathPlate& plate, Eigen::Index along, std::string& obstacle) {
   return obstacle.empty();
 }
 
+/// How far the flange at an end of a wall reaches, to its low and its high side.
+using Reach = std::array<Length, 2>;
+
 /// The flange at an end of a wall, as far as it is the wall's; "" or why it leads nothing in.
 std::string lead_by_flange(const PathSection& path, const PathPlate& wall, std::size_t end,
-                           Eigen::Index along, PatchedWeb& web) {
+                           Eigen::Index along, PatchedWeb& web, Reach& reach) {
   std::vector<Length> widths;
   for (const PathPlate& of : path.plates) {
     const bool meets = of.nodes[0] == wall.nodes[end] || of.nodes[1] == wall.nodes[end];
     // What reaches no farther than the face of what it stands on leads nothing.
     if (&of == &wall || !meets || of.clear() < flat * wall.clear()) continue;
-    if (!of.straight || std::abs(of.direction[along]) > flat)
+    if (!of.straight || std::abs(of.direction[along]) > lean)
       return fmt::format("{} is no flange square to {}", of.name, wall.name);
-    widths.push_back((of.outstand() ? 1.0 : 0.5) * of.clear());
+    widths.push_back((of.outstand() ? 1.0 : 0.5) * std::abs(of.direction[1 - along]) * of.clear());
+    const bool high = of.at(0.5 * (of.low + of.high))[1 - along] > wall.at(wall.low)[1 - along];
+    reach[high ? 1 : 0] = widths.back();
     const bool first = widths.size() == 1;
     web.flange_thickness = first ? of.thickness : std::min(web.flange_thickness, of.thickness);
     web.flange_strength =
@@ -84,18 +94,16 @@ PathWebs webs_of_path(const PathSection& path, bool along_z, bool onto_high) {
                                      shear_hardening_factor(plate.class_strength))
                      .check_needed();
     const std::size_t end = (b > a) == onto_high ? 1 : 0;
-    of.beside = si<Length>(std::numeric_limits<double>::infinity());
+    std::array<Reach, 2> reach;
     for (const std::size_t k : {1 - end, end}) {
-      found.obstacle = lead_by_flange(path, plate, k, along, of.bears);
+      found.obstacle = lead_by_flange(path, plate, k, along, of.bears, reach[k]);
       if (!found.obstacle.empty()) return found;
-      of.beside = std::min({of.beside, of.bears.flange_inside, of.bears.flange_outside});
     }
+    const Length low = std::min(reach[0][0], reach[1][0]),
+                 high = std::min(reach[0][1], reach[1][1]);
+    of.both_sides = low > Length{} && high > Length{};
+    of.beside = of.both_sides ? std::min(low, high) : std::max(low, high);
   }
-  if (found.webs.empty())
-    found.obstacle =
-        fmt::format("no wall along {} between two flanges bears it", along_z ? "z" : "y");
-  else if (found.webs.size() > 2)
-    found.obstacle = fmt::format("{} walls share it", found.webs.size());
   std::sort(found.webs.begin(), found.webs.end(),
             [](const PathWeb& a, const PathWeb& b) { return a.place > b.place; });
   return found;
@@ -103,24 +111,62 @@ PathWebs webs_of_path(const PathSection& path, bool along_z, bool onto_high) {
 
 namespace {
 
-/// Whether a diaphragm bounds panels so long: across two webs always, beside one by what of it lies
-/// within the flanges.
-bool bounds_panels(const Project& project, Length s, Length length) {
+/// What stands of a diaphragm beside a single web, within the flanges at both its ends. The opening
+/// is in the middle of the whole plate: at the web itself, or halfway to the tips of flanges on one
+/// side, where the nearer half stays.
+BearingStiffener flats_beside(const Project& project, const PathWeb& web,
+                              const Diaphragm& diaphragm, const Station& station) {
+  const bool whole = !web.both_sides && !(diaphragm.opening > Length{});
+  BearingStiffener of = stiffener_of(
+      project, web.bears, (web.both_sides || whole ? 2.0 : 1.0) * web.beside, diaphragm, station);
+  of.both_sides = web.both_sides;
+  return of;
+}
+
+/// Why flats twist, "" where they do not.
+std::string twisting_of(const BearingStiffener& flats) {
+  if (resists_torsional_buckling({{}, flats.width, flats.thickness}, flats.yield_strength))
+    return "";
+  return fmt::format("its plates beside the web twist, {:.3g} wide by their thickness (9.2.1(8))",
+                     (flats.width / flats.thickness).value());
+}
+
+/// Whether all plates held at both ends are around cells, which a diaphragm fills.
+bool is_of_cells(const PathSection& path) {
+  std::vector<bool> around(path.graph.walls.size(), false);
+  for (const Cell& cell : wall_cells_of(path.graph).cells)
+    for (const Cell::Side& side : cell.sides) around[side.wall] = true;
+  return std::all_of(path.plates.begin(), path.plates.end(), [&](const PathPlate& plate) {
+    return plate.outstand() ||
+           std::all_of(plate.parts.begin(), plate.parts.end(),
+                       [&](const PathPlate::Part& part) { return around[part.wall]; });
+  });
+}
+
+/// Why a diaphragm does not bound panels so long, "" where it does: across two webs or the cells of
+/// a path always, beside one web by what of it lies within the flanges. The station is on the
+/// panel's side of it.
+std::string bounds_obstacle(const Project& project, const Station& station, Length length) {
   const auto at = std::find_if(project.beam.diaphragms.begin(), project.beam.diaphragms.end(),
-                               [&](const Diaphragm& of) { return of.s == s; });
-  const auto path = judged_path_at(project, {}, {s, Side::both});
-  if (at == project.beam.diaphragms.end() || !path) return true;
+                               [&](const Diaphragm& of) { return of.s == station.s; });
+  const auto path = judged_path_at(project, {}, station);
+  if (at == project.beam.diaphragms.end() || !path || is_of_cells(*path)) return "";
   for (const bool along_z : {true, false}) {
-    const std::vector<PathWeb> webs = webs_of_path(*path, along_z, true).webs;
-    if (webs.size() != 1) continue;
-    const PathWeb& web = webs.front();
-    const bool both = web.beside > Length{};
-    const Length width = (both ? web.beside : web.bears.flange_inside) - 0.5 * at->opening;
-    const SecondMoment there =
-        stiffener_inertia(web.bears.thickness, std::max(Length{}, width), at->thickness, both);
-    if (there < rigid_stiffener_inertia(web.bears.depth, web.bears.thickness, length)) return false;
+    const PathWebs of = webs_of_path(*path, along_z, true);
+    if (!of.obstacle.empty()) return of.obstacle;
+    if (of.webs.size() != 1) continue;
+    const PathWeb& web = of.webs.front();
+    const BearingStiffener flats = flats_beside(project, web, *at, station);
+    if (!(flats.width > Length{})) return "nothing of it stands beside the web within the flanges";
+    if (std::string why = twisting_of(flats); !why.empty()) return why;
+    const SecondMoment there = stiffener_inertia(flats);
+    const SecondMoment least =
+        rigid_stiffener_inertia(web.bears.depth, web.bears.thickness, length);
+    if (there < least)
+      return fmt::format("I = {:.4g} mm^4 beside the web is below {:.4g} mm^4 (9.3.3(3))",
+                         1e12 * there.value(), 1e12 * least.value());
   }
-  return true;
+  return "";
 }
 
 }  // namespace
@@ -129,9 +175,41 @@ std::optional<Length> path_panel_length_at(const Project& project, const Station
   const auto length = panel_length_at(project.beam, station);
   const Supports of = supports_around(project.beam, station);
   if (!length || !of.before || !of.behind) return length;
-  const bool bounded =
-      bounds_panels(project, *of.before, *length) && bounds_panels(project, *of.behind, *length);
+  const bool bounded = bounds_obstacle(project, {*of.before, Side::behind}, *length).empty() &&
+                       bounds_obstacle(project, {*of.behind, Side::before}, *length).empty();
   return bounded ? length : std::nullopt;
+}
+
+std::vector<NotJudged> not_judged_of_flats(const Project& project) {
+  // By why, at which diaphragms.
+  std::map<std::string, std::vector<std::string>> places;
+  for (const Diaphragm& of : project.beam.diaphragms) {
+    for (const Side side : {Side::before, Side::behind}) {
+      const Station station{of.s, side};
+      if (side == Side::before ? of.s == Length{} : of.s == project.beam.length()) continue;
+      const auto length = panel_length_at(project.beam, station);
+      const auto path = judged_path_at(project, {}, station);
+      if (!length || !path || is_of_cells(*path)) continue;
+      const auto slender = slender_path_at(project, {}, station);
+      if (!slender || std::none_of(slender->sheared.begin(), slender->sheared.end(),
+                                   [](const ShearedWall& wall) { return wall.may_buckle; }))
+        continue;
+      std::vector<std::string>& at = places[bounds_obstacle(project, station, *length)];
+      const std::string place = to_text(Station{of.s, Side::both});
+      if (at.empty() || at.back() != place) at.push_back(place);
+    }
+  }
+  std::vector<NotJudged> found;
+  for (const auto& [why, at] : places) {
+    found.push_back(
+        {Criterion::shear_buckling,
+         fmt::format("diaphragm{} at s = {} m", at.size() > 1 ? "s" : "", fmt::join(at, ", ")),
+         why.empty()
+             ? "V_Ed - h_w t f_yw/(lambda_w^2 sqrt(3) gamma_M1), which stiffeners of panels "
+               "bear, alone or with forces there, is not checked (EN 1993-1-5, 9.3.3(3))"
+             : "the panels of the web are longer, for " + why});
+  }
+  return found;
 }
 
 Length place_of(const Patch& patch) {
@@ -141,6 +219,9 @@ Length place_of(const Patch& patch) {
 
 std::string PatchSearch::path_obstacle_of(const Patch& patch, const PathWebs& of) const {
   if (!of.obstacle.empty()) return of.obstacle;
+  if (of.webs.empty())
+    return fmt::format("no wall along {} between two flanges bears it", patch.along_z ? "z" : "y");
+  if (of.webs.size() > 2) return fmt::format("{} walls share it", of.webs.size());
   // In the plane forces act in that of the web.
   if (!project_->in_space && of.webs.size() == 1) return "";
   const PathWeb &first = of.webs.front(), &last = of.webs.back();
@@ -160,9 +241,8 @@ BearingStiffener PatchSearch::path_stiffener_of(const Patch& patch, const PathWe
   const Length inside =
       first.place - last.place - 0.5 * (first.bears.thickness + last.bears.thickness);
   BearingStiffener stiffener =
-      stiffener_of(web.bears.depth, web.bears.thickness, web.bears.yield_strength,
-                   alone ? 2.0 * web.beside : inside, *patch.diaphragm, station);
-  stiffener.both_sides = alone;
+      alone ? flats_beside(*project_, web, *patch.diaphragm, station)
+            : stiffener_of(*project_, web.bears, inside, *patch.diaphragm, station);
   const std::vector<Restraint>& holds = project_->restraints;
   stiffener.ends_clamped =
       !alone || std::any_of(holds.begin(), holds.end(), [&](const Restraint& at) {
@@ -176,12 +256,9 @@ std::string PatchSearch::bearing_obstacle_of(const Patch& patch, const PathWebs&
                                              const Station& station) const {
   if (of.webs.size() == 2) return "";
   const BearingStiffener flats = path_stiffener_of(patch, of, of.webs.front(), station);
-  if (!(flats.width > Length{}))
+  if (!flats.both_sides || !(flats.width > Length{}))
     return "its plates do not stand on both sides of the web within the flanges";
-  if (resists_torsional_buckling({{}, flats.width, flats.thickness}, flats.yield_strength))
-    return "";
-  return fmt::format("its plates beside the web twist, {:.3g} wide by their thickness (9.2.1(8))",
-                     (flats.width / flats.thickness).value());
+  return twisting_of(flats);
 }
 
 std::optional<PatchSearch::OnPath> PatchSearch::unjudged_on_path(const Patch& patch) {
@@ -196,11 +273,13 @@ std::optional<PatchSearch::OnPath> PatchSearch::unjudged_on_path(const Patch& pa
     const PathWebs of = webs_of_path(judged.path->path(), patch.along_z, patch.force < Force{});
     const std::string why = path_obstacle_of(patch, of);
     if (patch.diaphragm == nullptr) {
-      if (!why.empty()) found = {true, why};
+      if (!why.empty()) found = {true, true, why};
       continue;
     }
     const std::string bears = why.empty() ? bearing_obstacle_of(patch, of, station) : why;
-    if (!bears.empty() && !found) found = {false, bears};
+    // Where no wall lies along the force, none has to bear it.
+    if (!bears.empty() && (!found || !found->blocks))
+      found = {false, !of.webs.empty() || !of.obstacle.empty(), bears};
   }
   return found;
 }

@@ -35,12 +35,20 @@ TEST_CASE("rigid stiffeners of a web of 1800 x 14, published", "[validation]") {
   }
 }
 
-TEST_CASE("flats beside a web about its middle") {
-  // Web 10, flats 100 x 12: 12 x (210^3 - 10^3)/12 of both, half of it of one.
-  CHECK(stiffener_inertia(mm(10), mm(100), mm(12), true).value() ==
-        Approx((std::pow(210.0, 3) - 1000.0) * 1e-12));
-  CHECK(stiffener_inertia(mm(10), mm(100), mm(12), false).value() ==
-        Approx(0.5 * (std::pow(210.0, 3) - 1000.0) * 1e-12));
+TEST_CASE("flats beside a web, with 15 eps t of it, about the centroid of both") {
+  // Web 10, flats 100 x 12, S235: 2 x 150 + 12 = 312 mm of the web.
+  BearingStiffener flats{mm(1000),          mm(10), mm(3000), mm(3000), mm(12), mm(100),
+                         si<Stress>(235e6), true,   true};
+  // Both: 12 x (210^3 - 10^3)/12 + 312 x 10^3/12 = 9.286e6.
+  CHECK(stiffener_inertia(flats).value() == Approx(9.286e-6).epsilon(1e-9));
+  // One: A = 3120 and 1200, 55 apart: 26e3 + 12 x 100^3/12 + 3120 x 1200/4320 x 55^2 = 3.6477e6;
+  // about the web's middle it would be 4.63e6 without the web.
+  flats.both_sides = false;
+  CHECK(stiffener_inertia(flats).value() == Approx(3.64766667e-6).epsilon(1e-8));
+  // At the end of the beam there is web on one side alone.
+  flats.web_before = Length{};
+  CHECK(stiffener_inertia(flats).value() ==
+        Approx(1e-12 * (162e3 / 12.0 + 1e6 + 1620.0 * 1200.0 / 2820.0 * 3025.0)).epsilon(1e-9));
 }
 
 }  // namespace transverse_stiffener_test

@@ -11,19 +11,25 @@ namespace boxbeam {
 class Derivation;
 class Traced;
 
-/// A force along a rod of thin walls beside its centroid, which bends it: of the walls that work,
-/// where plates buckle under it.
+/// A force along a rod beside its centroid, which bends it: of the walls that work, where plates
+/// buckle under it.
 struct EccentricForce {
   Length e_y, e_z;          ///< from the line of the rod, y = z = 0 of its section
   SectionModulus W_y, W_z;  ///< the least of all places
 };
 
-/// Why what it bends is not judged under compression, "" where it is: of an open path bent in its
-/// stiffer plane, which may turn over, or about axes that are no principal ones.
-std::string turning_obstacle_of(const Section& section, const EccentricForce& of);
+/// Why what it bends is not judged under compression, "" where it is: of what is no tube and bent
+/// in its stiffer principal plane, which may turn over.
+std::string turning_obstacle_of(const Section& section, Length shift_y, Length shift_z);
 
-/// Nothing where the force goes through the centroid, and of other profiles. `shift_y`, `shift_z`:
-/// of the centroid as plates buckle, where that makes it worse.
+/// Why plates may buckle under what it bends, which is counted of thin-walled paths alone; "" where
+/// none do, or all that is counted.
+std::string bent_plates_obstacle_of(const Section& section, Stress yield_strength);
+
+/// Nothing where the force goes through the centroid. `shift_y`, `shift_z`: of the centroid as
+/// plates buckle, where that makes it worse. Of other profiles than a thin-walled path by itself W
+/// is elastic, of the corners of what is around the section, coupled where y and z are no principal
+/// axes.
 std::optional<EccentricForce> eccentric_force_of(const Section& section, Stress yield_strength,
                                                  Length shift_y = {}, Length shift_z = {});
 

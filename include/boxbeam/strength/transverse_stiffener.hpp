@@ -1,6 +1,7 @@
 #pragma once
 
 #include "boxbeam/core/units.hpp"
+#include "boxbeam/strength/patch_loading.hpp"
 
 namespace boxbeam {
 
@@ -12,8 +13,8 @@ namespace boxbeam {
 /// h_w, t  of the web; a  between stiffeners. Source: EN 1993-1-5:2006, 9.3.3(3).
 SecondMoment rigid_stiffener_inertia(Length depth, Length thickness, Length length);
 
-/// Of a plate on one side of a web, or one on each, without the web that goes with it.
-SecondMoment stiffener_inertia(Length web_thickness, Length width, Length thickness,
-                               bool both_sides);
+/// Of flats on one side of a web, or on both, with 15 eps t of the web on each side of them, about
+/// the centroid of all that. Source: EN 1993-1-5:2006, 9.1(2), 9.3.3, figure 9.1.
+SecondMoment stiffener_inertia(const BearingStiffener& flats);
 
 }  // namespace boxbeam
