@@ -172,7 +172,9 @@ class ChoicesInSegment {
       choices.push_back(law_of(lag));
     }
     add_path_lags(section, {s}, choices);
-    const Side inwards = fraction > 0.5 ? Side::before : Side::behind;
+    // Of a side, a place counts a little within it: that would move the border that is sought.
+    const Side inwards =
+        fraction <= 0.0 ? Side::behind : (fraction >= 1.0 ? Side::before : Side::both);
     for (const int of : plate_choices_at(*project_, {s, inwards})) choices.push_back(of);
     return choices;
   }

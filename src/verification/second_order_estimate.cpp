@@ -536,7 +536,8 @@ std::string lateral_text(const LateralLoad& of) {
 }
 
 std::string second_order_text(const SecondOrderEstimate& of) {
-  if (of.in_plane.part == 0.0 && of.change.value_or(0.0) == 0.0) {
+  constexpr double none = 1e-9;
+  if (of.in_plane.part < none && of.change && *of.change < none) {
     return "second order changes nothing, for the beam bears no axial force";
   }
   std::string text = of.change ? fmt::format("second order is estimated to change it by {}",
