@@ -1,6 +1,6 @@
 // Lines of one level of values on a grid: circles by their radius, saddles by their middle.
 
-#include "report/level_lines.hpp"
+#include "src/report/level_lines.hpp"
 
 #include <cmath>
 #include <limits>

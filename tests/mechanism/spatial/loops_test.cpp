@@ -10,7 +10,7 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/spatial/chain.hpp"
 #include "catch.hpp"
-#include "random_tree.hpp"
+#include "support/random_tree.hpp"
 
 namespace loops_test {
 
