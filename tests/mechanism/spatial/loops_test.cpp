@@ -117,7 +117,7 @@ Balance balance_of(const Chain& chain, const State& state) {
     balance.power -= tension * rate;
   }
   for (std::size_t i = 0; i < bodies; ++i) {
-    const Body& body = mechanism.bodies[i];
+    const spatial::Body& body = mechanism.bodies[i];
     const BodyMotion& motion = state.bodies[i];
     const Attachment centre{static_cast<int>(i), body.centre};
     const Vector3d force = body.mass * (acceleration_of(state, centre) - mechanism.gravity);
@@ -140,7 +140,7 @@ void check_balance(const Chain& chain, double time, double tolerance = 1e-10) {
   CHECK(std::abs(balance.power) <= 10.0 * tolerance * balance.size);
 }
 
-void give_mass(Body& body, double mass, const Vector3d& centre, const Vector3d& inertia) {
+void set_mass(spatial::Body& body, double mass, const Vector3d& centre, const Vector3d& inertia) {
   body.mass = mass;
   body.centre = centre;
   body.inertia = inertia.asDiagonal();
@@ -168,9 +168,9 @@ Mechanism slider_crank() {
   rod = add(mechanism, joint_of("hook.2", JointKind::revolute, rod, Vector3d::Zero(), k), true);
   mechanism.closing.push_back(
       closing("ball", ClosingKind::spherical, {on_crank, {0.0, 0.0, 0.08}}, {rod, 0.3 * along}));
-  give_mass(mechanism.bodies[0], 0.12, {0.0, 0.0, 0.04}, {1e-4, 1e-4, 1e-5});
-  give_mass(mechanism.bodies[1], 2.0, Vector3d::Zero(), {1e-4, 1e-4, 1e-4});
-  Body& body = mechanism.bodies[static_cast<std::size_t>(rod)];
+  set_mass(mechanism.bodies[0], 0.12, {0.0, 0.0, 0.04}, {1e-4, 1e-4, 1e-5});
+  set_mass(mechanism.bodies[1], 2.0, Vector3d::Zero(), {1e-4, 1e-4, 1e-4});
+  spatial::Body& body = mechanism.bodies[static_cast<std::size_t>(rod)];
   body.mass = 0.5;
   body.centre = 0.15 * along;
   body.inertia =
@@ -273,8 +273,8 @@ TEST_CASE("A crank and a rocker in space follow the closed form of their rod's l
   mechanism.closing.push_back(
       closing("rod", ClosingKind::distance, {a, {r, 0.0, 0.0}}, {b, {0.0, 0.0, R}}));
   mechanism.closing.back().length = PolynomialDriver{{l}};
-  give_mass(mechanism.bodies[0], 3.0, {0.1, 0.0, 0.0}, {0.01, 0.02, 0.03});
-  give_mass(mechanism.bodies[1], 5.0, {0.0, 0.1, 0.3}, {0.4, 0.3, 0.2});
+  set_mass(mechanism.bodies[0], 3.0, {0.1, 0.0, 0.0}, {0.01, 0.02, 0.03});
+  set_mass(mechanism.bodies[1], 5.0, {0.0, 0.1, 0.3}, {0.4, 0.3, 0.2});
   const Chain chain(mechanism);
   const auto psi_at = [&](double time) {
     const double phi = driver_at(mechanism.joints[0].driver, time).value;
@@ -449,7 +449,7 @@ TEST_CASE("Six cylinders hold a platform where their lengths say") {
         add(mechanism,
             joint_of("turn", JointKind::revolute, body, Vector3d::Zero(), Vector3d::Unit(k)), true);
   mechanism.joints[2].start = 0.9;
-  give_mass(mechanism.bodies.back(), 200.0, {0.02, -0.05, 0.1}, {12.0, 15.0, 20.0});
+  set_mass(mechanism.bodies.back(), 200.0, {0.02, -0.05, 0.1}, {12.0, 15.0, 20.0});
   // About it the lengths are polynomials of degree five through the motion's exact ones.
   const auto pose = [](double t) {
     return std::pair(rotation_about({0.1 * t, -0.2 * t * t, 0.3 * t}),
