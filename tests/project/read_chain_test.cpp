@@ -212,7 +212,8 @@ TEST_CASE("joints that close loops leave free what nothing drives, from near its
       "start = \"-20 deg\"\n"
       "[joints.cylinder]\nkind = \"distance\"\nconnect = [\"ground\", \"arm.side\"]\n"
       "at = [\"0 m\", \"0 m\", \"-1 m\"]\n"
-      "[drivers.stroke]\njoint = \"cylinder\"\nkind = \"hold\"\nvalue = \"1.3 m\"\n" +
+      "[drivers.stroke]\njoint = \"cylinder\"\nkind = \"hold\"\nvalue = \"1.3 m\"\n"
+      "[motion]\nduration = \"1 s\"\n" +
       weld;
   const Project project = read(loop);
   const spatial::Mechanism& mechanism = spatial_of(project);
@@ -233,7 +234,8 @@ TEST_CASE("joints that close loops leave free what nothing drives, from near its
       "start = [\"10 deg\"]\nstart_shift = [\"0.1 m\"]\n" +
       weld +
       "[drivers.a]\njoint = \"hinge.1\"\nkind = \"hold\"\nvalue = \"0 deg\"\n"
-      "[drivers.b]\njoint = \"hinge.2\"\nkind = \"hold\"\nvalue = \"0.1 m\"\n");
+      "[drivers.b]\njoint = \"hinge.2\"\nkind = \"hold\"\nvalue = \"0.1 m\"\n"
+      "[motion]\nduration = \"1 s\"\n");
   CHECK(joint(series, "hinge.1").kind == spatial::JointKind::revolute);
   CHECK(joint(series, "hinge.2").kind == spatial::JointKind::prismatic);
   CHECK(joint(series, "hinge.2").start == Approx(0.1));

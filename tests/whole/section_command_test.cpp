@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <utility>
 
 #include "catch.hpp"
@@ -116,7 +117,8 @@ TEST_CASE("section under forces: plates with stiffeners") {
   CHECK_FALSE(stiffened.contains("reduced_stress"));
   CHECK(plain.contains("reduced_stress"));
   const test::ProgramResult text = test::run_program({"section", with, "--forces", "N = -1000 kN"});
-  CHECK(text.out.find("not\n  computed of plates that stiffeners divide") != std::string::npos);
+  const std::string unbroken = std::regex_replace(text.out, std::regex("\\s+"), " ");
+  CHECK(unbroken.find("not computed of plates that stiffeners divide") != std::string::npos);
   // 10 x 20 mm: gamma = I/(b t^3/10.92) of a few.
   const test::ProgramResult weak =
       test::run_program({"section", box("weak.toml", 20.0), "--forces", forces});

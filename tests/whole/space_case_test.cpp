@@ -58,7 +58,7 @@ bool contains(const std::string& text, const std::string& part) {
 TEST_CASE("motion of a case in space: keys in their order, the values of the chain", "[space]") {
   const Json document = motion_document({"--at", "0.2"});
   CHECK(keys_of(document) == std::vector<std::string>{"schema", "kind", "axes",
-                                                      "degrees_of_freedom", "states",
+                                                      "degrees_of_freedom", "loops", "states",
                                                       "hand_formulas"});
   CHECK(document["schema"] == "boxbeam.motion/1");
   CHECK(document["kind"] == "spatial");
@@ -98,7 +98,7 @@ TEST_CASE("motion of a case in space: keys in their order, the values of the cha
   CHECK((vector(at["points"]["C"]["acceleration"]) - spatial::acceleration_of(state, C)).norm() <
         1e-12);
   CHECK(keys_of(at["joints"]["hinge"]) ==
-        std::vector<std::string>{"on", "force", "moment", "drive"});
+        std::vector<std::string>{"on", "force", "moment", "drive", "coordinate", "rate", "unique"});
   CHECK(at["joints"]["hinge"]["on"] == "leg");
   CHECK(at["joints"]["foot"]["drive"].is_null());
 }
