@@ -65,7 +65,7 @@ auto resist_tension(Record& record, const PulledRod& rod) {
 template <class Record, class E, class I, class L>
 auto critical_force(Record& record, const PressedRod& rod, const E& youngs_modulus,
                     const I& inertia, const L& length) {
-  const auto bending = column::euler_force(record, youngs_modulus, inertia, length);
+  auto bending = column::euler_force(record, youngs_modulus, inertia, length);
   using Value = std::decay_t<decltype(bending)>;
   if (!rod.twisting) return bending;
   const TwistingRod& of = *rod.twisting;

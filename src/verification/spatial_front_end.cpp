@@ -264,8 +264,8 @@ class SpatialFrontEnd : public FrontEnd {
 
   std::vector<AssemblyResult> assemblies(double) const override {
     throw InputError(
-        "the assemblies of a mechanism in space are not listed: a chain has one only, "
-        "and loops stand where the joints' \"start\" says",
+        "a mechanism in space has one assembly: a chain no other, and loops stand nearest "
+        "to the \"start\" of their joints",
         "leave out --assemblies");
   }
 };
