@@ -172,7 +172,7 @@ std::string bounds_obstacle(const Project& project, const Station& station, Leng
 }  // namespace
 
 std::optional<Length> path_panel_length_at(const Project& project, const Station& station) {
-  const auto length = panel_length_at(project.beam, station);
+  auto length = panel_length_at(project.beam, station);
   const Supports of = supports_around(project.beam, station);
   if (!length || !of.before || !of.behind) return length;
   const bool bounded = bounds_obstacle(project, {*of.before, Side::behind}, *length).empty() &&

@@ -327,7 +327,7 @@ class Estimating {
     growth_across_.add(with_modulus_across(across), factor);
     constexpr double slight = 100.0;  // times its loads
     if (const auto whole = run.motion->critical_factor(run.loads, slight); whole && *whole < slight)
-      result_.sway = std::max(result_.sway, *whole > 1.0 ? 1.0 / (*whole - 1.0) : unbounded);
+      result_.sway = std::max(result_.sway, 1.0 / std::max(*whole - 1.0, 0.0));  // may be infinite
     // By the section modulus of the other plane, which a ratio does not know.
     if (across.straight.rows() > 0) {
       result_.change = std::max(*result_.change, across.relative());
