@@ -39,7 +39,7 @@ std::string bodies_table(const std::vector<ChainBody>& bodies) {
     std::vector<std::string> row{body.name};
     add(row, body.omega, omega);
     add(row, body.alpha, alpha);
-    table.row(std::move(row));
+    table.row(row);
   }
   return table.text();
 }
@@ -58,7 +58,7 @@ std::string inertia_table(const std::vector<ChainBody>& bodies) {
     add(row, body.inertia_force, force);
     add(row, body.inertia_moment, moment);
     add(row, body.gyroscopic_moment, moment);
-    table.row(std::move(row));
+    table.row(row);
   }
   return any ? "\n" + table.text() : "";
 }
@@ -75,7 +75,7 @@ std::string points_table(const std::vector<ChainPoint>& points) {
     add(row, point.position, position);
     add(row, point.velocity, velocity);
     add(row, point.acceleration, acceleration);
-    table.row(std::move(row));
+    table.row(row);
   }
   return "\n" + table.text();
 }
@@ -103,7 +103,7 @@ std::string joints_table(const spatial::Mechanism& mechanism,
                       : (fixed ? "fixed" : "-"));
     row.push_back(joint.coordinate ? number(joint.coordinate->value, 0.0) + (turns ? " rad" : " m")
                                    : "-");
-    table.row(std::move(row));
+    table.row(row);
   }
   return "\n" + table.text();
 }

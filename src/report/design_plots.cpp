@@ -256,19 +256,22 @@ std::optional<Drawing> front(const OptimumReport& of) {
     x.push_back(point.goals[0]);
     y.push_back(point.goals[1]);
   }
-  const auto padded = [](std::vector<double> values) {
-    auto [low, high] = range_of(values);
+  const auto padded = [](const std::vector<double>& values) {
+    const auto [low, high] = range_of(values);
     const double room = high > low ? 0.35 * (high - low) : 0.1 * std::abs(high) + 1e-300;
     return std::pair(low - 0.3 * room, high + room);
   };
-  const auto [x_low, x_high] = padded(x);
-  const auto [y_low, y_high] = padded(y);
+  const auto along_x = padded(x);
+  const auto along_y = padded(y);
   Drawing drawing{figure_width, 340.0, {}};
-  const Panel panel{
-      {70.0, 62.0, figure_width - 16.0, 340.0 - heading_room}, x_low, x_high, y_low, y_high};
+  const Panel panel{{70.0, 62.0, figure_width - 16.0, 340.0 - heading_room},
+                    along_x.first,
+                    along_x.second,
+                    along_y.first,
+                    along_y.second};
   put_axes(drawing, panel);
   const auto inside = [&](double a, double b) {
-    return a >= x_low && a <= x_high && b >= y_low && b <= y_high;
+    return a >= along_x.first && a <= along_x.second && b >= along_y.first && b <= along_y.second;
   };
   const DesignColumn* const verdict = verdict_of(of.judged);
   if (first != nullptr && second != nullptr)
