@@ -165,7 +165,7 @@ Eigen::Matrix<double, 3, 6> along_walls(const WallGraph& graph, const FlowsIn& f
   for (std::size_t i = 0; i < graph.walls.size(); ++i) {
     const Wall& wall = graph.walls[i];
     const double length = length_of(wall);
-    const WallFlows flows = flows_in_wall(i);
+    const WallFlows& flows = flows_in_wall(i);
     at_gauss_points([&](std::size_t k, double f, double weight) {
       const Vector2d at = point_on(wall, f);
       add_force(sum, flows.inside[k], at, at + weight * length * direction_on(wall, f));

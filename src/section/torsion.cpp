@@ -194,7 +194,7 @@ Area enclosed_area_of(const Profile& profile) {
 }
 
 std::optional<SecondMoment> torsion_constant_of(const Section& section) {
-  const auto outer = torsion_constant_of(section.outer);
+  auto outer = torsion_constant_of(section.outer);
   if (!outer || !section.inner) return outer;
   const auto inner = torsion_constant_of(*section.inner);
   return inner ? std::optional(*outer + *inner) : std::nullopt;
