@@ -179,11 +179,11 @@ void Loops::choose_rows(const Tree& tree, const State& state) {
     const Eigen::Index left = columns - rank;
     throw AnalysisError(
         {fmt::format(
-             "the loops leave {} freedom{} that nothing drives: joints {} can move; drive as many "
+             "the loops leave {} freedom{} that nothing drives, in joint{} {}; drive as many "
              "of them, or take freedom away where a body only turns about the line between two "
              "ball "
              "joints (one of them universal). In a dead point at t = 0 begin at another posture",
-             left, left == 1 ? "" : "s", fmt::join(names, ", ")),
+             left, left == 1 ? "" : "s", names.size() == 1 ? "" : "s", fmt::join(names, ", ")),
          "joint " + names.front(),
          0.0,
          {},
@@ -219,22 +219,9 @@ void Loops::judge_uniqueness(const Tree& tree, const State& state) {
     largest = std::max({largest, joint.force.norm(), joint.moment.norm() / size_});
   const double size = 1e3 * largest;  // of the forces that are tried: above round-off of the others
   for (Eigen::Index c = 0; c < held.cols(); ++c) {
-    std::vector<Wrench> closing(mechanism.closing.size());
-    for (Eigen::Index r = 0; r < rows; ++r) {
-      const LoopRow& row = rows_[static_cast<std::size_t>(r)];
-      const Wrench of = wrench_of(mechanism, row, state);
-      const double multiplier = size * size_ * row_scale_[r] * held(r, c);
-      closing[row.joint].force += multiplier * of.force;
-      closing[row.joint].moment += multiplier * of.moment;
-    }
-    std::vector<BodyWrench> others;
-    for (std::size_t i = 0; i < closing.size(); ++i) {
-      const ClosingJoint& joint = mechanism.closing[i];
-      const Eigen::Vector3d place = position_of(state, joint.b);
-      others.push_back({joint.b.body, place, closing[i]});
-      others.push_back({joint.a.body, place, {-closing[i].force, -closing[i].moment}});
-    }
-    tree.wrenches(state, others, with);
+    const Eigen::VectorXd multipliers = size * size_ * row_scale_.cwiseProduct(held.col(c));
+    const std::vector<Wrench> closing = closing_wrenches(mechanism, rows_, multipliers, state);
+    tree.wrenches(state, on_both_bodies(mechanism, closing, state), with);
     const auto judge = [&](std::size_t index, const Wrench& change) {
       if (change.force.norm() + change.moment.norm() / size_ > 1e-6 * size) unique_[index] = 0;
     };

@@ -126,6 +126,30 @@ Wrench wrench_of(const Mechanism& mechanism, const LoopRow& row, const State& st
           Vector3d::Zero()};
 }
 
+std::vector<Wrench> closing_wrenches(const Mechanism& mechanism, const std::vector<LoopRow>& rows,
+                                     const Eigen::VectorXd& multipliers, const State& state) {
+  std::vector<Wrench> closing(mechanism.closing.size());
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const double multiplier = multipliers[static_cast<Eigen::Index>(r)];
+    const Wrench of = wrench_of(mechanism, rows[r], state);
+    closing[rows[r].joint].force += multiplier * of.force;
+    closing[rows[r].joint].moment += multiplier * of.moment;
+  }
+  return closing;
+}
+
+std::vector<BodyWrench> on_both_bodies(const Mechanism& mechanism,
+                                       const std::vector<Wrench>& closing, const State& state) {
+  std::vector<BodyWrench> wrenches;
+  for (std::size_t i = 0; i < closing.size(); ++i) {
+    const ClosingJoint& joint = mechanism.closing[i];
+    const Vector3d place = position_of(state, joint.b);
+    wrenches.push_back({joint.b.body, place, closing[i]});
+    wrenches.push_back({joint.a.body, place, {-closing[i].force, -closing[i].moment}});
+  }
+  return wrenches;
+}
+
 bool stands_right(const ClosingJoint& joint, const State& state) {
   const auto same = [&](const Vector3d& of_a) {
     const Vector3d of_b = joint.turn.transpose() * of_a;

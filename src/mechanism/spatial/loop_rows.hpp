@@ -22,6 +22,15 @@ RowMotion motion_of(const Mechanism& mechanism, const LoopRow& row, const State&
 /// place: the gradient of the equation.
 Wrench wrench_of(const Mechanism& mechanism, const LoopRow& row, const State& state);
 
+/// What closing joints do to their bodies b by the multipliers of all rows, about their places
+/// there.
+std::vector<Wrench> closing_wrenches(const Mechanism& mechanism, const std::vector<LoopRow>& rows,
+                                     const Eigen::VectorXd& multipliers, const State& state);
+
+/// The same on both bodies of each.
+std::vector<BodyWrench> on_both_bodies(const Mechanism& mechanism,
+                                       const std::vector<Wrench>& closing, const State& state);
+
 /// Whether a closing joint stands as it says and not turned by half a turn, which leaves its
 /// equations zero as well.
 bool stands_right(const ClosingJoint& joint, const State& state);

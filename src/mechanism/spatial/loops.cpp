@@ -221,27 +221,18 @@ void Loops::wrenches(const Tree& tree, const State& state, std::vector<Wrench>& 
     needed[k] = column_scale_[k] *
                 axis.dot(joint.kind == JointKind::revolute ? joints[i].moment : joints[i].force);
   }
-  std::vector<Wrench> closing(mechanism.closing.size());
-  std::vector<BodyWrench> others;
+  // Rows that others imply carry nothing: where that matters, what is carried is not unique.
+  Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows_.size()));
   if (count > 0) {
     const Eigen::MatrixXd J = jacobian(tree, state, chosen_);
-    const Eigen::VectorXd multipliers = J.transpose().partialPivLu().solve(needed);
+    const Eigen::VectorXd of_chosen = J.transpose().partialPivLu().solve(needed);
     for (Eigen::Index r = 0; r < count; ++r) {
-      const std::size_t index = chosen_[static_cast<std::size_t>(r)];
-      const LoopRow& row = rows_[index];
-      const double multiplier = row_scale_[static_cast<Eigen::Index>(index)] * multipliers[r];
-      const Wrench of = wrench_of(mechanism, row, state);
-      closing[row.joint].force += multiplier * of.force;
-      closing[row.joint].moment += multiplier * of.moment;
+      const auto row = static_cast<Eigen::Index>(chosen_[static_cast<std::size_t>(r)]);
+      multipliers[row] = row_scale_[row] * of_chosen[r];
     }
-    for (std::size_t i = 0; i < closing.size(); ++i) {
-      const ClosingJoint& joint = mechanism.closing[i];
-      const Eigen::Vector3d place = position_of(state, joint.b);
-      others.push_back({joint.b.body, place, closing[i]});
-      others.push_back({joint.a.body, place, {-closing[i].force, -closing[i].moment}});
-    }
-    tree.wrenches(state, others, joints);
   }
+  const std::vector<Wrench> closing = closing_wrenches(mechanism, rows_, multipliers, state);
+  if (count > 0) tree.wrenches(state, on_both_bodies(mechanism, closing, state), joints);
   joints.insert(joints.end(), closing.begin(), closing.end());
 }
 
