@@ -166,8 +166,7 @@ Entry section_entry(CLI::App& app) {
   add_json(command, options->json, "properties", "the text");
   return {&command,
           {"boxbeam section \"RHS 200x100x8\"",
-           "boxbeam section \"box 600x1224 flange 12 web 8\" --forces \"N = -600 kN, M_y = 1500 kN "
-           "m\""},
+           "boxbeam section \"box 600x1224 flange 12 web 8\" --forces \"M_y = 1500 kN m\""},
           [options] { return run_section(*options); }};
 }
 

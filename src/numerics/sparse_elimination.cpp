@@ -371,6 +371,24 @@ void SparseEliminationOf<Scalar>::solve_transposed(const Vector& b, Vector& y) c
   for (std::size_t k = 0; k < n; ++k) y[pivot_row_[k]] = right[k];
 }
 
+Eigen::SparseMatrix<double> SparsePattern::scaled(const std::vector<double>& values,
+                                                  const Eigen::VectorXd& row_scale,
+                                                  const Eigen::VectorXd& col_scale) const {
+  Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(rows, cols);
+  matrix.reserve(static_cast<Eigen::Index>(entries()));
+  for (Eigen::Index r = 0; r < rows; ++r) {
+    matrix.startVec(r);
+    const auto begin = static_cast<std::size_t>(row_start[static_cast<std::size_t>(r)]);
+    const auto end = static_cast<std::size_t>(row_start[static_cast<std::size_t>(r) + 1]);
+    for (std::size_t e = begin; e < end; ++e)
+      matrix.insertBackByOuterInnerUnordered(r, col[e]) =
+          row_scale[r] * values[e] * col_scale[col[e]];
+  }
+  matrix.finalize();
+  // By columns; turning it sorts them.
+  return matrix;
+}
+
 template class SparseEliminationOf<float>;
 template class SparseEliminationOf<double>;
 template class SparseEliminationOf<long double>;

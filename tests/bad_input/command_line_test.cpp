@@ -220,7 +220,11 @@ TEST_CASE("loads that a case cannot give are refused with the reason", "[bad_inp
 TEST_CASE("output that cannot be written ends with 4", "[bad_input]") {
   const test::TemporaryFolder folder;
   const std::string file = folder.write("file", "a regular file");
-  refused({"verify", rig, "--out", file + "/report"}, {file + "/report cannot be made"}, 4);
+  for (const std::string& folder_wanted : {file + "/report", std::string("/proc/x/y")}) {
+    refused({"verify", rig, "--out", folder_wanted}, {folder_wanted + " cannot be made"}, 4);
+    // Known before anything is calculated: no summary stands before it.
+    CHECK(test::run_program({"verify", rig, "--out", folder_wanted}).out.empty());
+  }
   refused({"motion", rig, "--json", file + "/motion.json"}, {file}, 4);
   CHECK(test::read_file(file) == "a regular file");
 

@@ -227,11 +227,16 @@ TEST_CASE("width: on a terminal of 80 columns no line is broken by it", "[termin
         Words{"explain", "fatigue", rig}, Words{"motion", rig, "--at", "1"}, Words{"motion", gear},
         Words{"motion", truck}, Words{"motion", rig, "--assemblies"},
         Words{"section", "RHS 200x100x8"}, Words{"compare", gear, values},
+        Words{"section", "box 600x1224 flange 12 web 8", "--forces", "N = -600 kN, M_y = 1500 kN m"},
         Words{"fatigue", history, "--detail", "71", "--shear-detail", "80"}}) {
     INFO(command[0] << " " << (command.size() > 1 ? command[1] : ""));
     const std::size_t narrow = longest(on_terminal(command, {{"COLUMNS", "80"}}));
     CHECK(narrow > 30);
     CHECK(narrow <= 80);
+  }
+  for (const std::string& command : commands) {
+    INFO(command);
+    CHECK(longest(on_terminal({command, "--help"}, {{"COLUMNS", "80"}})) <= 80);
   }
   // The terminal itself, where it has a size; a wide one is used.
   CHECK(longest(on_terminal({"motion", gear}, {}, 80)) <= 80);

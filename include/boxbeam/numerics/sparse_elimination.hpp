@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <cstdint>
 #include <vector>
 
@@ -28,6 +29,10 @@ struct SparsePattern {
     }
     return matrix;
   }
+  /// row_scale * `values` * col_scale as a matrix of Eigen's.
+  Eigen::SparseMatrix<double> scaled(const std::vector<double>& values,
+                                     const Eigen::VectorXd& row_scale,
+                                     const Eigen::VectorXd& col_scale) const;
 };
 
 /// Gaussian elimination of sparse matrices of one pattern, in an order of pivots that is chosen

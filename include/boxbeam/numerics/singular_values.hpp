@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+namespace boxbeam {
+
+/// What of the singular values of a matrix says how near it is to a singular one.
+struct SingularValues {
+  double largest = 0.0;
+  /// The smallest ones, descending, without those that surely count (all below `wanted` of the
+  /// largest, and the one before): of all its columns, zeros included where it has fewer rows.
+  Eigen::VectorXd smallest;
+  Eigen::MatrixXd vectors;  ///< what they belong to, columns in the same order
+};
+
+/// Largest and smallest singular values of A with right singular vectors. `wanted`: all that are
+/// below it, relative to the largest, are found, and the next above them.
+///
+/// Up to `dense_below` columns by the SVD of the whole matrix. Above, the smallest by iteration of
+/// a block of vectors with (A^T A + delta^2)^-1, factored once, delta = 1e-7 of the largest: what
+/// lies below delta is brought up in one or two steps, and the block's own values are those of the
+/// SVD of A times the block, so that squaring costs no digit. The block grows until it holds one
+/// value that surely counts. The largest by Lanczos' method. Memory and time grow with the entries
+/// of the factor, times the number of small values.
+/// Source: Golub and Van Loan, Matrix Computations (1996), sections 8.2.4, 8.6, 9.1.
+SingularValues smallest_singular_values(const Eigen::SparseMatrix<double>& A, double wanted,
+                                        Eigen::Index dense_below = 150);
+
+}  // namespace boxbeam

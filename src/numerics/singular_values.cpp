@@ -1,0 +1,130 @@
+#include "boxbeam/numerics/singular_values.hpp"
+
+#include <Spectra/SymEigsSolver.h>
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace boxbeam {
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// How many at the end of descending values are wanted.
+Eigen::Index wanted_at_end(const Eigen::VectorXd& values, double bound) {
+  Eigen::Index count = 0;
+  while (count < values.size() && values[values.size() - 1 - count] <= bound) ++count;
+  return std::min(count + 1, values.size());
+}
+
+SingularValues by_svd(const Sparse& A, double wanted) {
+  const Eigen::Index columns = A.cols();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(Eigen::MatrixXd(A), Eigen::ComputeFullV);
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(columns);
+  values.head(svd.singularValues().size()) = svd.singularValues();
+  SingularValues found;
+  found.largest = columns > 0 ? values[0] : 0.0;
+  const Eigen::Index count = wanted_at_end(values, wanted * found.largest);
+  found.smallest = values.tail(count);
+  found.vectors = svd.matrixV().rightCols(count);
+  return found;
+}
+
+/// A^T A times a vector, as Spectra asks for it.
+class Squared {
+ public:
+  using Scalar = double;
+  explicit Squared(const Sparse& A) : A_(A), transposed_(A.transpose()) {}
+  Eigen::Index rows() const { return A_.cols(); }
+  Eigen::Index cols() const { return A_.cols(); }
+  void perform_op(const double* from, double* to) const {
+    const Eigen::Map<const Eigen::VectorXd> x(from, A_.cols());
+    Eigen::Map<Eigen::VectorXd>(to, A_.cols()) = transposed_ * (A_ * x);
+  }
+
+ private:
+  const Sparse& A_;
+  Sparse transposed_;
+};
+
+double largest_of(const Sparse& A) {
+  Squared squared(A);
+  Spectra::SymEigsSolver<Squared> solver(squared, 1, 30);
+  solver.init();
+  solver.compute(Spectra::SortRule::LargestAlge, 300, 1e-10);
+  // Between the largest value of a row's sum and itself; it is only what others are measured by.
+  if (solver.info() != Spectra::CompInfo::Successful) return A.norm();
+  return std::sqrt(std::max(0.0, solver.eigenvalues()[0]));
+}
+
+Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(columns);
+  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), columns.cols());
+}
+
+/// The smallest values of A with `count` vectors.
+SingularValues by_iteration(const Sparse& A, const Eigen::SimplicialLDLT<Sparse>& inverse,
+                            double largest, double wanted, Eigen::Index count) {
+  constexpr int most_steps = 200;
+  constexpr double close = 1e-10;
+  const double round_off = 1e-14 * largest;
+  // The same start each time: fixed columns without a pattern that a mechanism could share.
+  Eigen::MatrixXd block(A.cols(), count);
+  double number = 0.5;
+  for (double& entry : block.reshaped()) {
+    number = std::fmod(number * 997.0 + 0.618033988749895, 1.0);
+    entry = number - 0.5;
+  }
+  block = orthonormal(block);
+  SingularValues found;
+  found.largest = largest;
+  Eigen::VectorXd before;
+  for (int step = 0; step < most_steps; ++step) {
+    block = orthonormal(inverse.solve(block));
+    const Eigen::MatrixXd image = A * block;
+    const Eigen::MatrixXd corner = Eigen::HouseholderQR<Eigen::MatrixXd>(image)
+                                       .matrixQR()
+                                       .topRows(std::min(image.rows(), count))
+                                       .triangularView<Eigen::Upper>();
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(corner, Eigen::ComputeFullV);
+    block *= svd.matrixV();
+    Eigen::VectorXd values = Eigen::VectorXd::Zero(count);
+    values.head(svd.singularValues().size()) = svd.singularValues();
+    const Eigen::Index used = wanted_at_end(values, wanted * largest);
+    found.smallest = values.tail(used);
+    found.vectors = block.rightCols(used);
+    const bool settled =
+        before.size() == count && ((values.tail(used) - before.tail(used)).array().abs() <=
+                                   close * values.tail(used).array() + round_off)
+                                      .all();
+    if (settled && step > 1) break;
+    before = values;
+  }
+  return found;
+}
+
+}  // namespace
+
+SingularValues smallest_singular_values(const Sparse& A, double wanted, Eigen::Index dense_below) {
+  if (A.cols() <= dense_below) return by_svd(A, wanted);
+  const double largest = largest_of(A);
+  SingularValues found;
+  if (largest == 0.0) return by_svd(A, wanted);
+  const double delta = 1e-7 * largest;
+  Sparse shifted = A.transpose() * A;
+  Sparse unit(A.cols(), A.cols());
+  unit.setIdentity();
+  shifted += delta * delta * unit;
+  const Eigen::SimplicialLDLT<Sparse> inverse(shifted);
+  for (Eigen::Index count = 8;; count *= 2) {
+    if (inverse.info() != Eigen::Success || 2 * count > A.cols()) return by_svd(A, wanted);
+    found = by_iteration(A, inverse, largest, wanted, count);
+    // Otherwise the block may have been too narrow for all that are wanted.
+    if (found.smallest.size() < count) return found;
+  }
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,95 @@
+// The smallest singular values of sparse matrices: the iteration against the SVD of the whole
+// matrix, and against matrices whose values and null vectors are known by their making.
+
+#include "boxbeam/numerics/singular_values.hpp"
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "catch.hpp"
+
+namespace singular_values_test {
+
+using namespace boxbeam;
+
+namespace {
+
+/// A band of random entries; `repeated` columns are sums of two others, up to `noise`.
+Eigen::SparseMatrix<double> random_band(Eigen::Index rows, Eigen::Index cols, int repeated,
+                                        double noise, std::mt19937& random) {
+  std::uniform_real_distribution<double> entry(-1.0, 1.0);
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(rows, cols);
+  for (Eigen::Index c = 0; c < cols; ++c) {
+    const Eigen::Index middle = c * rows / cols;
+    for (Eigen::Index r = std::max<Eigen::Index>(0, middle - 3); r < std::min(rows, middle + 4);
+         ++r)
+      dense(r, c) = entry(random);
+    dense(middle, c) += 3.0;
+  }
+  for (int k = 0; k < repeated; ++k) {
+    const Eigen::Index c = 5 + 7 * k;
+    dense.col(c) = dense.col(c - 1) + dense.col(c + 1);
+    dense(c, c) += noise;
+  }
+  return dense.sparseView();
+}
+
+}  // namespace
+
+TEST_CASE("small singular values and their vectors are those of the whole SVD") {
+  std::mt19937 random(11);
+  for (const double noise : {0.0, 1e-12, 1e-8, 1e-6, 1e-3}) {
+    for (const int repeated : {0, 1, 3, 12}) {
+      for (const Eigen::Index more : {-4, 0, 6}) {
+        CAPTURE(noise, repeated, more);
+        const Eigen::SparseMatrix<double> A = random_band(160 + more, 160, repeated, noise, random);
+        const SingularValues found = smallest_singular_values(A, 1e-5, 0);
+        const SingularValues whole = smallest_singular_values(A, 1e-5, 1000);
+        REQUIRE(found.smallest.size() == whole.smallest.size());
+        CHECK(found.largest == Approx(whole.largest).epsilon(1e-9));
+        for (Eigen::Index i = 0; i < found.smallest.size(); ++i) {
+          CHECK(found.smallest[i] ==
+                Approx(whole.smallest[i]).epsilon(1e-6).margin(1e-13 * whole.largest));
+        }
+        // The space of those that do not count: each whole vector lies in the found ones.
+        const Eigen::Index none = found.smallest.size() - 1;
+        if (none == 0) continue;
+        const Eigen::MatrixXd in = found.vectors.rightCols(none);
+        const Eigen::MatrixXd other = whole.vectors.rightCols(none);
+        CHECK((in * (in.transpose() * other) - other).norm() <= 1e-8);
+        CHECK((A * in).colwise().norm().maxCoeff() <= 1e-5 * whole.largest + 1e-13);
+      }
+    }
+  }
+}
+
+TEST_CASE("a long chain has the values of its closed form") {
+  // Differences of neighbours, both ends held: singular values 2 cos(k pi/(2(n + 1))).
+  const Eigen::Index n = 3000;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    entries.emplace_back(i, i, 1.0);
+    entries.emplace_back(i + 1, i, -1.0);
+  }
+  Eigen::SparseMatrix<double> A(n + 1, n);
+  A.setFromTriplets(entries.begin(), entries.end());
+  const SingularValues of = smallest_singular_values(A, 1e-5);
+  const double step = 0.5 * std::numbers::pi / static_cast<double>(n + 1);
+  CHECK(of.largest == Approx(2.0 * std::cos(step)).epsilon(1e-6));
+  REQUIRE(of.smallest.size() == 1);
+  CHECK(of.smallest[0] == Approx(2.0 * std::sin(step)).epsilon(1e-8));
+  // Neither end held: one sum that differences do not see.
+  const SingularValues free = smallest_singular_values(A.transpose(), 1e-5);
+  REQUIRE(free.smallest.size() == 2);
+  CHECK(free.smallest[1] <= 1e-13);
+  CHECK((free.vectors.col(1).cwiseAbs().array() * std::sqrt(static_cast<double>(n + 1)) - 1.0)
+            .abs()
+            .maxCoeff() <= 1e-8);
+}
+
+}  // namespace singular_values_test
