@@ -61,7 +61,7 @@ void FlexibilityProfile::add(const Segment& of, double from, double to, int halv
     values[k] = prismatic && k > 0 ? values[0] : exact(Points::between(from, to, k));
   }
   borders_.push_back(to);
-  pieces_.push_back(values);
+  pieces_.push_back(entries_of(values));
   // The torsion constant of a box bends where the table of its corners has an entry.
   Flexibility within = Flexibility::Constant(1e-12);
   within.row(cut_force::T).setConstant(1e-10);
@@ -88,12 +88,33 @@ void FlexibilityProfile::add(const Segment& of, double from, double to, int halv
   }
 }
 
+std::vector<FlexibilityProfile::Entry> FlexibilityProfile::entries_of(
+    const std::array<Flexibility, nodes>& values) {
+  std::vector<Entry> entries;
+  for (Eigen::Index row = 0; row < 6; ++row) {
+    for (Eigen::Index column = 0; column < 6; ++column) {
+      Entry entry{row, column, {}};
+      bool any = false;
+      for (std::size_t k = 0; k < nodes; ++k) {
+        entry.values[k] = values[k](row, column);
+        any = any || entry.values[k] != 0.0;
+      }
+      if (any) entries.push_back(entry);
+    }
+  }
+  return entries;
+}
+
 Flexibility FlexibilityProfile::at(std::size_t piece, double s) const {
   const double from = borders_[piece], to = borders_[piece + 1];
   const Points::Shares shares = Points::shares_at((2.0 * s - from - to) / (to - from));
-  Flexibility sum = Flexibility::Zero();
-  for (std::size_t k = 0; k < nodes; ++k) sum += shares.weights[k] * pieces_[piece][k];
-  return sum / shares.sum;
+  Flexibility of = Flexibility::Zero();
+  for (const Entry& entry : pieces_[piece]) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < nodes; ++k) sum += shares.weights[k] * entry.values[k];
+    of(entry.row, entry.column) = sum / shares.sum;
+  }
+  return of;
 }
 
 }  // namespace boxbeam

@@ -248,6 +248,16 @@ void set_torsion(ShearFlow& flow, const Section& section) {
   }
 }
 
+/// Whether a thin-walled profile mirrors itself about both axes, as its sizes alone tell.
+bool mirrors_twice(const Profile& profile) {
+  if (const auto* box = std::get_if<Box>(&profile)) {
+    return box->stiffeners.empty() && box->top_flange == box->bottom_flange &&
+           box->left_web == box->right_web;
+  }
+  return std::holds_alternative<RectangularTube>(profile) ||
+         std::holds_alternative<RoundTube>(profile);
+}
+
 /// All that follows from the walls of a flow.
 void complete(ShearFlow& flow, const Section& section) {
   set_flow_of_components(flow);
@@ -327,6 +337,9 @@ Eigen::Matrix<double, 3, 6> resultants_of(const ShearFlow& flow) {
 
 std::optional<SectionPlace> shear_centre_of(const Section& section) {
   if (std::holds_alternative<Plate>(section.outer)) return SectionPlace{};
+  // It lies on both axes.
+  if (mirrors_twice(section.outer) && (!section.inner || mirrors_twice(*section.inner)))
+    return SectionPlace{};
   const auto flow = shear_flow_of(section, {}, {});
   if (!flow) return std::nullopt;
   // The torque about the beam axis that V_z and V_y need to pass without twist is y_s V_z - z_s

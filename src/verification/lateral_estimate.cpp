@@ -6,6 +6,7 @@
 
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/section/shear_flow.hpp"
 #include "boxbeam/section/torsion.hpp"
 #include "boxbeam/section/warping.hpp"
 
@@ -45,14 +46,14 @@ std::size_t nearest_of(const std::vector<double>& nodes, double s) {
 /// missing must not turn about an axis far away.
 std::optional<SectionPlace> shear_centre_in(const Section& section) {
   const auto* const path = std::get_if<ThinWalled>(&section.outer);
-  if (path == nullptr || section.inner) return torsion_properties_of(section).shear_centre;
+  if (path == nullptr || section.inner) return shear_centre_of(section);
   const SectionProperties of = properties_of(section);
   ThinWalled centred = *path;
   for (SectionPlace& node : centred.nodes) {
     node.y = node.y - of.centroid_y;
     node.z = node.z - of.centroid_z;
   }
-  const auto place = torsion_properties_of({centred, {}}).shear_centre;
+  const auto place = shear_centre_of({centred, {}});
   if (!place) return std::nullopt;
   return SectionPlace{place->y + of.centroid_y, place->z + of.centroid_z};
 }
@@ -125,6 +126,23 @@ SectionReach reach_at(const TaperedBeam& beam, double s) {
   return of;
 }
 
+/// What a section does against turning over, and how it bends.
+struct SectionTurning {
+  double upright, sideways;  ///< 1/(E I), as in bending along the webs and across them
+  double stiffness;          ///< G I_T
+  std::array<double, 2> turned;
+  SectionReach reach;
+};
+
+SectionTurning turning_of(const Section& section, double E, double G) {
+  const SectionProperties of = properties_of(section);
+  const double I_y = of.I_y.value(), I_z = of.I_z.value(), I_yz = of.I_yz.value();
+  // The section is free to bend both ways.
+  return {1.0 / (E * (I_y - I_yz * I_yz / I_z)), 1.0 / (E * (I_z - I_yz * I_yz / I_y)),
+          G * torsion_constant_of(section)->value(), turned_stresses_of(section),
+          reach_of(section)};
+}
+
 /// Force, along z and y, times its height above the shear centre at the edge where it turns the
 /// beam over; at none does it count as righting it.
 double tipping_at_edges(const std::array<double, 2>& force, const SectionReach& reach) {
@@ -194,21 +212,24 @@ void LateralEstimate::hold(const std::vector<double>& at, const BeamLoads& loads
   bool any_turned = false;
   twisting_.resize(count - 1);
   reach_.resize(count - 1);
+  node_reach_.assign(count, std::nullopt);
+  // Along a segment that does not taper all is as at the place before.
+  std::optional<Section> last;
+  SectionTurning of{};
   for (std::size_t e = 0; e + 1 < count; ++e) {
     const std::array<double, 2> places = gauss_places(beam_, e);
     beam_.warping_stiffness[e] = E * I_w[segment_at(beam, {si<Length>(places[0])})];
     for (std::size_t g = 0; g < 2; ++g) {
-      const Section section = section_at(beam, {si<Length>(places[g])});
-      const SectionProperties of = properties_of(section);
-      const double I_y = of.I_y.value(), I_z = of.I_z.value(), I_yz = of.I_yz.value();
-      // As in bending along the webs and across them: the section is free to bend both ways.
-      const double upright = 1.0 / (E * (I_y - I_yz * I_yz / I_z));
-      const double sideways = 1.0 / (E * (I_z - I_yz * I_yz / I_y));
-      beam_.turning_stiffness[e][g] = G * torsion_constant_of(section)->value();
-      by_M_y_[e][g] = std::max(0.0, sideways - upright);
-      by_M_z_[e][g] = std::max(0.0, upright - sideways);
-      turned_[e][g] = turned_stresses_of(section);
-      reach_[e][g] = reach_of(section);
+      Section section = section_at(beam, {si<Length>(places[g])});
+      if (!last || !(*last == section)) {
+        of = turning_of(section, E, G);
+        last = std::move(section);
+      }
+      beam_.turning_stiffness[e][g] = of.stiffness;
+      by_M_y_[e][g] = std::max(0.0, of.sideways - of.upright);
+      by_M_z_[e][g] = std::max(0.0, of.upright - of.sideways);
+      turned_[e][g] = of.turned;
+      reach_[e][g] = of.reach;
       any_turned = any_turned || turned_[e][g] != std::array{0.0, 0.0};
     }
   }
@@ -241,8 +262,9 @@ void LateralEstimate::tip(const BeamLoads& loads) {
   for (const PointLoad& load : loads.points) {
     const std::size_t i = nearest_of(beam_.nodes, load.s.value());
     if (beam_.held[i]) continue;
-    tipping_[i] += tipping_at_edges({load.force.z(), load.force.y()},
-                                    reach_at(project_->beam, beam_.nodes[i]));
+    std::optional<SectionReach>& reach = node_reach_[i];
+    if (!reach) reach = reach_at(project_->beam, beam_.nodes[i]);
+    tipping_[i] += tipping_at_edges({load.force.z(), load.force.y()}, *reach);
   }
   for (const LineLoad& line : loads.lines) {
     if (line.force[1].c == Polynomial<3>{}.c && line.force[2].c == Polynomial<3>{}.c) continue;

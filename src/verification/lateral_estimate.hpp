@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,6 +49,7 @@ class LateralEstimate {
   TurningBeam beam_;
   std::vector<std::array<double, 2>> by_M_y_, by_M_z_;  ///< 1/(E I) - 1/(E I_M) of the elements
   std::vector<std::array<SectionReach, 2>> reach_;
+  std::vector<std::optional<SectionReach>> node_reach_;  ///< of the nodes at which forces act
   /// Of int sigma r^2 dA the parts per M_y and per M_z; empty where there is none.
   std::vector<std::array<std::array<double, 2>, 2>> turned_;
   std::vector<std::array<double, 2>> twisting_;

@@ -48,12 +48,19 @@ class FlexibilityProfile {
   static constexpr std::size_t nodes = 13;
   using Points = ChebyshevPoints<nodes>;
 
+  /// What is not zero at all points: of most sections a few.
+  struct Entry {
+    Eigen::Index row, column;
+    std::array<double, nodes> values;
+  };
+  static std::vector<Entry> entries_of(const std::array<Flexibility, nodes>& values);
+
   void add(const Segment& segment, double from, double to, int halvings);
 
   double youngs_modulus_, shear_modulus_;
   bool twisted_;
   std::vector<double> borders_{0.0};
-  std::vector<std::array<Flexibility, nodes>> pieces_;
+  std::vector<std::vector<Entry>> pieces_;
 };
 
 }  // namespace boxbeam

@@ -52,6 +52,44 @@ bool stands_free(const MemberLoads& acting, double from, double to) {
   return !loaded && !acting.line_loaded && acting.heat.isZero(0.0);
 }
 
+/// Integral of B^T (f c + e): how far the section at `to` is shifted and turned from where the one
+/// at `from` would carry it, member axes; a column for each of those of c. Between `breaks`,
+/// ascending, c is a polynomial.
+template <int columns, class Cut>
+Eigen::Matrix<double, 6, columns> strains_between(const FlexibilityProfile& profile, double from,
+                                                  double to, const std::vector<double>& breaks,
+                                                  const Cut& cut, const Vector6& heat) {
+  using Rule = boost::math::quadrature::gauss<double, 15>;
+  const std::vector<double>& pieces = profile.borders();
+  Eigen::Matrix<double, 6, columns> sum = Eigen::Matrix<double, 6, columns>::Zero();
+  for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
+    const double first = std::max(from, pieces[k]), last = std::min(to, pieces[k + 1]);
+    if (!(first < last)) continue;
+    const auto add = [&](double s, double weight) {
+      const Eigen::Matrix<double, 6, columns> forces = cut(s);
+      const Flexibility f = profile.at(k, s);
+      const Matrix6 carried = carry(Vector3d(to - s, 0.0, 0.0));
+      for (Index j = 0; j < columns; ++j) {
+        const Vector6 strain = f * forces.col(j) + heat;
+        sum.col(j) += weight * (carried * strain);
+      }
+    };
+    double low = first;
+    while (low < last) {
+      const auto next = std::upper_bound(breaks.begin(), breaks.end(), low);
+      const double high = next == breaks.end() ? last : std::min(last, *next);
+      const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
+      for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
+        const double u = Rule::abscissa()[i], weight = half * Rule::weights()[i];
+        add(middle + half * u, weight);
+        if (u > 0.0) add(middle - half * u, weight);
+      }
+      low = high;
+    }
+  }
+  return sum;
+}
+
 const Member& member_of(const Structure& structure, int member) {
   return structure.members[static_cast<std::size_t>(member)];
 }
@@ -127,35 +165,12 @@ std::vector<MemberLoads> Statics::member_loads_of(const ActingLoads& loads) cons
   return members;
 }
 
-Vector6 Statics::strain_between(int member, double from, double to,
-                                const std::vector<double>& breaks,
-                                const std::function<Vector6(double s)>& cut,
-                                const Vector6& heat) const {
-  using Rule = boost::math::quadrature::gauss<double, 15>;
-  const FlexibilityProfile& profile = profiles_[static_cast<std::size_t>(member)];
-  const std::vector<double>& pieces = profile.borders();
-  Vector6 sum = Vector6::Zero();
-  for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
-    const double first = std::max(from, pieces[k]), last = std::min(to, pieces[k + 1]);
-    if (!(first < last)) continue;
-    const auto add = [&](double s, double weight) {
-      const Vector6 strain = profile.at(k, s) * cut(s) + heat;
-      sum += weight * (carry(Vector3d(to - s, 0.0, 0.0)) * strain);
-    };
-    double low = first;
-    while (low < last) {
-      const auto next = std::upper_bound(breaks.begin(), breaks.end(), low);
-      const double high = next == breaks.end() ? last : std::min(last, *next);
-      const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
-      for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
-        const double u = Rule::abscissa()[i], weight = half * Rule::weights()[i];
-        add(middle + half * u, weight);
-        if (u > 0.0) add(middle - half * u, weight);
-      }
-      low = high;
-    }
-  }
-  return sum;
+Matrix6 Statics::flexibility_between(int member, double from, double to) const {
+  const auto units = [&](double s) -> Matrix6 {
+    return carry(Vector3d(to - s, 0.0, 0.0)).transpose();
+  };
+  return strains_between<6>(profiles_[static_cast<std::size_t>(member)], from, to, {}, units,
+                            Vector6::Zero());
 }
 
 Equilibrium Statics::solve(const ActingLoads& loads) const {
@@ -187,7 +202,8 @@ Equilibrium Statics::solve(const ActingLoads& loads) const {
     const Matrix6 outwards = rotation(member.axes);
     load_node(piece.from, outwards * cut(from));
     const Vector6 misfit =
-        strain_between(piece.member, from, to, borders_of(acting.cut), cut, acting.heat);
+        strains_between<1>(profiles_[static_cast<std::size_t>(piece.member)], from, to,
+                           borders_of(acting.cut), cut, acting.heat);
     for (std::size_t i = 0; i < cuts.size(); ++i)
       right[row_of_piece(p) + static_cast<Index>(i)] = misfit[cuts[i]] / shift_unit(cuts[i]);
   }
@@ -252,11 +268,13 @@ Vector6 Statics::motion_at(int member, double s, const Equilibrium& of) const {
                       (world[k] < 3 ? length_ : 1.0);
   }
   const MemberLoads& acting = of.members[static_cast<std::size_t>(member)];
-  const auto cut = [&](double at) {
+  const auto cut = [&](double at) -> Vector6 {
     return vector_of(acting.cut.at({si<Length>(at), Side::behind}));
   };
   const Matrix6 outwards = rotation(member_of(*structure_, member).axes);
-  const Vector6 strain = strain_between(member, from, s, borders_of(acting.cut), cut, acting.heat);
+  const Vector6 strain =
+      strains_between<1>(profiles_[static_cast<std::size_t>(member)], from, s,
+                         borders_of(acting.cut), cut, acting.heat);
   return outwards * (carry(Vector3d(s - from, 0.0, 0.0)) * (outwards.transpose() * start) + strain);
 }
 

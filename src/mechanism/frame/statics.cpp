@@ -99,11 +99,7 @@ void Statics::assemble() {
   double softest = 0.0;
   for (const Piece& piece : pieces_) {
     const double from = nodes_[piece.from].s, to = nodes_[piece.to].s;
-    Matrix6 F;
-    for (Index k = 0; k < 6; ++k) {
-      const auto unit = [&](double s) { return carried_back(Vector6::Unit(k), to - s); };
-      F.col(k) = strain_between(piece.member, from, to, {}, unit, Vector6::Zero());
-    }
+    const Matrix6 F = flexibility_between(piece.member, from, to);
     softest = std::max({softest, F(1, 1), F(2, 2)});
     flexibilities_.push_back(0.5 * (F + F.transpose()));
   }

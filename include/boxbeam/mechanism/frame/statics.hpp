@@ -2,7 +2,6 @@
 
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
-#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -105,10 +104,9 @@ class Statics {
   std::size_t node_of(const Place& at) const;
   std::vector<MemberLoads> member_loads_of(const ActingLoads& loads) const;
   std::vector<LineLoad> lines_on(int member, const ActingLoads& loads) const;
-  /// Integral of B^T (f c + e): how far the section at `to` is shifted and turned from where the
-  /// one at `from` would carry it, member axes. Between `breaks`, ascending, c is a polynomial.
-  Vector6 strain_between(int member, double from, double to, const std::vector<double>& breaks,
-                         const std::function<Vector6(double s)>& cut, const Vector6& heat) const;
+  /// How far the section at `to` is shifted and turned from where the one at `from` would carry it,
+  /// per cut force at `to`, member axes.
+  Eigen::Matrix<double, 6, 6> flexibility_between(int member, double from, double to) const;
 
   const Structure* structure_;
   std::vector<FlexibilityProfile> profiles_;
