@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "boxbeam/section/polygon_walls.hpp"
 #include "boxbeam/strength/path_plates.hpp"
 
 namespace boxbeam {
@@ -103,7 +104,13 @@ std::vector<Panel> panels_of(const ThinWalled& path, const PlateMaterials& mater
 
 // Solids have no plate that could buckle.
 std::vector<Panel> panels_of(const Plate&, const PlateMaterials&) { return {}; }
-std::vector<Panel> panels_of(const Polygon&, const PlateMaterials&) { return {}; }
+
+// Of a polygon the thinnest part is a plate whose edges are not known to be held: an outstand.
+std::vector<Panel> panels_of(const Polygon& polygon, const PlateMaterials&) {
+  const auto wall = most_slender_wall_of(polygon);
+  if (!wall) return {};
+  return {{"thinnest wall of the polygon", wall->length, wall->thickness, outstand}};
+}
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "boxbeam/section/normal_stress.hpp"
+#include "boxbeam/section/polygon_walls.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/section/shear_flow.hpp"
 #include "boxbeam/section/torsion.hpp"
@@ -56,6 +57,14 @@ std::optional<SectionPlace> shear_centre_in(const Section& section) {
   const auto place = shear_centre_of({centred, {}});
   if (!place) return std::nullopt;
   return SectionPlace{place->y + of.centroid_y, place->z + of.centroid_z};
+}
+
+/// I_T, of polygons no less than it has. What is nested in others counts where its I_T is known.
+double least_torsion_constant_in(const Section& section) {
+  if (const auto* const polygon = std::get_if<Polygon>(&section.outer))
+    return least_torsion_constant_of(*polygon).value();
+  const auto whole = torsion_constant_of(section);
+  return (whole ? *whole : *torsion_constant_of(section.outer)).value();
 }
 
 /// int sigma r^2 dA about the shear centre, per M_y and per M_z, of walls along their mid-lines;
@@ -139,8 +148,7 @@ SectionTurning turning_of(const Section& section, double E, double G) {
   const double I_y = of.I_y.value(), I_z = of.I_z.value(), I_yz = of.I_yz.value();
   // The section is free to bend both ways.
   return {1.0 / (E * (I_y - I_yz * I_yz / I_z)), 1.0 / (E * (I_z - I_yz * I_yz / I_y)),
-          G * torsion_constant_of(section)->value(), turned_stresses_of(section),
-          reach_of(section)};
+          G * least_torsion_constant_in(section), turned_stresses_of(section), reach_of(section)};
 }
 
 /// Force, along z and y, times its height above the shear centre at the edge where it turns the
@@ -181,13 +189,6 @@ double warping_constant_in(const Segment& segment) {
 LateralEstimate::LateralEstimate(const Project& project)
     : project_(&project), lines_press_(lines_press(project.mechanism)) {}
 
-bool LateralEstimate::is_known() const {
-  const std::vector<Segment>& segments = project_->beam.segments;
-  return std::all_of(segments.begin(), segments.end(), [](const Segment& segment) {
-    return torsion_constant_of(segment.from) && torsion_constant_of(segment.to);
-  });
-}
-
 void LateralEstimate::hold(const std::vector<double>& at, const BeamLoads& loads) {
   std::vector<double> places = at;
   for (const PointLoad& load : loads.points) places.push_back(load.s.value());
@@ -210,7 +211,6 @@ void LateralEstimate::hold(const std::vector<double>& at, const BeamLoads& loads
   by_M_z_.resize(count - 1);
   turned_.assign(count - 1, {});
   bool any_turned = false;
-  twisting_.resize(count - 1);
   reach_.resize(count - 1);
   node_reach_.assign(count, std::nullopt);
   // Along a segment that does not taper all is as at the place before.
@@ -241,30 +241,89 @@ void LateralEstimate::hold(const std::vector<double>& at, const BeamLoads& loads
   }
 }
 
-double LateralEstimate::part(const CutForceDiagram& diagram, const BeamLoads& loads,
-                             const std::vector<double>& at, double known) {
-  hold(at, loads);
-  for (std::size_t e = 0; e < twisting_.size(); ++e) {
+void LateralEstimate::take(const CutForceDiagram& diagram, const BeamLoads& loads) {
+  const std::size_t count = by_M_y_.size();
+  load_.twisting.resize(count);
+  load_.turned.resize(turned_.size());
+  for (std::size_t e = 0; e < count; ++e) {
     const std::array<double, 2> places = gauss_places(beam_, e);
     for (std::size_t g = 0; g < 2; ++g) {
       const CutForces cut = diagram.at({si<Length>(places[g])});
       const double M_y = cut.M_y.value(), M_z = cut.M_z.value();
-      twisting_[e][g] = M_y * M_y * by_M_y_[e][g] + M_z * M_z * by_M_z_[e][g];
+      load_.twisting[e][g] = M_y * M_y * by_M_y_[e][g] + M_z * M_z * by_M_z_[e][g];
+      if (!turned_.empty()) load_.turned[e][g] = M_y * turned_[e][g][0] + M_z * turned_[e][g][1];
     }
   }
   tip(loads);
-  return turned_.empty() ? lateral_buckling_part(beam_, twisting_, tipping_, known)
-                         : part_with_turned(diagram, known);
+}
+
+double LateralEstimate::part(const CutForceDiagram& diagram, const BeamLoads& loads,
+                             const std::vector<double>& at, double known) {
+  screening_ = false;
+  hold(at, loads);
+  take(diagram, loads);
+  return part_of(load_, known);
+}
+
+void LateralEstimate::screen(const std::vector<double>& at) {
+  screening_ = true;
+  hold(at, {});
+  envelope_ = {};
+}
+
+void LateralEstimate::widen(const CutForceDiagram& diagram, const BeamLoads& loads) {
+  take(diagram, loads);
+  if (envelope_.tipping.empty()) {
+    envelope_ = load_;
+    return;
+  }
+  for (std::size_t e = 0; e < load_.twisting.size(); ++e) {
+    for (std::size_t g = 0; g < 2; ++g) {
+      envelope_.twisting[e][g] = std::max(envelope_.twisting[e][g], load_.twisting[e][g]);
+      if (!turned_.empty())
+        envelope_.turned[e][g] = std::min(envelope_.turned[e][g], load_.turned[e][g]);
+    }
+  }
+  for (std::size_t i = 0; i < load_.tipping.size(); ++i)
+    envelope_.tipping[i] = std::max(envelope_.tipping[i], load_.tipping[i]);
+}
+
+double LateralEstimate::bound() { return part_of(envelope_, 0.0); }
+
+double LateralEstimate::share(const CutForceDiagram& diagram, const BeamLoads& loads) {
+  take(diagram, loads);
+  double squared = 0.0, linear = 0.0;
+  for (std::size_t e = 0; e < load_.twisting.size(); ++e) {
+    for (std::size_t g = 0; g < 2; ++g) {
+      const double most = envelope_.twisting[e][g];
+      if (most > 0.0) squared = std::max(squared, load_.twisting[e][g] / most);
+      if (!turned_.empty() && envelope_.turned[e][g] < 0.0)
+        linear = std::max(linear, load_.turned[e][g] / envelope_.turned[e][g]);
+    }
+  }
+  for (std::size_t i = 0; i < load_.tipping.size(); ++i) {
+    if (envelope_.tipping[i] > 0.0)
+      linear = std::max(linear, load_.tipping[i] / envelope_.tipping[i]);
+  }
+  return std::max(std::sqrt(squared), linear);
 }
 
 void LateralEstimate::tip(const BeamLoads& loads) {
-  tipping_.assign(beam_.nodes.size(), 0.0);
-  for (const PointLoad& load : loads.points) {
-    const std::size_t i = nearest_of(beam_.nodes, load.s.value());
-    if (beam_.held[i]) continue;
+  std::vector<double>& tipping = load_.tipping;
+  tipping.assign(beam_.nodes.size(), 0.0);
+  const auto tip_at = [&](std::size_t i, const PointLoad& load) {
+    if (beam_.held[i]) return;
     std::optional<SectionReach>& reach = node_reach_[i];
     if (!reach) reach = reach_at(project_->beam, beam_.nodes[i]);
-    tipping_[i] += tipping_at_edges({load.force.z(), load.force.y()}, *reach);
+    tipping[i] += tipping_at_edges({load.force.z(), load.force.y()}, *reach);
+  };
+  for (const PointLoad& load : loads.points) {
+    const double s = load.s.value();
+    const std::size_t i = nearest_of(beam_.nodes, s);
+    tip_at(i, load);
+    if (!screening_) continue;
+    if (s < beam_.nodes[i]) tip_at(i - 1, load);
+    if (s > beam_.nodes[i] && i + 1 < beam_.nodes.size()) tip_at(i + 1, load);
   }
   for (const LineLoad& line : loads.lines) {
     if (line.force[1].c == Polynomial<3>{}.c && line.force[2].c == Polynomial<3>{}.c) continue;
@@ -281,27 +340,24 @@ void LateralEstimate::tip(const BeamLoads& loads) {
         double per_length = -force[0] * reach.centroid[0] - force[1] * reach.centroid[1];
         if (lines_press_) per_length = std::max(per_length, tipping_at_edges(force, reach));
         const double part = (s - first) / length, of = 0.5 * (to - from) * per_length;
-        tipping_[e] += (1.0 - part) * of;
-        tipping_[e + 1] += part * of;
+        tipping[e] += (1.0 - part) * of;
+        tipping[e + 1] += part * of;
       }
     }
   }
 }
 
-double LateralEstimate::part_with_turned(const CutForceDiagram& diagram, double known) const {
+double LateralEstimate::part_of(const Turning& load, double known) const {
+  if (turned_.empty()) return lateral_buckling_part(beam_, load.twisting, load.tipping, known);
   TurningBeam turned = beam_;
   // Whether the beam stands under so many times its load: what resists is linear in it, what turns
   // it over quadratic, so that it does up to one multiple and not beyond.
   const auto stands = [&](double times) {
     for (std::size_t e = 0; e < turned_.size(); ++e) {
-      const std::array<double, 2> places = gauss_places(beam_, e);
-      for (std::size_t g = 0; g < 2; ++g) {
-        const CutForces cut = diagram.at({si<Length>(places[g])});
-        const double more = cut.M_y.value() * turned_[e][g][0] + cut.M_z.value() * turned_[e][g][1];
-        turned.turning_stiffness[e][g] = beam_.turning_stiffness[e][g] + times * more;
-      }
+      for (std::size_t g = 0; g < 2; ++g)
+        turned.turning_stiffness[e][g] = beam_.turning_stiffness[e][g] + times * load.turned[e][g];
     }
-    return lateral_buckling_part(turned, twisting_, tipping_, 1.0 / times) <= 1.0 / times;
+    return lateral_buckling_part(turned, load.twisting, load.tipping, 1.0 / times) <= 1.0 / times;
   };
   constexpr double least = 1e-4, close = 1e-5;
   double high = 1.0 / std::max(known, least);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -28,7 +29,7 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr std::size_t spread = 48;  ///< instants looked at
-constexpr std::size_t peaks = 3;    ///< and of largest compression
+constexpr std::size_t peaks = 3;    ///< and of largest compression and bending
 /// A range below this part of the largest stress is none, as where nothing moves.
 constexpr double no_range = 1e-3;
 
@@ -112,18 +113,48 @@ double compression_of(const CutForceDiagram& diagram) {
   return most;
 }
 
-/// Instants spread over the time, and those of largest compression. The most compressed first: of
-/// the others it is then mostly enough to know that they are not nearer to buckling.
+/// Largest size of M_y and M_z along the beam [N m].
+std::array<double, 2> bending_of(const CutForceDiagram& diagram) {
+  std::array<double, 2> most{};
+  for (const CutForcePiece& piece : diagram.pieces) {
+    const double length = piece.length.value();
+    for (const double part : {0.0, 0.5, 1.0}) {
+      most[0] = std::max(most[0], std::abs(piece.M_y(part * length)));
+      most[1] = std::max(most[1], std::abs(piece.M_z(part * length)));
+    }
+  }
+  return most;
+}
+
+/// Instants spread over the time, and those of largest compression and bending. The most compressed
+/// first: of the others it is then mostly enough to know that they are not nearer to buckling.
 std::vector<std::size_t> instants_of(const LoadHistory& history) {
-  std::vector<std::pair<double, std::size_t>> pressed;
-  for (std::size_t i = 0; i < history.instants(); ++i)
-    pressed.emplace_back(compression_of(history.diagram(i)), i);
-  std::stable_sort(pressed.begin(), pressed.end(),
-                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  struct Instant {
+    std::size_t index;
+    double compression;
+    std::array<double, 2> bending;
+    bool wanted;
+  };
   const std::size_t step = std::max<std::size_t>(1, history.instants() / spread);
+  std::vector<Instant> all;
+  for (std::size_t i = 0; i < history.instants(); ++i) {
+    const CutForceDiagram diagram = history.diagram(i);
+    all.push_back({i, compression_of(diagram), bending_of(diagram), i % step == 0});
+  }
+  const auto want_most = [&](const auto& size) {
+    const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(peaks, all.size()));
+    std::stable_sort(all.begin(), all.end(),
+                     [&](const Instant& a, const Instant& b) { return size(a) > size(b); });
+    std::for_each(all.begin(), end, [](Instant& of) { of.wanted = true; });
+  };
+  want_most([](const Instant& of) { return of.bending[0]; });
+  want_most([](const Instant& of) { return of.bending[1]; });
+  std::sort(all.begin(), all.end(),
+            [](const Instant& a, const Instant& b) { return a.index < b.index; });
+  want_most([](const Instant& of) { return of.compression; });
   std::vector<std::size_t> instants;
-  for (std::size_t k = 0; k < pressed.size(); ++k)
-    if (k < peaks || pressed[k].second % step == 0) instants.push_back(pressed[k].second);
+  for (const Instant& of : all)
+    if (of.wanted) instants.push_back(of.index);
   return instants;
 }
 
@@ -283,7 +314,7 @@ class Estimating {
     }
     result_.whole = true;
     result_.across.emplace();
-    if (lateral_.is_known()) result_.lateral.emplace();
+    result_.lateral.emplace();
     result_.change = 0.0;
   }
 
@@ -321,6 +352,7 @@ class Estimating {
       compare(held.in_plane, loads, factor, compared);
       if (project_->in_space) compare(held.across, in_plane(loads, Plane::y), factor, across);
     }
+    look_sideways_at_all(run, factor);
     if (!result_.change) return;
     result_.change = std::max(*result_.change, compared.relative());
     growth_.add(compared, factor);
@@ -390,6 +422,41 @@ class Estimating {
     const double part = factor * lateral_.part(diagram, loads, turning.at, load.part / factor);
     if (part <= load.part) return;
     load = {part, time, situation, turning.words, !turning.said};
+  }
+
+  /// At the other instants of a situation, unless a bound says that none matters.
+  void look_sideways_at_all(const SituationRun& run, double factor) {
+    if (!result_.lateral) return;
+    const LoadHistory& history = run.loads;
+    const auto loads_of = [&](std::size_t i) { return history.loads_at(history.time_of(i)); };
+    const auto turning_of = [&](const BeamLoads& loads) {
+      return holds_of(*project_, run.motion->supports(loads)).turning.at;
+    };
+    constexpr double nodes_apart = 1.05;  // the envelope has no node where forces act
+    const std::vector<double> at = turning_of(loads_of(0));
+    lateral_.screen(at);
+    std::vector<bool> alike(history.instants(), true);
+    for (std::size_t i = 0; i < history.instants(); ++i) {
+      const BeamLoads loads = loads_of(i);
+      alike[i] = turning_of(loads) == at;
+      if (alike[i]) lateral_.widen(history.diagram(i), loads);
+    }
+    const double bound = nodes_apart * factor * lateral_.bound();
+    const bool all_alike = std::all_of(alike.begin(), alike.end(), [](bool of) { return of; });
+    if (all_alike && bound <= std::max(result_.lateral->part, no_turning_over_below)) return;
+    std::vector<std::pair<double, std::size_t>> at_most;
+    for (std::size_t i = 0; i < history.instants(); ++i) {
+      const double share = alike[i] ? lateral_.share(history.diagram(i), loads_of(i)) : unbounded;
+      at_most.emplace_back(alike[i] ? bound * share : unbounded, i);
+    }
+    std::sort(at_most.begin(), at_most.end(), std::greater<>());
+    const std::size_t situation = index_of(*project_, *run.situation);
+    for (const auto& [most, i] : at_most) {
+      if (most <= result_.lateral->part) break;
+      const Time time = history.time_of(i);
+      const BeamLoads loads = history.loads_at(time);
+      look_sideways(history.diagram(i), loads, held_at(run, time, loads), time, situation, factor);
+    }
   }
 
   /// Of the other plane, whose bending is by W_y: by its own modulus.

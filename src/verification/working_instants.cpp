@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/verification/stress_points.hpp"
 #include "boxbeam/verification/worst_place.hpp"
 #include "mixed_stress.hpp"
@@ -79,6 +80,34 @@ void add_points(const Project& project, const Station& station, const Eigen::Mat
     constexpr std::size_t step = 10;
     for (std::size_t i = 0; i < point.edges.size(); i += step)
       add_stresses(point.edges[i].influence, rows, sums);
+  }
+}
+
+/// Sums of two cut forces, in other parts than those of the whole section's stresses: an effective
+/// section, a member that buckles and a web in shear weigh N, M and V otherwise, A/A_eff up to some
+/// 4 times.
+void add_pairs(const Project& project, const Station& station, const Eigen::MatrixXd& rows,
+               Sums& sums) {
+  const Section section = section_at(project.beam, station);
+  const SectionProperties of = properties_of(section);
+  const Extent extent = extent_of(section.outer);
+  const double half_y = 0.5 * (extent.y_high - extent.y_low).value();
+  const double half_z = 0.5 * (extent.z_high - extent.z_low).value();
+  const double per_area = 1.0 / of.area.value();
+  const auto stress = [&](cut_force::Index force, double by) -> Eigen::VectorXd {
+    return by * rows.row(force).transpose();
+  };
+  const Eigen::VectorXd pressed = stress(cut_force::N, per_area);
+  const Eigen::VectorXd bent = stress(cut_force::M_y, half_z / of.I_y.value());
+  const Eigen::VectorXd across = stress(cut_force::M_z, half_y / of.I_z.value());
+  const Eigen::VectorXd sheared = stress(cut_force::V_z, per_area);
+  const Eigen::VectorXd twisted = stress(cut_force::T, per_area / std::max(half_y, half_z));
+  for (const double part : {-4.0, -2.0, -1.0, -0.5, -0.25, 0.25, 0.5, 1.0, 2.0, 4.0}) {
+    sums.add(pressed + part * bent);
+    sums.add(pressed + part * across);
+    sums.add(bent + part * across);
+    sums.add(bent + part * sheared);
+    sums.add(sheared + part * twisted);
   }
 }
 
@@ -195,6 +224,7 @@ std::shared_ptr<const recorded::Channels> working_instants(const Project& projec
       const Eigen::MatrixXd rows = rows_at(units, station);
       for (Eigen::Index c = 0; c < rows.rows(); ++c) sums.add(rows.row(c).transpose());
       add_points(project, station, rows, sums);
+      add_pairs(project, station, rows, sums);
       const double share = (piece.end() - piece.start).value() / length;
       for (std::size_t power = 0; power < 3; ++power) {
         const double weight =
@@ -215,6 +245,9 @@ std::shared_ptr<const recorded::Channels> working_instants(const Project& projec
   }
 
   std::vector<std::size_t> instants = extreme_instants_of(*channels.record, outer, sums.sums);
+  // Where no sum is largest what joins several may be: of a convex use the worst instant is a
+  // corner of the hull of all, and all that lie far out are looked at.
+  instants.insert(instants.end(), outer.instants.begin(), outer.instants.end());
   // Those that the channels have already, by their times.
   const recorded::Record& record = *channels.record;
   for (const double time : channels.times) {
