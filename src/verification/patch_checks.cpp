@@ -95,6 +95,7 @@ class PatchRun {
   }
 
   void note_on_path(const Patch& patch) {
+    if (patch.is_none()) return;
     const auto of = search_->unjudged_on_path(patch);
     if (!of) return;
     const Force size = run_->situation->load_factor * abs(patch.force);
@@ -185,7 +186,7 @@ std::string plate_text(const Project& project, const Borne& borne) {
   const BoxWall &left = walls.of(BoxPlate::left_web), &right = walls.of(BoxPlate::right_web);
   const bool alike =
       left.thickness == right.thickness && left.yield_strength == right.yield_strength;
-  return project.in_space || !alike ? to_text(borne.plate) : "web";
+  return project.in_space || !alike || is_flange(borne.plate) ? to_text(borne.plate) : "web";
 }
 
 /// What bears a patch, in words.
@@ -232,6 +233,12 @@ CheckResult check_of(const Project& project, const PatchSearch& search, WorstPat
     check.resisting = Stress(web->plate->panel.yield_strength / project.strength.gamma_M1);
     check.acting = Stress(use * check.resisting.value() * pascal);
     check.source = "EN 1993-1-5:2006, clause 10, equation 10.5, with 6.4 and annex B";
+  } else if (basis.pulls && use > (1.0 + 1e-12) * basis.load_factor * eta_2) {
+    const PullingPanel& of = *basis.pulls;
+    check.resisting =
+        Force(basis.resistance + buckling_shear_of(of.panel, project.strength.gamma_M1));
+    check.acting = Force(basis.load_factor * (basis.share * basis.force + of.shear));
+    check.source = "EN 1993-1-5:2006, 9.3.3(3), 9.4 (stiffener of panels as a column)";
   } else if (use <= (1.0 + 1e-12) * basis.load_factor * eta_2) {
     check.resisting = basis.resistance;
     check.acting = Force(basis.load_factor * basis.share * basis.force);
@@ -318,11 +325,12 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
     else if (result.check.utilisation() > same->check.utilisation())
       *same = std::move(result);
   };
-  found.not_judged = not_judged_of_flats(project);
+  found.not_judged = not_judged_of_diaphragms(project);
   for (auto& [key, of] : worst) {
     if (!(of.use > no_use)) continue;
     const auto* const bears = std::get_if<BearingStiffener>(&of.borne.basis.bears);
-    if (bears != nullptr && !bears->ends_clamped)
+    // What comes from panels alone asks nothing of the flanges.
+    if (bears != nullptr && !bears->ends_clamped && !of.patch.is_none())
       sideways.insert(to_text({of.patch.s, Side::both}));
     if (!of.patch.given && of.use > 1.0)
       found.gates.push_back(gate_of(project, of));

@@ -6,7 +6,9 @@
 #include <optional>
 
 #include "boxbeam/project/plate_material.hpp"
+#include "boxbeam/strength/transverse_stiffener.hpp"
 #include "boxbeam/verification/bending_zones.hpp"
+#include "patch_search.hpp"
 
 namespace boxbeam {
 namespace {
@@ -34,6 +36,13 @@ std::optional<std::pair<std::size_t, std::size_t>> neighbours_of(const TaperedBe
   if (next == diaphragms.end() || from == diaphragms.begin()) return std::nullopt;
   return std::pair{static_cast<std::size_t>(from - diaphragms.begin()) - 1,
                    static_cast<std::size_t>(next - diaphragms.begin())};
+}
+
+const Diaphragm* diaphragm_near(const TaperedBeam& beam, Length s) {
+  const Length near = 1e-9 * beam.length();
+  for (const Diaphragm& of : beam.diaphragms)
+    if (abs(of.s - s) <= near) return &of;
+  return nullptr;
 }
 
 bool is_rigid(const Project& project, BoxPlate web, const Diaphragm& a, const Diaphragm& b) {
@@ -72,9 +81,60 @@ Supports supports_around(const TaperedBeam& beam, Station station) {
   return supports;
 }
 
-Length supported_length_at(const Project& project, const Station& station) {
+std::string bound_obstacle(const Project& project, const Station& station, const FourWalls& walls,
+                           BoxPlate plate, Length length) {
+  const Diaphragm* const at = diaphragm_near(project.beam, station.s);
+  if (at == nullptr) return "there is none";
+  const BoxWall& wall = walls.of(plate);
+  PatchedWeb web;
+  web.depth = wall.clear();
+  web.thickness = wall.thickness;
+  web.yield_strength = wall.yield_strength;
+  const Length inside =
+      walls.of(is_flange(plate) ? BoxPlate::left_web : BoxPlate::top_flange).clear();
+  return across_obstacle(stiffener_of(project, web, inside, *at, station), *at, length);
+}
+
+std::string across_obstacle(BearingStiffener of, const Diaphragm& diaphragm, Length length) {
+  if (!(of.width > Length{})) return "its opening leaves nothing of it beside the web";
+  of.width =
+      working_width_of(of.width, of.thickness, of.yield_strength, !(diaphragm.opening > Length{}));
+  return rigidity_obstacle(of, length);
+}
+
+std::optional<Length> panel_length_at(const Project& project, const Station& station,
+                                      BoxPlate plate) {
+  const auto length = panel_length_at(project.beam, station);
   const Supports of = supports_around(project.beam, station);
-  return of.behind.value_or(project.beam.length()) - of.before.value_or(Length{});
+  if (!length || !of.before || !of.behind) return length;
+  for (const Station& end :
+       {Station{*of.before, Side::behind}, Station{*of.behind, Side::before}}) {
+    const auto walls = walls_at(project, end);
+    if (!walls || !bound_obstacle(project, end, *walls, plate, *length).empty())
+      return std::nullopt;
+  }
+  return length;
+}
+
+Length supported_length_at(const Project& project, const Station& station) {
+  const TaperedBeam& beam = project.beam;
+  Supports of = supports_around(beam, station);
+  // What does not hold a box's plates is passed over; paths have their own rule.
+  const auto holds = [&](const Station& end, Length length) {
+    const auto walls = walls_at(project, end);
+    return !walls || std::all_of(box_plates.begin(), box_plates.end(), [&](BoxPlate plate) {
+      return !may_buckle(walls->of(plate)) ||
+             bound_obstacle(project, end, *walls, plate, length).empty();
+    });
+  };
+  const auto length = [&] {
+    return of.behind.value_or(beam.length()) - of.before.value_or(Length{});
+  };
+  while (of.before && *of.before > Length{} && !holds({*of.before, Side::behind}, length()))
+    of.before = supports_around(beam, {*of.before, Side::before}).before;
+  while (of.behind && *of.behind < beam.length() && !holds({*of.behind, Side::before}, length()))
+    of.behind = supports_around(beam, {*of.behind, Side::behind}).behind;
+  return length();
 }
 
 void divide_into_panels(const Project& project, const Station& station,
@@ -83,10 +143,9 @@ void divide_into_panels(const Project& project, const Station& station,
   const auto between = neighbours_of(project.beam, station);
   if (!between) return;
   const std::size_t count = diaphragms.size();
-  const Length length = *panel_length_at(project.beam, station);
   const bool inside = between->first > 0 && between->second + 1 < count;
   for (ShearedPlate& plate : plates) {
-    plate.panel.length = length;
+    plate.panel.length = panel_length_at(project, station, plate.plate);
     plate.panel.rigid_end_post =
         inside && !is_flange(plate.plate) &&
         is_rigid(project, plate.plate, diaphragms[0], diaphragms[1]) &&

@@ -17,8 +17,22 @@ namespace boxbeam {
 void divide_into_panels(const Project& project, const Station& station,
                         std::vector<ShearedPlate>& plates);
 
-/// How long the panel at a station is; nothing where it is not between two diaphragms.
+/// How far the diaphragms around a station are apart; nothing where it is not between two.
 std::optional<Length> panel_length_at(const TaperedBeam& beam, const Station& station);
+
+/// Why the diaphragm at a station does not bound panels so long of a box's plate, "" where it does:
+/// with what of it works beside the plate it is rigid for the plate's shear (9.3.3(3)). The station
+/// is on the panel's side of it.
+std::string bound_obstacle(const Project& project, const Station& station, const FourWalls& walls,
+                           BoxPlate plate, Length length);
+
+/// The same of what reaches from a plate to another one.
+std::string across_obstacle(BearingStiffener of, const Diaphragm& diaphragm, Length length);
+
+/// How long the panel of a box's plate at a station is; nothing where it is not between two
+/// diaphragms that bound it.
+std::optional<Length> panel_length_at(const Project& project, const Station& station,
+                                      BoxPlate plate);
 
 /// The plates that decide what of a station is judged, so that it is no matter of the segments into
 /// which a beam is cut: those of the station, of a steep segment as wide as they become in their
@@ -67,8 +81,8 @@ struct Supports {
 };
 Supports supports_around(const TaperedBeam& beam, Station station);
 
-/// How far the supports across the plates at a station are apart: diaphragms, and the ends of the
-/// beam.
+/// How far the supports across the plates at a station are apart: diaphragms, of boxes those that
+/// bound the panels of all their plates, and the ends of the beam.
 Length supported_length_at(const Project& project, const Station& station);
 
 }  // namespace boxbeam
