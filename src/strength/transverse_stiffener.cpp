@@ -28,6 +28,16 @@ Length working_width_of(Length beside, Length thickness, Stress yield_strength, 
   return part * beside;
 }
 
+std::optional<Length> least_panel_length_of(const BearingStiffener& stiffener) {
+  const double h_w = stiffener.web_depth.value(), t = stiffener.web_thickness.value();
+  const double I = stiffener_inertia(stiffener).value(), long_panel = std::numbers::sqrt2 * h_w;
+  if (I < rigid_stiffener_inertia(stiffener.web_depth, stiffener.web_thickness,
+                                  si<Length>(2.0 * long_panel))
+              .value())
+    return std::nullopt;
+  return si<Length>(std::min(long_panel, std::sqrt(1.5 * std::pow(h_w * t, 3) / I)));
+}
+
 std::string rigidity_obstacle(const BearingStiffener& stiffener, Length panel_length) {
   const SecondMoment there = stiffener_inertia(stiffener);
   const SecondMoment least =

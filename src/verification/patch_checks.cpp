@@ -9,6 +9,7 @@
 
 #include "boxbeam/numerics/extremum.hpp"
 #include "boxbeam/verification/distorted_stretch.hpp"
+#include "patch_notes.hpp"
 #include "patch_search.hpp"
 #include "patched_path.hpp"
 
@@ -45,8 +46,13 @@ struct OnPaths {
 class PatchRun {
  public:
   PatchRun(const Project& project, PatchSearch& search, const SituationRun& run,
-           std::map<BorneKey, WorstPatch>& worst, OnPaths& on_paths)
-      : project_(&project), search_(&search), run_(&run), worst_(&worst), on_paths_(&on_paths) {}
+           std::map<BorneKey, WorstPatch>& worst, OnPaths& on_paths, PatchNotes& notes)
+      : project_(&project),
+        search_(&search),
+        run_(&run),
+        worst_(&worst),
+        on_paths_(&on_paths),
+        notes_(&notes) {}
 
   void look() {
     const LoadHistory& history = run_->loads;
@@ -75,10 +81,12 @@ class PatchRun {
                                      const CutForceDiagram& diagram) {
     std::map<BorneKey, double> uses;
     note_torque(loads);
-    const std::vector<Patch> patches = search_->patches_of(loads);
+    const std::vector<Patch> patches = search_->patches_of(loads, diagram);
     for (const Patch& patch : patches) {
       note_on_path(patch);
-      for (Borne& borne : search_->worst_of(patch, patches, diagram)) {
+      std::vector<Borne> ways = search_->worst_of(patch, patches, diagram);
+      notes_->take(patch, ways, *run_->situation);
+      for (Borne& borne : ways) {
         const double load_factor = run_->situation->load_factor;
         const double use =
             project_->strength.required * load_factor / search_->factor_of(borne.basis);
@@ -178,6 +186,7 @@ class PatchRun {
   const SituationRun* run_;
   std::map<BorneKey, WorstPatch>* worst_;
   OnPaths* on_paths_;
+  PatchNotes* notes_;
 };
 
 std::string plate_text(const Project& project, const Borne& borne) {
@@ -310,7 +319,9 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
   std::map<BorneKey, WorstPatch> worst;
   for (const SituationRun& run : runs) search.learn_clamps(run);
   OnPaths on_paths;
-  for (const SituationRun& run : runs) PatchRun(project, search, run, worst, on_paths).look();
+  PatchNotes notes(project);
+  for (const SituationRun& run : runs)
+    PatchRun(project, search, run, worst, on_paths, notes).look();
   add_gates(project, on_paths, found.gates);
   // A use this small is none, as stress is (`no_stress_at`).
   constexpr double no_use = 1e-6;
@@ -342,6 +353,7 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
         {Criterion::patch_loading, fmt::format("flats at s = {} m", fmt::join(sideways, ", ")),
          "L_cr = h_w takes it that both flanges are held sideways there, which no "
          "[[beam.restraints]] say (EN 1993-1-5, 9.4(2))"});
+  for (NotJudged& of : notes.not_judged()) found.not_judged.push_back(std::move(of));
   for (const LoadIntroduction& of : project.beam.introductions) {
     const std::string why = of.stiff_length ? search.obstacle_of(of) : "";
     if (why.empty()) continue;

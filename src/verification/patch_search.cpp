@@ -30,7 +30,10 @@ std::array<BoxPlate, 2> flanges_of(const Patch& patch) {
 }
 
 PatchSearch::PatchSearch(const Project& project, const std::vector<BendingZone>& zones)
-    : project_(&project), zones_(&zones), pulling_(project, zones) {
+    : project_(&project),
+      zones_(&zones),
+      pulling_(project, zones),
+      kinks_(flange_kinks_of(project)) {
   const TaperedBeam& beam = project.beam;
   for (const Segment& segment : beam.segments) {
     Slender& of = slender_.emplace_back(slender_at({segment.start, Side::behind}));
@@ -205,7 +208,7 @@ bool PatchSearch::has_something_to_do() const {
                      [&](const Slender& of) { return of.along_z || (flanges && of.along_y); });
 }
 
-std::vector<Patch> PatchSearch::patches_of(const BeamLoads& loads) {
+std::vector<Patch> PatchSearch::patches_of(const BeamLoads& loads, const CutForceDiagram& diagram) {
   const TaperedBeam& beam = project_->beam;
   std::vector<Patch> patches;
   for (const PointLoad& load : loads.points) {
@@ -223,9 +226,10 @@ std::vector<Patch> PatchSearch::patches_of(const BeamLoads& loads) {
     }
   }
   add_groups(patches);
-  add_bare_diaphragms(patches);
+  add_kinks(diagram, patches);
   add_lines(loads.lines, true, patches);
   if (project_->in_space) add_lines(loads.lines, false, patches);
+  add_bare_diaphragms(patches);
   return patches;
 }
 
@@ -511,8 +515,9 @@ PatchedWeb PatchSearch::web_under(PatchedWeb web, const Patch& patch) {
 std::vector<PatchedWeb> PatchSearch::in_every_way(PatchedWeb web, const Patch& patch) const {
   std::vector<PatchedWeb> ways{web};
   if (const auto to_end = distance_to_end(patch)) {
-    // From 2/3 h_w on k_F is that of a force far from the end.
-    if (web.stiff_length + *to_end < 2.0 / 3.0 * web.depth) {
+    // From 2/3 h_w on k_F is that of a force far from the end; a long bearing at the end has its
+    // one hinge all the same.
+    if (*to_end < 2.0 / 3.0 * web.depth) {
       web.entry = ForceEntry::near_end;
       web.length.reset();
       web.to_end = *to_end;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "boxbeam/verification/plate_checks.hpp"
+#include "kinked_flanges.hpp"
 #include "pulling_panels.hpp"
 
 namespace boxbeam {
@@ -28,6 +29,7 @@ struct Patch {
   const Diaphragm* diaphragm = nullptr;  ///< that takes it
   bool opposed = false;                  ///< one of the other sense is near
   bool together = false;                 ///< several as one
+  const FlangeKink* kink = nullptr;      ///< that it comes from
 
   /// What of it is none, there is for what panels pull at a diaphragm alone.
   bool is_none() const { return force == Force{}; }
@@ -71,7 +73,7 @@ class PatchSearch {
   bool has_something_to_do() const;
 
   /// What comes in under these loads.
-  std::vector<Patch> patches_of(const BeamLoads& loads);
+  std::vector<Patch> patches_of(const BeamLoads& loads, const CutForceDiagram& diagram);
 
   /// How webs and how their seams bear a patch among all, of all places and sides the one that is
   /// used most of both; none of what is not judged.
@@ -139,6 +141,8 @@ class PatchSearch {
   void look_at_plates(const Station& station, Slender& of) const;
   /// patched_paths.cpp
   void look_at_path(const Station& station, Slender& of) const;
+  /// What plates that turn off between segments put into those beside them. kinked_flanges.cpp
+  void add_kinks(const CutForceDiagram& diagram, std::vector<Patch>& patches);
   /// Diaphragms at which no force comes in, for what their panels pull at them.
   void add_bare_diaphragms(std::vector<Patch>& patches);
   /// A diaphragm's part beside a web as what bears a patch, and what each panel there pulls at it.
@@ -216,6 +220,7 @@ class PatchSearch {
   const Project* project_;
   const std::vector<BendingZone>* zones_;
   PullingPanels pulling_;
+  std::vector<FlangeKink> kinks_;
   std::vector<Slender> slender_;    ///< by segment, of both its ends
   std::map<double, Slender> near_;  ///< by place
   std::set<std::string> clamps_;

@@ -161,7 +161,9 @@ std::vector<NotJudged> not_judged_of_diaphragms(const Project& project) {
       if (const auto walls = deciding_walls_at(project, station)) {
         for (const BoxPlate plate : box_plates) {
           if (!may_buckle_in_shear(walls->of(plate))) continue;
-          const std::string why = bound_obstacle(project, station, *walls, plate, *length);
+          const auto by = bounding_stiffener_at(project, station, *walls, plate);
+          const std::string why = by ? rigidity_obstacle(*by, *length)
+                                     : "its opening leaves nothing of it beside the web";
           if (!why.empty())
             say(fmt::format("the panels of the {} are longer, for {}", to_text(plate), why));
         }

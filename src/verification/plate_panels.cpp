@@ -81,10 +81,29 @@ Supports supports_around(const TaperedBeam& beam, Station station) {
   return supports;
 }
 
-std::string bound_obstacle(const Project& project, const Station& station, const FourWalls& walls,
-                           BoxPlate plate, Length length) {
+namespace {
+
+/// With what of it works.
+BearingStiffener working(BearingStiffener of, const Diaphragm& diaphragm) {
+  of.width =
+      working_width_of(of.width, of.thickness, of.yield_strength, !(diaphragm.opening > Length{}));
+  return of;
+}
+
+/// The least length of the panels that the diaphragm at a station bounds of a box's plate.
+std::optional<Length> bounded_from(const Project& project, const Station& station, BoxPlate plate) {
+  const auto walls = walls_at(project, station);
+  const auto of = walls ? bounding_stiffener_at(project, station, *walls, plate) : std::nullopt;
+  return of ? least_panel_length_of(*of) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<BearingStiffener> bounding_stiffener_at(const Project& project,
+                                                      const Station& station,
+                                                      const FourWalls& walls, BoxPlate plate) {
   const Diaphragm* const at = diaphragm_near(project.beam, station.s);
-  if (at == nullptr) return "there is none";
+  if (at == nullptr) return std::nullopt;
   const BoxWall& wall = walls.of(plate);
   PatchedWeb web;
   web.depth = wall.clear();
@@ -92,26 +111,26 @@ std::string bound_obstacle(const Project& project, const Station& station, const
   web.yield_strength = wall.yield_strength;
   const Length inside =
       walls.of(is_flange(plate) ? BoxPlate::left_web : BoxPlate::top_flange).clear();
-  return across_obstacle(stiffener_of(project, web, inside, *at, station), *at, length);
+  const BearingStiffener of = stiffener_of(project, web, inside, *at, station);
+  if (!(of.width > Length{})) return std::nullopt;
+  return working(of, *at);
 }
 
 std::string across_obstacle(BearingStiffener of, const Diaphragm& diaphragm, Length length) {
   if (!(of.width > Length{})) return "its opening leaves nothing of it beside the web";
-  of.width =
-      working_width_of(of.width, of.thickness, of.yield_strength, !(diaphragm.opening > Length{}));
-  return rigidity_obstacle(of, length);
+  return rigidity_obstacle(working(of, diaphragm), length);
 }
 
 std::optional<Length> panel_length_at(const Project& project, const Station& station,
                                       BoxPlate plate) {
-  const auto length = panel_length_at(project.beam, station);
+  auto length = panel_length_at(project.beam, station);
   const Supports of = supports_around(project.beam, station);
   if (!length || !of.before || !of.behind) return length;
   for (const Station& end :
        {Station{*of.before, Side::behind}, Station{*of.behind, Side::before}}) {
-    const auto walls = walls_at(project, end);
-    if (!walls || !bound_obstacle(project, end, *walls, plate, *length).empty())
-      return std::nullopt;
+    const auto least = bounded_from(project, end, plate);
+    if (!least) return std::nullopt;
+    length = std::max(*length, *least);
   }
   return length;
 }
@@ -120,21 +139,17 @@ Length supported_length_at(const Project& project, const Station& station) {
   const TaperedBeam& beam = project.beam;
   Supports of = supports_around(beam, station);
   // What does not hold a box's plates is passed over; paths have their own rule.
-  const auto holds = [&](const Station& end, Length length) {
+  const auto holds = [&](const Station& end) {
     const auto walls = walls_at(project, end);
     return !walls || std::all_of(box_plates.begin(), box_plates.end(), [&](BoxPlate plate) {
-      return !may_buckle(walls->of(plate)) ||
-             bound_obstacle(project, end, *walls, plate, length).empty();
+      return !may_buckle(walls->of(plate)) || bounded_from(project, end, plate).has_value();
     });
   };
-  const auto length = [&] {
-    return of.behind.value_or(beam.length()) - of.before.value_or(Length{});
-  };
-  while (of.before && *of.before > Length{} && !holds({*of.before, Side::behind}, length()))
+  while (of.before && *of.before > Length{} && !holds({*of.before, Side::behind}))
     of.before = supports_around(beam, {*of.before, Side::before}).before;
-  while (of.behind && *of.behind < beam.length() && !holds({*of.behind, Side::before}, length()))
+  while (of.behind && *of.behind < beam.length() && !holds({*of.behind, Side::before}))
     of.behind = supports_around(beam, {*of.behind, Side::behind}).behind;
-  return length();
+  return of.behind.value_or(beam.length()) - of.before.value_or(Length{});
 }
 
 void divide_into_panels(const Project& project, const Station& station,

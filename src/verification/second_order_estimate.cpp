@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include "beam_holds.hpp"
 #include "boxbeam/core/error.hpp"
@@ -125,6 +126,35 @@ std::vector<std::size_t> instants_of(const LoadHistory& history) {
   for (std::size_t k = 0; k < pressed.size(); ++k)
     if (k < peaks || pressed[k].second % step == 0) instants.push_back(pressed[k].second);
   return instants;
+}
+
+/// Instants at which a moment is largest, or smallest, at one of some stations: those at which a
+/// beam may turn over, which need not be compressed.
+std::vector<std::size_t> bent_instants_of(const LoadHistory& history, Length length) {
+  constexpr int stations = 8;
+  struct Extremes {
+    std::array<double, 2> least{}, most{};
+    std::array<std::size_t, 2> at_least{}, at_most{};
+  };
+  std::array<Extremes, stations + 1> found;
+  for (std::size_t i = 0; i < history.instants(); ++i) {
+    const CutForceDiagram& diagram = history.diagram(i);
+    for (int k = 0; k <= stations; ++k) {
+      const CutForces cut = diagram.at({length * (static_cast<double>(k) / stations), Side::both});
+      const std::array<double, 2> M{cut.M_y.value(), cut.M_z.value()};
+      Extremes& of = found[static_cast<std::size_t>(k)];
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        if (M[axis] > of.most[axis]) of.most[axis] = M[axis], of.at_most[axis] = i;
+        if (M[axis] < of.least[axis]) of.least[axis] = M[axis], of.at_least[axis] = i;
+      }
+    }
+  }
+  std::set<std::size_t> instants;
+  for (const Extremes& of : found) {
+    instants.insert(of.at_least.begin(), of.at_least.end());
+    instants.insert(of.at_most.begin(), of.at_most.end());
+  }
+  return {instants.begin(), instants.end()};
 }
 
 /// Stress per N, M_y and M_z at a point, less N/A.
@@ -321,6 +351,7 @@ class Estimating {
       compare(held.in_plane, loads, factor, compared);
       if (project_->in_space) compare(held.across, in_plane(loads, Plane::y), factor, across);
     }
+    look_where_bent(run, factor);
     if (!result_.change) return;
     result_.change = std::max(*result_.change, compared.relative());
     growth_.add(compared, factor);
@@ -380,6 +411,18 @@ class Estimating {
     held.whole = static_cast<bool>(held.in_plane);
     if (!held.whole) held.in_plane = in_plane_.under(loads, held.alone.along_z.at);
     return held;
+  }
+
+  void look_where_bent(const SituationRun& run, double factor) {
+    if (!result_.lateral) return;
+    for (const std::size_t i : bent_instants_of(run.loads, project_->beam.length())) {
+      const Time time = run.loads.time_of(i);
+      const BeamLoads loads = run.loads.loads_at(time);
+      Held held;
+      held.alone = holds_of(*project_, run.motion->supports(loads));
+      look_sideways(cut_forces_of(loads), loads, held, time, index_of(*project_, *run.situation),
+                    factor);
+    }
   }
 
   void look_sideways(const CutForceDiagram& diagram, const BeamLoads& loads, const Held& held,

@@ -72,4 +72,17 @@ TEST_CASE("what of a plate across a box works beside a web") {
   }
 }
 
+TEST_CASE("a stiffener is rigid for panels from some length on") {
+  for (const double b : {10.0, 30.0, 60.0, 120.0, 300.0}) {
+    const BearingStiffener of{mm(1000),          mm(8), mm(3000), mm(3000), mm(10), mm(b),
+                              si<Stress>(355e6), true,  true};
+    const auto least = least_panel_length_of(of);
+    // sqrt(2) h_w and more ask for the same.
+    CHECK(least.has_value() == rigidity_obstacle(of, mm(5000)).empty());
+    if (!least) continue;
+    CHECK(rigidity_obstacle(of, *least * (1.0 + 1e-9)).empty());
+    if (least->value() < 1.414) CHECK_FALSE(rigidity_obstacle(of, *least * (1.0 - 1e-6)).empty());
+  }
+}
+
 }  // namespace transverse_stiffener_test

@@ -195,4 +195,74 @@ TEST_CASE("flats beside the web of a girder bear what its panels pull", "[patch]
   CHECK(one < 0.5 * both);
 }
 
+TEST_CASE("a flange that kinks presses its webs, as a force does", "[patch]") {
+  // From 600 x 624 in 0.8 m to 600 x 1224, flanges 25, webs 10 mm, under 800 kN m: sigma of the
+  // flange's middle times 600 x 25 mm^2 times 0.375, half for each web.
+  const auto of = [](const std::string& more) {
+    return verify(parse_project(
+        "panels.toml",
+        "[case]\nname = \"kink\"\nkind = \"static\"\n[frame]\ngravity = [\"0 m/s^2\", \"0 "
+        "m/s^2\"]\n"
+        "[sections.a]\nkind = \"box\"\nwidth = \"600 mm\"\nheight = \"624 mm\"\nflange = \"25 "
+        "mm\"\n"
+        "web = \"10 mm\"\n[sections.b]\nkind = \"box\"\nwidth = \"600 mm\"\nheight = \"1224 mm\"\n"
+        "flange = \"25 mm\"\nweb = \"10 mm\"\n[beam]\ndensity = \"7850 kg/m^3\"\n" +
+            segment(2.0, "a") + taper(0.8, "a", "b") + segment(2.0, "b") + diaphragms({0.0, 4.8}) +
+            more +
+            "[supports.left]\nkind = \"fixed\"\nat = \"0 m\"\n"
+            "[loads.end]\nkind = \"force\"\nat = \"4.8 m\"\nforce = [\"0 kN\", \"0 kN\"]\n"
+            "moment = \"-800 kN m\"\n"
+            "[material]\nsteel = \"S355\"\nfy_source = \"EN 1993-1-1\"\n"
+            "[strength]\nrequired = 1.0\nshear_lag = false\n"));
+  };
+  const double I = (600.0 * std::pow(624.0, 3) - 580.0 * std::pow(574.0, 3)) / 12.0;
+  const double F = 800e6 / I * 299.5 * 600.0 * 25.0 * 0.375;
+  const auto kink_in = [](const Verification& at) -> const CheckResult* {
+    const CheckResult* most = nullptr;
+    for (const CheckResult& result : at.checks) {
+      const bool kink =
+          result.patch && result.check.point.find(" under the kink") != std::string::npos;
+      if (kink && (most == nullptr || result.check.utilisation() > most->check.utilisation()))
+        most = &result;
+    }
+    return most;
+  };
+  // With diaphragms there as columns.
+  const Verification held = of(diaphragms({2.0, 2.8}));
+  REQUIRE(kink_in(held) != nullptr);
+  CHECK(kink_in(held)->patch->force.value() == Approx(F).epsilon(1e-6));
+  CHECK(kink_in(held)->check.station.s.value() == Approx(2.0));
+  CHECK_FALSE(says(held, "where it turns off"));
+  // Without them more than the webs bear under an edge, and the flange is bent across.
+  const Verification bare = of("");
+  CHECK(bare.verdict == Verdict::not_applicable);
+  CHECK(has_gate(bare, "of \"the kink of the top flange\""));
+  CHECK(says(bare, "bent across where it turns off"));
+}
+
+TEST_CASE("wheels on a flange between webs, and what they press at every cycle, are said",
+          "[patch]") {
+  const auto of = [](double y, const std::string& more) {
+    return verify(parse_project(
+        "panels.toml",
+        "[case]\nname = \"wheel\"\nkind = \"static\"\n[frame]\nspace = true\n"
+        "gravity = [\"0 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]\n" +
+            box +
+            "[beam]\ndensity = \"7850 kg/m^3\"\nfrom = [\"0 m\", \"0 m\", \"0 m\"]\naxis = \"x\"\n"
+            "z = \"z\"\n" +
+            fmt::format("points = {{ hook = [\"3 m\", \"{} m\", \"0.64 m\"] }}\n", y) +
+            segment(6.0, "a") + diaphragms({0.0, 2.0, 4.0, 6.0}) +
+            "[[beam.load_introductions]]\nfrom = \"0 m\"\nto = \"6 m\"\nstiff_length = \"50 mm\"\n"
+            "[supports.wall]\nkind = \"fixed\"\nat = \"0 m\"\n"
+            "[loads.hook]\nkind = \"force\"\nat = \"beam.hook\"\n"
+            "force = [\"0 N\", \"0 N\", \"-300 kN\"]\n"
+            "[material]\nsteel = \"S355\"\nfy_source = \"EN 1993-1-1\"\n"
+            "[strength]\nrequired = 1.0\nshear_lag = false\n" +
+            more));
+  };
+  // In the middle: 6 x 0.168 x 300e3/40^2 = 189 MPa across, 0.53 f_y; above a web nothing.
+  CHECK(says(of(0.0, ""), "bends it across, by about 0.5"));
+  CHECK_FALSE(says(of(0.296, ""), "bends it across"));
+}
+
 }  // namespace pulling_panels_test

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "boxbeam/core/units.hpp"
@@ -24,6 +25,10 @@ SecondMoment stiffener_inertia(const BearingStiffener& flats);
 /// opening that of an outstand up to there (k = 0.43), as at yield. Source: EN 1993-1-5:2006, 4.4,
 /// tables 4.1 and 4.2.
 Length working_width_of(Length beside, Length thickness, Stress yield_strength, bool whole);
+
+/// The least length of panels for which a stiffener is rigid, up to sqrt(2) h_w; nothing where it
+/// is so for none. Shorter panels resist no less than those so long.
+std::optional<Length> least_panel_length_of(const BearingStiffener& stiffener);
 
 /// "I = 1.2e+06 mm^4 beside the web is below 3.5e+06 mm^4 (9.3.3(3))" of a stiffener between panels
 /// so long, "" where it is rigid.
