@@ -192,6 +192,23 @@ std::string class_4_text(double ratio, double limit, const std::string& effectiv
       ratio, limit, effective);
 }
 
+/// The longest edge of a polygon over the mean thickness of its material, 2 A/perimeter: c/t of a
+/// strip and of the walls of a hollow square.
+double wall_ratio_of(const Polygon& polygon, Area area) {
+  double longest = 0.0, perimeter = 0.0;
+  const auto walk = [&](const std::vector<SectionPlace>& corners) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const SectionPlace &a = corners[i], &b = corners[(i + 1) % corners.size()];
+      const double edge = std::hypot((b.y - a.y).value(), (b.z - a.z).value());
+      longest = std::max(longest, edge);
+      perimeter += edge;
+    }
+  };
+  walk(polygon.outer);
+  for (const std::vector<SectionPlace>& hollow : polygon.hollows) walk(hollow);
+  return longest * perimeter / (2.0 * area.value());
+}
+
 }  // namespace
 
 PlateGates::PlateGates(const Project& project, const std::vector<BendingZone>& zones,
@@ -228,6 +245,20 @@ void PlateGates::look_at_class(const std::string& segment, const Profile& profil
       add("class", {segment, plate.plate, class_4_text(plate.ratio, plate.limit, why_not), true},
           plate.ratio / plate.limit);
     }
+  }
+  if (const auto* const polygon = std::get_if<Polygon>(&profile)) {
+    // What its plates are nobody knows: where all of it is one as slender as class 4.
+    const double ratio = wall_ratio_of(*polygon, properties_of({profile, {}}).area);
+    constexpr double limit = 42.0;
+    if (ratio > limit)
+      add("class",
+          {segment, "polygon",
+           fmt::format("its longest edge is {:.3g} times as long as it is thick in the mean, above "
+                       "{:.3g}: plates of it may buckle, which is not judged of polygons: write it "
+                       "as kind = \"box\" or \"thin-walled\"",
+                       ratio, limit),
+           true},
+          ratio / limit);
   }
   for (const Web& web : webs) {
     const auto yield = yield_strength_of(materials.of(web.kind), web.thickness);

@@ -354,6 +354,7 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
          "L_cr = h_w takes it that both flanges are held sideways there, which no "
          "[[beam.restraints]] say (EN 1993-1-5, 9.4(2))"});
   for (NotJudged& of : notes.not_judged()) found.not_judged.push_back(std::move(of));
+  for (Gate& of : notes.gates()) found.gates.push_back(std::move(of));
   for (const LoadIntroduction& of : project.beam.introductions) {
     const std::string why = of.stiff_length ? search.obstacle_of(of) : "";
     if (why.empty()) continue;

@@ -76,21 +76,40 @@ void PatchNotes::take_cycles(const Patch& patch, const std::vector<Borne>& ways,
   of.to = std::max(of.to, s);
 }
 
+std::string PatchNotes::words_of(const BentFlange& of) {
+  return of.beside > Length{}
+             ? fmt::format(
+                   "how a force {:.3g} mm beside the webs bends it across, by about {:.2g} "
+                   "of its strength, is not checked: [[beam.diaphragms]] take it, or "
+                   "into = \"webs\" says that it does not stand there",
+                   1e3 * of.beside.value(), of.use)
+             : fmt::format(
+                   "how it is bent across where it turns off, by about {:.2g} of its "
+                   "strength, is not checked: [[beam.diaphragms]] take it",
+                   of.use);
+}
+
+std::vector<Gate> PatchNotes::gates() const {
+  std::vector<Gate> found;
+  for (const auto& [name, of] : bent_) {
+    if (!(of.use > 1.0)) continue;
+    const std::size_t segment = segment_at(project_->beam, {of.s, Side::both});
+    found.push_back({project_->beam.segments[segment].name, "",
+                     fmt::format("flange under {} at s = {} m: {}", name,
+                                 to_text(Station{of.s, Side::both}), words_of(of)),
+                     true});
+  }
+  return found;
+}
+
 std::vector<NotJudged> PatchNotes::not_judged() const {
   std::vector<NotJudged> found;
   for (const auto& [name, of] : bent_) {
-    if (!(of.use > hardly_bent)) continue;
-    const std::string where = to_text(Station{of.s, Side::both});
+    if (!(of.use > hardly_bent) || of.use > 1.0) continue;
     found.push_back(
-        {Criterion::patch_loading, fmt::format("flange under {} at s = {} m", name, where),
-         of.beside > Length{}
-             ? fmt::format("how a force {:.3g} mm beside the webs bends it across, by about {:.2g} "
-                           "of its strength, is not checked: [[beam.diaphragms]] take it, or "
-                           "into = \"webs\" says that it does not stand there",
-                           1e3 * of.beside.value(), of.use)
-             : fmt::format("how it is bent across where it turns off, by about {:.2g} of its "
-                           "strength, is not checked: [[beam.diaphragms]] take it",
-                           of.use)});
+        {Criterion::patch_loading,
+         fmt::format("flange under {} at s = {} m", name, to_text(Station{of.s, Side::both})),
+         words_of(of)});
   }
   // The cut-off of category 36 with gamma_Mf = 1.35.
   constexpr double hardly_changes = 0.405 * 36e6 / 1.35;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "boxbeam/verification/gates.hpp"
 #include "patch_search.hpp"
 
 namespace boxbeam {
@@ -19,6 +20,8 @@ class PatchNotes {
   void take(const Patch& patch, const std::vector<Borne>& ways, const Situation& situation);
 
   std::vector<NotJudged> not_judged() const;
+  /// What bends a flange across by more than its strength.
+  std::vector<Gate> gates() const;
 
  private:
   /// A flange under a force: the stress across it, over its strength, where that is largest.
@@ -32,6 +35,7 @@ class PatchNotes {
     bool known = false;
   };
 
+  static std::string words_of(const BentFlange& of);
   void take_flange(const Patch& patch, const Borne& way, double load_factor);
   void take_cycles(const Patch& patch, const std::vector<Borne>& ways, bool again);
 

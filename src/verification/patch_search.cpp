@@ -18,6 +18,34 @@ namespace {
 /// Diaphragms, introductions and forces so near each other are at one place, by the beam's length.
 constexpr double same_place = 1e-6;
 
+/// Whether a joint of that name is known to let the beam turn: its couple is that of a force with a
+/// lever.
+bool turns_freely(const Project& project, const std::string& name) {
+  const auto named = [&](const auto& joints) {
+    return std::find_if(joints.begin(), joints.end(),
+                        [&](const auto& joint) { return joint.name == name; });
+  };
+  if (const auto* const planar = std::get_if<planar::Mechanism>(&project.mechanism)) {
+    const auto at = named(planar->joints);
+    return at != planar->joints.end() && (std::holds_alternative<planar::Pin>(at->kind) ||
+                                          std::holds_alternative<planar::PinInSlot>(at->kind) ||
+                                          std::holds_alternative<planar::Distance>(at->kind));
+  }
+  const auto* const frame = std::get_if<frame::Structure>(&project.mechanism);
+  if (frame == nullptr) return false;
+  const auto at = named(frame->joints);
+  if (at == frame->joints.end()) return false;
+  const Eigen::Matrix3d& beam = frame->members[static_cast<std::size_t>(project.beam_body)].axes;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(at->stiffness[static_cast<std::size_t>(3 + axis)] > 0.0)) continue;
+    const auto about = [&](int of) {
+      return std::abs(at->axes.col(axis).dot(beam.col(of))) > same_place;
+    };
+    if (about(1) || (project.in_space && about(2))) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::array<BoxPlate, 2> flanges_of(const Patch& patch) {
@@ -196,7 +224,7 @@ void PatchSearch::learn_clamps(const SituationRun& run) {
   }
   const double half_depth = 0.5 * height_of(project_->beam.segments.front().from.outer).value();
   for (const auto& [name, of] : largest) {
-    if (of.second > half_depth * of.first) clamps_.insert(name);
+    if (of.second > half_depth * of.first && !turns_freely(*project_, name)) clamps_.insert(name);
   }
 }
 

@@ -67,7 +67,7 @@ class PatchSearch {
   PatchSearch(const Project& project, const std::vector<BendingZone>& zones);
 
   /// Learns which joints at the ends of the beam clamp it: their couples are those of forces more
-  /// than half its depth away, which friction in a pin never is.
+  /// than half its depth away, which friction in a pin never is, and no pin with a lever so long.
   void learn_clamps(const SituationRun& run);
 
   bool has_something_to_do() const;

@@ -138,11 +138,12 @@ std::optional<Length> panel_length_at(const Project& project, const Station& sta
 Length supported_length_at(const Project& project, const Station& station) {
   const TaperedBeam& beam = project.beam;
   Supports of = supports_around(beam, station);
-  // What does not hold a box's plates is passed over; paths have their own rule.
+  // What does not hold a box's stiffened plates, which are columns between supports, is passed
+  // over.
   const auto holds = [&](const Station& end) {
     const auto walls = walls_at(project, end);
     return !walls || std::all_of(box_plates.begin(), box_plates.end(), [&](BoxPlate plate) {
-      return !may_buckle(walls->of(plate)) || bounded_from(project, end, plate).has_value();
+      return walls->of(plate).stiffeners.empty() || bounded_from(project, end, plate).has_value();
     });
   };
   while (of.before && *of.before > Length{} && !holds({*of.before, Side::behind}))

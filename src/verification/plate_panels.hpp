@@ -86,7 +86,7 @@ struct Supports {
 Supports supports_around(const TaperedBeam& beam, Station station);
 
 /// How far the supports across the plates at a station are apart: diaphragms, of boxes those that
-/// bound the panels of all their plates, and the ends of the beam.
+/// bound the panels of all their stiffened plates, and the ends of the beam.
 Length supported_length_at(const Project& project, const Station& station);
 
 }  // namespace boxbeam

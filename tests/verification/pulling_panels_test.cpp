@@ -265,4 +265,25 @@ TEST_CASE("wheels on a flange between webs, and what they press at every cycle, 
   CHECK_FALSE(says(of(0.296, ""), "bends it across"));
 }
 
+TEST_CASE("a pin at a lug far below a beam is no clamp: its force comes into the webs", "[patch]") {
+  // z = -0.9 m, N = -900 kN and 500 kN across: 900 x 0.9 kN m and 500/2 +- 900 x 0.9/8 kN.
+  const auto of = [](const std::string& kind) {
+    return verify(parse_project(
+        "panels.toml",
+        "[case]\nname = \"lug\"\nkind = \"static\"\n[frame]\ngravity = [\"0 m/s^2\", \"0 "
+        "m/s^2\"]\n" +
+            box + "[beam]\ndensity = \"7850 kg/m^3\"\npoints = { lug = [\"0 m\", \"-0.9 m\"] }\n" +
+            segment(8.0, "a") + "[supports.l]\nkind = \"" + kind +
+            "\"\nat = \"beam.lug\"\n"
+            "[supports.r]\nkind = \"roller\"\nat = \"8 m\"\n"
+            "[[beam.load_introductions]]\nfrom = \"3 m\"\nto = \"8 m\"\ninto = \"webs\"\n"
+            "[loads.p]\nkind = \"force\"\nat = \"4 m\"\nforce = [\"0 kN\", \"-500 kN\"]\n"
+            "[loads.n]\nkind = \"force\"\nat = \"8 m\"\nforce = [\"-900 kN\", \"0 kN\"]\n"
+            "[material]\nsteel = \"S355\"\nfy_source = \"EN 1993-1-1\"\n"
+            "[strength]\nrequired = 1.0\nshear_lag = false\n"));
+  };
+  CHECK(has_gate(of("pinned"), "of \"l\""));
+  CHECK_FALSE(has_gate(of("fixed"), "of \"l\""));
+}
+
 }  // namespace pulling_panels_test
