@@ -23,6 +23,25 @@ std::vector<LineLoad> unloaded_lines(const TaperedBeam& beam) {
   return lines;
 }
 
+void add_from_outside(const Eigen::Vector3d& at_start, const Eigen::Vector3d& at_end,
+                      LineLoad& stretch) {
+  const double length = stretch.length.value();
+  const auto line = [&](double a, double b) { return Polynomial<1>{{a, (b - a) / length}}; };
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto k = static_cast<std::size_t>(axis);
+    stretch.force[k] = stretch.force[k] + line(at_start[axis], at_end[axis]);
+    if (axis == 0) continue;
+    // Where it changes its sense the straight line between the ends is above what pushes either
+    // way.
+    for (const std::size_t against : {0U, 1U}) {
+      const double sense = against == 0 ? 1.0 : -1.0;
+      Polynomial<1>& size = stretch.outside[k - 1][against];
+      size =
+          size + line(std::max(0.0, sense * at_start[axis]), std::max(0.0, sense * at_end[axis]));
+    }
+  }
+}
+
 std::vector<LineLoad> weight_and_inertia(const TaperedBeam& beam,
                                          const std::vector<SegmentMass>& distribution,
                                          const Eigen::Vector3d& gravity, const BeamMotion& motion) {

@@ -186,6 +186,29 @@ void derive_seam(Derivation& steps, const Project& project, const PatchedSeam& o
   steps.define("factor", limit / loaded(steps, basis.load_factor, sigma_v));
 }
 
+/// A diaphragm as a column under what comes in and what a panel beside it pulls.
+void derive_stiffener(Derivation& steps, const Project& project, const CheckResult& result,
+                      const Traced& F) {
+  const PatchBasis& basis = *result.patch;
+  const double gamma_M1 = project.strength.gamma_M1;
+  const auto& stiffener = std::get<BearingStiffener>(basis.bears);
+  if (!basis.pulls) {
+    steps.define("factor", derive_bearing_resistance(steps, stiffener, gamma_M1) / F);
+    return;
+  }
+  const PullingPanel& of = *basis.pulls;
+  const Traced V = steps.given("V_w", of.shear,
+                               "of the plate of the panel beside it, half of its "
+                               "depth from the panel's edge or in its middle");
+  steps.note([&] { return "at s = " + to_text(of.at) + " m"; });
+  steps.note([&] { return instant_of(result.check); });
+  const Traced V_Ed = steps.define("V_Ed", loaded(steps, basis.load_factor, V));
+  const Traced V_cr = derive_buckling_shear(steps, of.panel, gamma_M1);
+  const Traced N_b = derive_bearing_resistance(steps, stiffener, gamma_M1);
+  derive_stiffener_factor(steps, F, V_Ed, V_cr, N_b);
+  steps.note([] { return "F_w, and with it N_st = V_Ed - V_cr, within the column's resistance"; });
+}
+
 /// Of a path the same, both together as 7.1(5) has it.
 Steps path_steps(const Project& project, const CheckResult& result) {
   const PathBasis& basis = *result.path;
@@ -261,6 +284,10 @@ Steps patch_steps(const Project& project, const CheckResult& result) {
   const PatchBasis& basis = *result.patch;
   const double gamma_M1 = project.strength.gamma_M1;
   Derivation steps;
+  if (!(basis.share * basis.force > Force{})) {
+    derive_stiffener(steps, project, result, Traced(0.0));
+    return steps_of(steps);
+  }
   const Traced all = steps.given("F", basis.force, "what comes in");
   steps.note([&] { return instant_of(result.check); });
   const bool alone = basis.path && basis.share == 1.0;
@@ -276,8 +303,8 @@ Steps patch_steps(const Project& project, const CheckResult& result) {
     return steps_of(steps);
   }
   const Traced F = steps.define("F_w", loaded(steps, basis.load_factor, Traced(share * all)));
-  if (const auto* const stiffener = std::get_if<BearingStiffener>(&basis.bears)) {
-    steps.define("factor", derive_bearing_resistance(steps, *stiffener, gamma_M1) / F);
+  if (std::holds_alternative<BearingStiffener>(basis.bears)) {
+    derive_stiffener(steps, project, result, F);
     return steps_of(steps);
   }
   const Traced resistance =

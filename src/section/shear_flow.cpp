@@ -13,6 +13,7 @@ namespace boxbeam {
 namespace {
 
 using Eigen::RowVector3d;
+using RowVector6d = Eigen::Matrix<double, 1, 6>;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
@@ -272,7 +273,15 @@ void complete(ShearFlow& flow, const Section& section) {
   const Eigen::Matrix<double, 3, 6> carried =
       along_walls(flow.at.graph, [&](std::size_t i) -> const WallFlows& { return flows[i]; }) +
       of_inclined_stress(flow);
-  flow.torque = -carried.row(2).transpose();
+  // What walls do not carry along themselves passes through the centroid, wherever the origin is.
+  Vector3d material = Vector3d::Zero();
+  for (const Vector3d& of : flow.at.cells.total) material += of;
+  Eigen::Matrix<double, 2, 6> missing = -carried.topRows<2>();
+  missing(0, cut_force::V_y) += 1.0;
+  missing(1, cut_force::V_z) += 1.0;
+  const RowVector6d turned =
+      (material[1] * missing.row(1) - material[2] * missing.row(0)) / material[0];
+  flow.torque = -(carried.row(2) + turned).transpose();
   flow.torque[cut_force::T] = 1.0;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include "boxbeam/core/derivation.hpp"
@@ -125,6 +127,7 @@ Number factor_of(Record& record, const Number& eta_2, const Number& eta_1) {
 /// The column of a bearing stiffener: a T of a strip of the web and the diaphragm's part.
 template <class Record>
 auto bearing(Record& record, const BearingStiffener& of, double gamma_M1) {
+  using std::sqrt;
   const double eps = epsilon_of(of.yield_strength);
   const auto within = [&](Length there, Length thickness) {
     return std::min(there, 15.0 * eps * thickness, std::less<>());
@@ -141,19 +144,23 @@ auto bearing(Record& record, const BearingStiffener& of, double gamma_M1) {
   const auto both = [&] {
     const auto A = record.define("A", strip * t + 2.0 * b_d * t_d);
     const auto out = record.define("d", (t + b_d) / 2.0);
-    return std::pair(
-        A, record.define("I", strip * t * t * t / 12.0 +
-                                  2.0 * (t_d * b_d * b_d * b_d / 12.0 + b_d * t_d * out * out)));
+    return std::tuple(
+        A,
+        record.define("I", strip * t * t * t / 12.0 +
+                               2.0 * (t_d * b_d * b_d * b_d / 12.0 + b_d * t_d * out * out)),
+        t * 0.0);
   };
   const auto one = [&] {
     const auto A = record.define("A", strip * t + b_d * t_d);
     const auto from_web = record.define("e", b_d * t_d * (t + b_d) / (2.0 * A));
     const auto out = record.define("d", (t + b_d) / 2.0 - from_web);
-    return std::pair(A,
-                     record.define("I", strip * t * t * t / 12.0 + strip * t * from_web * from_web +
-                                            t_d * b_d * b_d * b_d / 12.0 + b_d * t_d * out * out));
+    return std::tuple(
+        A,
+        record.define("I", strip * t * t * t / 12.0 + strip * t * from_web * from_web +
+                               t_d * b_d * b_d * b_d / 12.0 + b_d * t_d * out * out),
+        from_web);
   };
-  const auto [A, I] = of.both_sides ? both() : one();
+  const auto [A, I, e] = of.both_sides ? both() : one();
   const auto length =
       record.define("L_cr", (of.ends_clamped ? 0.75 : 1.0) * record.given("h_w", of.web_depth));
   if (!of.ends_clamped)
@@ -164,7 +171,26 @@ auto bearing(Record& record, const BearingStiffener& of, double gamma_M1) {
   const auto lambda = column::slenderness(record, A, f_y, N_cr);
   using Number = decltype(lambda * 1.0);
   const Number chi = column::reduction<Record, Number>(record, Number(lambda), BucklingCurve::c);
-  return column::resistance(record, chi, A, f_y, gamma_M1);
+  const auto N_b = column::resistance(record, chi, A, f_y, gamma_M1);
+  using Load = std::decay_t<decltype(N_b * 1.0)>;
+  if (!of.bows) return Load(N_b);
+  // The edge of the web, or the tip of the flat.
+  using Span = std::decay_t<decltype(e * 1.0)>;
+  const auto edge = largest_of({Span(e + t / 2.0), Span(b_d + t / 2.0 - e)});
+  const Number r(record.define("r", chi * A * e * edge / I, "chi A e/W"));
+  const Number q(record.define("q", 0.6 * least_of<Number>({Number(lambda), Number(1.0)}) * r));
+  const Number s(1.0 + r);
+  return Load(record.define("N_e,Rd", 2.0 * N_b / (s + sqrt(s * s + 4.0 * q)),
+                            "6.3.3 with k_yy = 1 + 0.6 lambda n, C_m = 1"));
+}
+
+template <class Record, class Load>
+auto factor_of_stiffener(Record& record, const Load& F, const Load& V, const Load& V_cr,
+                         const Load& N_b) {
+  using Number = std::decay_t<decltype(N_b / F * 1.0)>;
+  if (!(F.value() > 0.0)) return record.define("factor", Number((N_b + V_cr) / (F + V)));
+  return record.define("factor",
+                       least_of<Number>({Number(N_b / F), Number((N_b + V_cr) / (F + V))}));
 }
 
 }  // namespace
@@ -218,6 +244,16 @@ Force bearing_resistance_of(const BearingStiffener& stiffener, double gamma_M1) 
 Traced derive_bearing_resistance(Derivation& steps, const BearingStiffener& stiffener,
                                  double gamma_M1) {
   return bearing(steps, stiffener, gamma_M1);
+}
+
+double stiffener_factor(Force comes_in, Force shear, Force buckling_shear, Force resistance) {
+  constexpr NoDerivation plainly;
+  return factor_of_stiffener(plainly, comes_in, shear, buckling_shear, resistance);
+}
+
+Traced derive_stiffener_factor(Derivation& steps, const Traced& comes_in, const Traced& shear,
+                               const Traced& buckling_shear, const Traced& resistance) {
+  return factor_of_stiffener(steps, comes_in, shear, buckling_shear, resistance);
 }
 
 }  // namespace boxbeam

@@ -42,8 +42,13 @@ Number stiffened_factor(Record& record, const ShearPanel& panel, const L& depth,
       "k_tau", Number(bare + plate::shear_factor_of_stiffeners<Number>(record, theta, ratio)));
 }
 
+template <class Number>
+struct Slenderness {
+  Number k_tau, lambda_w;
+};
+
 template <class Number, class Record>
-PanelNumbers<Number> numbers_of(Record& record, const ShearPanel& panel, double eta) {
+Slenderness<Number> slenderness_of(Record& record, const ShearPanel& panel) {
   const auto depth = record.known("h_w", panel.depth);
   const auto thickness = record.known("t", panel.thickness);
   const auto ratio = depth / thickness;
@@ -51,8 +56,7 @@ PanelNumbers<Number> numbers_of(Record& record, const ShearPanel& panel, double 
   if (panel.stiffeners.count == 0) {
     const Number k_tau =
         plate::bare_shear_factor<Number>(record, "k_tau", depth, panel.depth, panel.length);
-    const Number lambda_w(plate::shear_slenderness(record, "lambda_w", ratio, epsilon, k_tau));
-    return {k_tau, lambda_w, plate::shear_reduction(record, lambda_w, eta, panel.rigid_end_post)};
+    return {k_tau, Number(plate::shear_slenderness(record, "lambda_w", ratio, epsilon, k_tau))};
   }
   const Number k_tau = stiffened_factor<Number>(record, panel, depth, thickness);
   const Number whole(plate::shear_slenderness(record, "lambda_w,0", ratio, epsilon, k_tau));
@@ -62,9 +66,24 @@ PanelNumbers<Number> numbers_of(Record& record, const ShearPanel& panel, double 
       plate::bare_shear_factor<Number>(record, "k_tau,i", subpanel, widest, panel.length, true);
   const Number part(plate::shear_slenderness(record, "lambda_w,i", Number(subpanel / thickness),
                                              Number(epsilon), k_tau_i));
-  const Number lambda_w = record.define("lambda_w", largest_of({whole, part}),
-                                        "the panel or its widest subpanel, 5.3(5)");
+  return {k_tau, record.define("lambda_w", largest_of({whole, part}),
+                               "the panel or its widest subpanel, 5.3(5)")};
+}
+
+template <class Number, class Record>
+PanelNumbers<Number> numbers_of(Record& record, const ShearPanel& panel, double eta) {
+  const auto [k_tau, lambda_w] = slenderness_of<Number>(record, panel);
   return {k_tau, lambda_w, plate::shear_reduction(record, lambda_w, eta, panel.rigid_end_post)};
+}
+
+template <class Record, class Number>
+auto buckling_shear(Record& record, const ShearPanel& panel, const Number& lambda_w,
+                    double gamma_M1) {
+  using std::sqrt;
+  const auto force = record.known("h_w", panel.depth) * record.known("t", panel.thickness) *
+                     record.known("f_y", panel.yield_strength);
+  return record.define("V_cr", force / (lambda_w * lambda_w * sqrt(record.constant("3", 3.0)) *
+                                        record.known("gamma_M1", gamma_M1, {ValueKind::factor})));
 }
 
 }  // namespace
@@ -107,6 +126,18 @@ Traced derive_shear_resistance(Derivation& steps, const ShearPanel& panel, doubl
   return plate::shear_resistance(steps, of.chi_w, steps.known("f_y", panel.yield_strength),
                                  steps.known("h_w", panel.depth), steps.known("t", panel.thickness),
                                  gamma_M1);
+}
+
+Force buckling_shear_of(const ShearPanel& panel, double gamma_M1) {
+  constexpr NoDerivation plainly;
+  return buckling_shear(plainly, panel, slenderness_of<double>(plainly, panel).lambda_w, gamma_M1);
+}
+
+Traced derive_buckling_shear(Derivation& steps, const ShearPanel& panel, double gamma_M1) {
+  steps.given("h_w", panel.depth);
+  steps.given("t", panel.thickness);
+  steps.given("f_y", panel.yield_strength);
+  return buckling_shear(steps, panel, slenderness_of<Traced>(steps, panel).lambda_w, gamma_M1);
 }
 
 double interaction_factor(double eta_1, double eta_3, double part) {

@@ -1,10 +1,13 @@
 #include "boxbeam/strength/transverse_stiffener.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "boxbeam/strength/plate_slenderness.hpp"
+#include "boxbeam/strength/effective_width.hpp"
+#include "boxbeam/strength/section_class.hpp"
 
 namespace boxbeam {
 
@@ -12,6 +15,36 @@ SecondMoment rigid_stiffener_inertia(Length depth, Length thickness, Length leng
   const double h_w = depth.value(), t = thickness.value(), a = length.value();
   return si<SecondMoment>(a < std::numbers::sqrt2 * h_w ? 1.5 * std::pow(h_w * t, 3) / (a * a)
                                                         : 0.75 * h_w * std::pow(t, 3));
+}
+
+Length working_width_of(Length beside, Length thickness, Stress yield_strength, bool whole) {
+  const double epsilon = epsilon_of(yield_strength), ratio = beside / thickness;
+  const double part =
+      whole ? internal_reduction(
+                  relative_plate_slenderness(2.0 * ratio, epsilon, *internal_buckling_factor(1.0)),
+                  1.0)
+            : outstand_reduction(relative_plate_slenderness(
+                  ratio, epsilon, *outstand_buckling_factor(1.0, LargestCompression::at_tip)));
+  return part * beside;
+}
+
+std::optional<Length> least_panel_length_of(const BearingStiffener& stiffener) {
+  const double h_w = stiffener.web_depth.value(), t = stiffener.web_thickness.value();
+  const double I = stiffener_inertia(stiffener).value(), long_panel = std::numbers::sqrt2 * h_w;
+  if (I < rigid_stiffener_inertia(stiffener.web_depth, stiffener.web_thickness,
+                                  si<Length>(2.0 * long_panel))
+              .value())
+    return std::nullopt;
+  return si<Length>(std::min(long_panel, std::sqrt(1.5 * std::pow(h_w * t, 3) / I)));
+}
+
+std::string rigidity_obstacle(const BearingStiffener& stiffener, Length panel_length) {
+  const SecondMoment there = stiffener_inertia(stiffener);
+  const SecondMoment least =
+      rigid_stiffener_inertia(stiffener.web_depth, stiffener.web_thickness, panel_length);
+  if (there >= least) return "";
+  return fmt::format("I = {:.4g} mm^4 beside the web is below {:.4g} mm^4 (9.3.3(3))",
+                     1e12 * there.value(), 1e12 * least.value());
 }
 
 SecondMoment stiffener_inertia(const BearingStiffener& flats) {

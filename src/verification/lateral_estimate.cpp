@@ -42,23 +42,6 @@ std::size_t nearest_of(const std::vector<double>& nodes, double s) {
   return index;
 }
 
-/// The shear centre of a section, that of a path found with its nodes about its centroid: its walls
-/// carry a little less than V, for bending counts their inertia over the thickness, and what is
-/// missing must not turn about an axis far away.
-std::optional<SectionPlace> shear_centre_in(const Section& section) {
-  const auto* const path = std::get_if<ThinWalled>(&section.outer);
-  if (path == nullptr || section.inner) return shear_centre_of(section);
-  const SectionProperties of = properties_of(section);
-  ThinWalled centred = *path;
-  for (SectionPlace& node : centred.nodes) {
-    node.y = node.y - of.centroid_y;
-    node.z = node.z - of.centroid_z;
-  }
-  const auto place = shear_centre_of({centred, {}});
-  if (!place) return std::nullopt;
-  return SectionPlace{place->y + of.centroid_y, place->z + of.centroid_z};
-}
-
 /// I_T, of polygons no less than it has. What is nested in others counts where its I_T is known.
 double least_torsion_constant_in(const Section& section) {
   if (const auto* const polygon = std::get_if<Polygon>(&section.outer))
@@ -74,7 +57,7 @@ double least_torsion_constant_in(const Section& section) {
 std::array<double, 2> turned_stresses_of(const Section& section) {
   const auto* const path = std::get_if<ThinWalled>(&section.outer);
   if (path == nullptr || section.inner) return {};
-  const auto centre = shear_centre_in(section);
+  const auto centre = shear_centre_of(section);
   if (!centre || enclosed_area_of(section.outer).value() > 0.0) return {};
   const AreaSums sums = sums_of(outline_of(section, {}));
   const double y_s = centre->y.value(), z_s = centre->z.value();
@@ -118,7 +101,7 @@ SectionReach reach_of(const Section& section) {
   const Extent extent = extent_of(section.outer);
   const SectionProperties of = properties_of(section);
   const SectionPlace centre =
-      shear_centre_in(section).value_or(SectionPlace{of.centroid_y, of.centroid_z});
+      shear_centre_of(section).value_or(SectionPlace{of.centroid_y, of.centroid_z});
   return {{(extent.z_low - centre.z).value(), (extent.y_low - centre.y).value()},
           {(extent.z_high - centre.z).value(), (extent.y_high - centre.y).value()},
           {(of.centroid_z - centre.z).value(), (of.centroid_y - centre.y).value()}};
@@ -160,21 +143,31 @@ double tipping_at_edges(const std::array<double, 2>& force, const SectionReach& 
   return sum;
 }
 
-/// Whether lines of force act from outside, beside weight and inertia.
-bool lines_press(const AnyMechanism& mechanism) {
-  if (const auto* const spatial = std::get_if<spatial::Mechanism>(&mechanism))
-    return !spatial->line_forces.empty();
-  if (const auto* const recorded = std::get_if<recorded::Loads>(&mechanism))
-    return recorded->as_cuts;
-  const auto* const structure = std::get_if<frame::Structure>(&mechanism);
-  if (structure == nullptr) return false;
-  const auto is_line = [](const frame::Action& of) {
-    return std::holds_alternative<frame::LineAction>(of.kind);
-  };
-  return std::any_of(structure->cases.begin(), structure->cases.end(),
-                     [&](const frame::LoadCase& of) {
-                       return std::any_of(of.actions.begin(), of.actions.end(), is_line);
-                     });
+/// What a line of force does per length: weight and inertia at the centroid, all else at the edges,
+/// each load by itself, for what rights the beam at one height need not at the other. Of cut forces
+/// nothing tells them apart.
+double tipping_of(const LineLoad& line, double x, const SectionReach& reach, bool of_cuts) {
+  std::array own{line.force[2](x), line.force[1](x)};
+  double sum = 0.0;
+  if (of_cuts) {
+    sum = tipping_at_edges(own, reach);
+  } else {
+    for (const std::size_t against : {0U, 1U}) {
+      const double sense = against == 0 ? 1.0 : -1.0;
+      const std::array outside{sense * line.outside[1][against](x),
+                               sense * line.outside[0][against](x)};
+      sum += tipping_at_edges(outside, reach);
+      for (std::size_t axis = 0; axis < 2; ++axis) own[axis] -= outside[axis];
+    }
+  }
+  const double by_own = -own[0] * reach.centroid[0] - own[1] * reach.centroid[1];
+  return of_cuts ? std::max(sum, by_own) : sum + by_own;
+}
+
+/// Whether lines of force follow from cut forces that the case gives.
+bool lines_are_cut(const AnyMechanism& mechanism) {
+  const auto* const recorded = std::get_if<recorded::Loads>(&mechanism);
+  return recorded != nullptr && recorded->as_cuts;
 }
 
 /// I_w of a segment; none of one that tapers, whose flanges, no longer parallel, make it bend
@@ -187,7 +180,7 @@ double warping_constant_in(const Segment& segment) {
 }  // namespace
 
 LateralEstimate::LateralEstimate(const Project& project)
-    : project_(&project), lines_press_(lines_press(project.mechanism)) {}
+    : project_(&project), lines_are_cut_(lines_are_cut(project.mechanism)) {}
 
 void LateralEstimate::hold(const std::vector<double>& at, const BeamLoads& loads) {
   std::vector<double> places = at;
@@ -335,10 +328,7 @@ void LateralEstimate::tip(const BeamLoads& loads) {
       const std::array<double, 2> places = gauss_places(beam_, e);
       for (std::size_t g = 0; g < 2; ++g) {
         const double s = from + (places[g] - first) / length * (to - from);
-        const std::array force{line.force[2](s - start), line.force[1](s - start)};
-        const SectionReach& reach = reach_[e][g];
-        double per_length = -force[0] * reach.centroid[0] - force[1] * reach.centroid[1];
-        if (lines_press_) per_length = std::max(per_length, tipping_at_edges(force, reach));
+        const double per_length = tipping_of(line, s - start, reach_[e][g], lines_are_cut_);
         const double part = (s - first) / length, of = 0.5 * (to - from) * per_length;
         tipping[e] += (1.0 - part) * of;
         tipping[e + 1] += part * of;

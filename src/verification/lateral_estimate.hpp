@@ -58,7 +58,7 @@ class LateralEstimate {
   double part_of(const Turning& load, double known) const;
 
   const Project* project_;
-  bool lines_press_;
+  bool lines_are_cut_;
   std::vector<double> at_, places_;
   TurningBeam beam_;
   std::vector<std::array<double, 2>> by_M_y_, by_M_z_;  ///< 1/(E I) - 1/(E I_M) of the elements

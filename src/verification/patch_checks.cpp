@@ -9,6 +9,7 @@
 
 #include "boxbeam/numerics/extremum.hpp"
 #include "boxbeam/verification/distorted_stretch.hpp"
+#include "patch_notes.hpp"
 #include "patch_search.hpp"
 #include "patched_path.hpp"
 
@@ -45,8 +46,13 @@ struct OnPaths {
 class PatchRun {
  public:
   PatchRun(const Project& project, PatchSearch& search, const SituationRun& run,
-           std::map<BorneKey, WorstPatch>& worst, OnPaths& on_paths)
-      : project_(&project), search_(&search), run_(&run), worst_(&worst), on_paths_(&on_paths) {}
+           std::map<BorneKey, WorstPatch>& worst, OnPaths& on_paths, PatchNotes& notes)
+      : project_(&project),
+        search_(&search),
+        run_(&run),
+        worst_(&worst),
+        on_paths_(&on_paths),
+        notes_(&notes) {}
 
   void look() {
     const LoadHistory& history = run_->loads;
@@ -75,10 +81,12 @@ class PatchRun {
                                      const CutForceDiagram& diagram) {
     std::map<BorneKey, double> uses;
     note_torque(loads);
-    const std::vector<Patch> patches = search_->patches_of(loads);
+    const std::vector<Patch> patches = search_->patches_of(loads, diagram);
     for (const Patch& patch : patches) {
       note_on_path(patch);
-      for (Borne& borne : search_->worst_of(patch, patches, diagram)) {
+      std::vector<Borne> ways = search_->worst_of(patch, patches, diagram);
+      notes_->take(patch, ways, *run_->situation);
+      for (Borne& borne : ways) {
         const double load_factor = run_->situation->load_factor;
         const double use =
             project_->strength.required * load_factor / search_->factor_of(borne.basis);
@@ -95,6 +103,7 @@ class PatchRun {
   }
 
   void note_on_path(const Patch& patch) {
+    if (patch.is_none()) return;
     const auto of = search_->unjudged_on_path(patch);
     if (!of) return;
     const Force size = run_->situation->load_factor * abs(patch.force);
@@ -177,6 +186,7 @@ class PatchRun {
   const SituationRun* run_;
   std::map<BorneKey, WorstPatch>* worst_;
   OnPaths* on_paths_;
+  PatchNotes* notes_;
 };
 
 std::string plate_text(const Project& project, const Borne& borne) {
@@ -185,7 +195,7 @@ std::string plate_text(const Project& project, const Borne& borne) {
   const BoxWall &left = walls.of(BoxPlate::left_web), &right = walls.of(BoxPlate::right_web);
   const bool alike =
       left.thickness == right.thickness && left.yield_strength == right.yield_strength;
-  return project.in_space || !alike ? to_text(borne.plate) : "web";
+  return project.in_space || !alike || is_flange(borne.plate) ? to_text(borne.plate) : "web";
 }
 
 /// What bears a patch, in words.
@@ -232,6 +242,12 @@ CheckResult check_of(const Project& project, const PatchSearch& search, WorstPat
     check.resisting = Stress(web->plate->panel.yield_strength / project.strength.gamma_M1);
     check.acting = Stress(use * check.resisting.value() * pascal);
     check.source = "EN 1993-1-5:2006, clause 10, equation 10.5, with 6.4 and annex B";
+  } else if (basis.pulls && use > (1.0 + 1e-12) * basis.load_factor * eta_2) {
+    const PullingPanel& of = *basis.pulls;
+    check.resisting =
+        Force(basis.resistance + buckling_shear_of(of.panel, project.strength.gamma_M1));
+    check.acting = Force(basis.load_factor * (basis.share * basis.force + of.shear));
+    check.source = "EN 1993-1-5:2006, 9.3.3(3), 9.4 (stiffener of panels as a column)";
   } else if (use <= (1.0 + 1e-12) * basis.load_factor * eta_2) {
     check.resisting = basis.resistance;
     check.acting = Force(basis.load_factor * basis.share * basis.force);
@@ -303,7 +319,9 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
   std::map<BorneKey, WorstPatch> worst;
   for (const SituationRun& run : runs) search.learn_clamps(run);
   OnPaths on_paths;
-  for (const SituationRun& run : runs) PatchRun(project, search, run, worst, on_paths).look();
+  PatchNotes notes(project);
+  for (const SituationRun& run : runs)
+    PatchRun(project, search, run, worst, on_paths, notes).look();
   add_gates(project, on_paths, found.gates);
   // A use this small is none, as stress is (`no_stress_at`).
   constexpr double no_use = 1e-6;
@@ -318,11 +336,12 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
     else if (result.check.utilisation() > same->check.utilisation())
       *same = std::move(result);
   };
-  found.not_judged = not_judged_of_flats(project);
+  found.not_judged = not_judged_of_diaphragms(project);
   for (auto& [key, of] : worst) {
     if (!(of.use > no_use)) continue;
     const auto* const bears = std::get_if<BearingStiffener>(&of.borne.basis.bears);
-    if (bears != nullptr && !bears->ends_clamped)
+    // What comes from panels alone asks nothing of the flanges.
+    if (bears != nullptr && !bears->ends_clamped && !of.patch.is_none())
       sideways.insert(to_text({of.patch.s, Side::both}));
     if (!of.patch.given && of.use > 1.0)
       found.gates.push_back(gate_of(project, of));
@@ -334,6 +353,8 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
         {Criterion::patch_loading, fmt::format("flats at s = {} m", fmt::join(sideways, ", ")),
          "L_cr = h_w takes it that both flanges are held sideways there, which no "
          "[[beam.restraints]] say (EN 1993-1-5, 9.4(2))"});
+  for (NotJudged& of : notes.not_judged()) found.not_judged.push_back(std::move(of));
+  for (Gate& of : notes.gates()) found.gates.push_back(std::move(of));
   for (const LoadIntroduction& of : project.beam.introductions) {
     const std::string why = of.stiff_length ? search.obstacle_of(of) : "";
     if (why.empty()) continue;

@@ -18,6 +18,34 @@ namespace {
 /// Diaphragms, introductions and forces so near each other are at one place, by the beam's length.
 constexpr double same_place = 1e-6;
 
+/// Whether a joint of that name is known to let the beam turn: its couple is that of a force with a
+/// lever.
+bool turns_freely(const Project& project, const std::string& name) {
+  const auto named = [&](const auto& joints) {
+    return std::find_if(joints.begin(), joints.end(),
+                        [&](const auto& joint) { return joint.name == name; });
+  };
+  if (const auto* const planar = std::get_if<planar::Mechanism>(&project.mechanism)) {
+    const auto at = named(planar->joints);
+    return at != planar->joints.end() && (std::holds_alternative<planar::Pin>(at->kind) ||
+                                          std::holds_alternative<planar::PinInSlot>(at->kind) ||
+                                          std::holds_alternative<planar::Distance>(at->kind));
+  }
+  const auto* const frame = std::get_if<frame::Structure>(&project.mechanism);
+  if (frame == nullptr) return false;
+  const auto at = named(frame->joints);
+  if (at == frame->joints.end()) return false;
+  const Eigen::Matrix3d& beam = frame->members[static_cast<std::size_t>(project.beam_body)].axes;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(at->stiffness[static_cast<std::size_t>(3 + axis)] > 0.0)) continue;
+    const auto about = [&](int of) {
+      return std::abs(at->axes.col(axis).dot(beam.col(of))) > same_place;
+    };
+    if (about(1) || (project.in_space && about(2))) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::array<BoxPlate, 2> flanges_of(const Patch& patch) {
@@ -30,7 +58,10 @@ std::array<BoxPlate, 2> flanges_of(const Patch& patch) {
 }
 
 PatchSearch::PatchSearch(const Project& project, const std::vector<BendingZone>& zones)
-    : project_(&project), zones_(&zones) {
+    : project_(&project),
+      zones_(&zones),
+      pulling_(project, zones),
+      kinks_(flange_kinks_of(project)) {
   const TaperedBeam& beam = project.beam;
   for (const Segment& segment : beam.segments) {
     Slender& of = slender_.emplace_back(slender_at({segment.start, Side::behind}));
@@ -193,18 +224,19 @@ void PatchSearch::learn_clamps(const SituationRun& run) {
   }
   const double half_depth = 0.5 * height_of(project_->beam.segments.front().from.outer).value();
   for (const auto& [name, of] : largest) {
-    if (of.second > half_depth * of.first) clamps_.insert(name);
+    if (of.second > half_depth * of.first && !turns_freely(*project_, name)) clamps_.insert(name);
   }
 }
 
 bool PatchSearch::has_something_to_do() const {
+  // In the plane flanges take forces from diaphragms alone.
+  const bool flanges = project_->in_space || !project_->beam.diaphragms.empty();
   return !project_->beam.introductions.empty() ||
-         std::any_of(slender_.begin(), slender_.end(), [&](const Slender& of) {
-           return of.along_z || (project_->in_space && of.along_y);
-         });
+         std::any_of(slender_.begin(), slender_.end(),
+                     [&](const Slender& of) { return of.along_z || (flanges && of.along_y); });
 }
 
-std::vector<Patch> PatchSearch::patches_of(const BeamLoads& loads) {
+std::vector<Patch> PatchSearch::patches_of(const BeamLoads& loads, const CutForceDiagram& diagram) {
   const TaperedBeam& beam = project_->beam;
   std::vector<Patch> patches;
   for (const PointLoad& load : loads.points) {
@@ -222,8 +254,10 @@ std::vector<Patch> PatchSearch::patches_of(const BeamLoads& loads) {
     }
   }
   add_groups(patches);
+  add_kinks(diagram, patches);
   add_lines(loads.lines, true, patches);
   if (project_->in_space) add_lines(loads.lines, false, patches);
+  add_bare_diaphragms(patches);
   return patches;
 }
 
@@ -244,19 +278,23 @@ std::vector<Borne> PatchSearch::worst_of(const Patch& patch, const std::vector<P
     if (side == Side::before ? patch.s == Length{} : patch.s == end) continue;
     const Station station{patch.s, side};
     const JudgedSection& judged = judged_at(station);
-    const CutForces cut = diagram.at(station);
     if (judged.path) {
-      for (Borne& of : path_ways_at(patch, station, judged, cut)) take(std::move(of));
+      for (Borne& of : path_ways_at(patch, station, judged, diagram)) take(std::move(of));
     }
     if (!judged.box) continue;
-    for (Borne& of : ways_at(patch, station, judged, cut)) take(std::move(of));
-    for (Borne& of : seams_at(patch, all, station, judged, cut)) take(std::move(of));
+    for (Borne& of : ways_at(patch, station, judged, diagram)) take(std::move(of));
+    for (Borne& of : seams_at(patch, all, judged, diagram.at(station))) take(std::move(of));
   }
   return worst;
 }
 
 double PatchSearch::factor_of(const PatchBasis& basis) const {
   const bool beside = std::holds_alternative<PatchedWeb>(basis.bears);
+  if (basis.pulls) {
+    return stiffener_factor(basis.share * basis.force, basis.pulls->shear,
+                            buckling_shear_of(basis.pulls->panel, project_->strength.gamma_M1),
+                            basis.resistance);
+  }
   return patch_factor(basis.share * basis.force / basis.resistance, beside ? eta_1_of(basis) : 0.0);
 }
 
@@ -314,8 +352,9 @@ void PatchSearch::add_groups(std::vector<Patch>& patches) {
                    [](const Patch& a, const Patch& b) { return a.s < b.s; });
   const std::size_t singles = patches.size();
   const auto beside = [&](const Patch& a, const Patch& b) {
-    return a.along_z == b.along_z && a.diaphragm == nullptr && b.diaphragm == nullptr &&
-           abs(b.s - a.s) <= depth_at(a);
+    // What one diaphragm takes, it takes together.
+    return a.along_z == b.along_z && a.diaphragm == b.diaphragm &&
+           (a.diaphragm != nullptr || abs(b.s - a.s) <= depth_at(a));
   };
   const auto one_sense = [](const Patch& a, const Patch& b) {
     return (a.force.value() > 0.0) == (b.force.value() > 0.0);
@@ -370,6 +409,9 @@ const PatchSearch::JudgedSection& PatchSearch::judged_at(const Station& station)
     of.path = std::make_shared<EffectivePath>(*judged_path_at(*project_, *zones_, station));
   if (const auto walls = walls_at(station)) {
     of.box = std::make_shared<EffectiveBox>(*walls, lag_shares_at(*zones_, section, station));
+    for (const BoxPlate plate : box_plates) {
+      of.panels[static_cast<std::size_t>(plate)] = panel_length_at(*project_, station, plate);
+    }
     of.reduced = reduced_at(station, section, *walls);
     const auto* const welded = std::get_if<Box>(&section.outer);
     if (welded != nullptr && welded->seam_throat > Length{}) {
@@ -398,6 +440,7 @@ PatchSearch::Shared PatchSearch::shared_by_webs(const Patch& patch, const FourWa
   using enum BoxPlate;
   Shared of{patch.along_z ? std::array{left_web, right_web} : std::array{top_flange, bottom_flange},
             {}};
+  if (patch.is_none()) return of;
   const Length high = walls.of(of.webs[0]).middle, low = walls.of(of.webs[1]).middle;
   // M_x = y F_z - z F_y.
   const Length at = (patch.along_z ? 1.0 : -1.0) * patch.couple / patch.force;
@@ -407,14 +450,15 @@ PatchSearch::Shared PatchSearch::shared_by_webs(const Patch& patch, const FourWa
 }
 
 std::vector<Borne> PatchSearch::ways_at(const Patch& patch, const Station& station,
-                                        const JudgedSection& judged, const CutForces& cut) const {
+                                        const JudgedSection& judged,
+                                        const CutForceDiagram& diagram) {
   const FourWalls& walls = judged.box->box();
   const auto [webs, shares] = shared_by_webs(patch, walls);
   Borne of;
   PatchBasis& basis = of.basis;
   basis.force = abs(patch.force);
   basis.box = judged.box;
-  basis.cut = cut;
+  basis.cut = diagram.at(station);
   basis.corner = judged.box->worst_corner(basis.cut);
   std::vector<Borne> ways;
   for (const std::size_t k : {0U, 1U}) {
@@ -424,14 +468,12 @@ std::vector<Borne> PatchSearch::ways_at(const Patch& patch, const Station& stati
       const BoxWall& across =
           walls.of(is_flange(webs[k]) ? BoxPlate::left_web : BoxPlate::top_flange);
       const BearingStiffener stiffener =
-          stiffener_of(*project_, web_of(walls, webs[k], flanges_of(patch).front(), patch, station),
+          stiffener_of(*project_, web_of(judged, webs[k], flanges_of(patch).front(), patch),
                        across.clear(), *patch.diaphragm, station);
-      basis.resistance = bearing_resistance_of(stiffener, project_->strength.gamma_M1);
-      basis.bears = stiffener;
-      ways.push_back(of);
+      bear_by_stiffener(patch, stiffener, to_text(webs[k]), diagram, of, ways);
       continue;
     }
-    const PatchedWeb by_flange = web_of(walls, webs[k], flanges_of(patch).front(), patch, station);
+    const PatchedWeb by_flange = web_of(judged, webs[k], flanges_of(patch).front(), patch);
     for (const PatchedWeb& web : in_every_way(by_flange, patch)) {
       const auto plate = reduced_plate_of(judged, webs[k]);
       if (plate != nullptr && basis.share > 0.0)
@@ -476,8 +518,9 @@ void PatchSearch::bear_by_reduced_stresses(const std::shared_ptr<const ReducedPl
   basis.bears = ReducedWeb{web, plate, onto_high, stress};
 }
 
-PatchedWeb PatchSearch::web_of(const FourWalls& walls, BoxPlate plate, BoxPlate by,
-                               const Patch& patch, const Station& station) const {
+PatchedWeb PatchSearch::web_of(const JudgedSection& judged, BoxPlate plate, BoxPlate by,
+                               const Patch& patch) {
+  const FourWalls& walls = judged.box->box();
   const BoxWall& wall = walls.of(plate);
   const BoxWall& flange = walls.of(by);
   PatchedWeb web;
@@ -487,13 +530,12 @@ PatchedWeb PatchSearch::web_of(const FourWalls& walls, BoxPlate plate, BoxPlate 
   web.flange_thickness = flange.thickness;
   web.flange_inside = 0.5 * flange.clear();
   web.flange_strength = flange.yield_strength;
-  return web_under(web, patch, station);
+  web.length = judged.panels[static_cast<std::size_t>(plate)];
+  return web_under(web, patch);
 }
 
-PatchedWeb PatchSearch::web_under(PatchedWeb web, const Patch& patch,
-                                  const Station& station) const {
+PatchedWeb PatchSearch::web_under(PatchedWeb web, const Patch& patch) {
   web.stiff_length = patch.stiff_length;
-  web.length = panel_length_at(project_->beam, station);
   web.entry = patch.opposed ? ForceEntry::both_flanges : ForceEntry::one_flange;
   return web;
 }
@@ -501,8 +543,9 @@ PatchedWeb PatchSearch::web_under(PatchedWeb web, const Patch& patch,
 std::vector<PatchedWeb> PatchSearch::in_every_way(PatchedWeb web, const Patch& patch) const {
   std::vector<PatchedWeb> ways{web};
   if (const auto to_end = distance_to_end(patch)) {
-    // From 2/3 h_w on k_F is that of a force far from the end.
-    if (web.stiff_length + *to_end < 2.0 / 3.0 * web.depth) {
+    // From 2/3 h_w on k_F is that of a force far from the end; a long bearing at the end has its
+    // one hinge all the same.
+    if (*to_end < 2.0 / 3.0 * web.depth) {
       web.entry = ForceEntry::near_end;
       web.length.reset();
       web.to_end = *to_end;
@@ -526,23 +569,6 @@ std::optional<Length> PatchSearch::distance_to_end(const Patch& patch) const {
   if (!kept_off(Length{}, patch.s)) look(patch.s);
   if (!kept_off(patch.s, beam.length())) look(beam.length() - patch.s);
   return nearest;
-}
-
-BearingStiffener stiffener_of(const Project& project, const PatchedWeb& web, Length inside,
-                              const Diaphragm& diaphragm, const Station& station) {
-  BearingStiffener of;
-  of.web_depth = web.depth;
-  of.web_thickness = web.thickness;
-  of.web_before = station.s;
-  of.web_behind = project.beam.length() - station.s;
-  of.thickness = diaphragm.thickness;
-  of.width = 0.5 * (inside - diaphragm.opening);
-  of.yield_strength = web.yield_strength;
-  const Material& steel =
-      materials_of(project, segment_at(project.beam, station)).of(PlateKind::inner);
-  if (const auto own = yield_strength_of(steel, diaphragm.thickness))
-    of.yield_strength = std::min(of.yield_strength, *own, std::less<>());
-  return of;
 }
 
 }  // namespace boxbeam

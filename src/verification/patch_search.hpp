@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "boxbeam/verification/plate_checks.hpp"
+#include "kinked_flanges.hpp"
+#include "pulling_panels.hpp"
 
 namespace boxbeam {
 
@@ -27,6 +29,10 @@ struct Patch {
   const Diaphragm* diaphragm = nullptr;  ///< that takes it
   bool opposed = false;                  ///< one of the other sense is near
   bool together = false;                 ///< several as one
+  const FlangeKink* kink = nullptr;      ///< that it comes from
+
+  /// What of it is none, there is for what panels pull at a diaphragm alone.
+  bool is_none() const { return force == Force{}; }
 
   /// The same from instant to instant.
   auto key() const {
@@ -61,13 +67,13 @@ class PatchSearch {
   PatchSearch(const Project& project, const std::vector<BendingZone>& zones);
 
   /// Learns which joints at the ends of the beam clamp it: their couples are those of forces more
-  /// than half its depth away, which friction in a pin never is.
+  /// than half its depth away, which friction in a pin never is, and no pin with a lever so long.
   void learn_clamps(const SituationRun& run);
 
   bool has_something_to_do() const;
 
   /// What comes in under these loads.
-  std::vector<Patch> patches_of(const BeamLoads& loads);
+  std::vector<Patch> patches_of(const BeamLoads& loads, const CutForceDiagram& diagram);
 
   /// How webs and how their seams bear a patch among all, of all places and sides the one that is
   /// used most of both; none of what is not judged.
@@ -116,7 +122,8 @@ class PatchSearch {
   /// stresses; with its seams where they are fillets.
   struct JudgedSection {
     std::shared_ptr<const EffectiveBox> box;
-    std::shared_ptr<const EffectivePath> path;  ///< in its place
+    std::array<std::optional<Length>, 4> panels;  ///< how long those of its plates are
+    std::shared_ptr<const EffectivePath> path;    ///< in its place
     std::vector<std::shared_ptr<const ReducedPlate>> reduced;
     std::vector<std::shared_ptr<const StressPoint>> seams;
   };
@@ -134,6 +141,14 @@ class PatchSearch {
   void look_at_plates(const Station& station, Slender& of) const;
   /// patched_paths.cpp
   void look_at_path(const Station& station, Slender& of) const;
+  /// What plates that turn off between segments put into those beside them. kinked_flanges.cpp
+  void add_kinks(const CutForceDiagram& diagram, std::vector<Patch>& patches);
+  /// Diaphragms at which no force comes in, for what their panels pull at them.
+  void add_bare_diaphragms(std::vector<Patch>& patches);
+  /// A diaphragm's part beside a web as what bears a patch, and what each panel there pulls at it.
+  void bear_by_stiffener(const Patch& patch, const BearingStiffener& stiffener,
+                         const std::string& plate, const CutForceDiagram& diagram, Borne borne,
+                         std::vector<Borne>& ways);
   /// Why what a path bears of a patch is not judged, "" where it is.
   std::string path_obstacle_of(const Patch& patch, const PathWebs& of) const;
   /// A web where a diaphragm takes a patch, and why it is not judged as one, "" where it is: of a
@@ -143,7 +158,7 @@ class PatchSearch {
   std::string bearing_obstacle_of(const Patch& patch, const PathWebs& of,
                                   const Station& station) const;
   std::vector<Borne> path_ways_at(const Patch& patch, const Station& station,
-                                  const JudgedSection& judged, const CutForces& cut);
+                                  const JudgedSection& judged, const CutForceDiagram& diagram);
   /// Loads along the beam, each by the largest of it over a plate's depth.
   void add_lines(const std::vector<LineLoad>& lines, bool along_z, std::vector<Patch>& patches);
   const Diaphragm* diaphragm_at(Length s) const;
@@ -171,13 +186,12 @@ class PatchSearch {
   static Shared shared_by_webs(const Patch& patch, const FourWalls& walls);
 
   std::vector<Borne> ways_at(const Patch& patch, const Station& station,
-                             const JudgedSection& judged, const CutForces& cut) const;
+                             const JudgedSection& judged, const CutForceDiagram& diagram);
 
   /// The seams by which a patch comes into the webs, pushing onto the one flange or pulling at the
   /// other. patched_seams.cpp
   std::vector<Borne> seams_at(const Patch& patch, const std::vector<Patch>& all,
-                              const Station& station, const JudgedSection& judged,
-                              const CutForces& cut) const;
+                              const JudgedSection& judged, const CutForces& cut) const;
   /// What a patch loads of a seam, within the ends of the beam.
   struct Spread {
     Length from, to;
@@ -194,9 +208,9 @@ class PatchSearch {
                                 bool onto_high, PatchBasis& basis) const;
 
   /// A web as a force comes to it by a flange, far from an end.
-  PatchedWeb web_of(const FourWalls& walls, BoxPlate plate, BoxPlate flange, const Patch& patch,
-                    const Station& station) const;
-  PatchedWeb web_under(PatchedWeb web, const Patch& patch, const Station& station) const;
+  static PatchedWeb web_of(const JudgedSection& judged, BoxPlate plate, BoxPlate flange,
+                           const Patch& patch);
+  static PatchedWeb web_under(PatchedWeb web, const Patch& patch);
   /// In every way that may be meant: far from an end, and near one.
   std::vector<PatchedWeb> in_every_way(PatchedWeb web, const Patch& patch) const;
 
@@ -205,6 +219,8 @@ class PatchSearch {
 
   const Project* project_;
   const std::vector<BendingZone>* zones_;
+  PullingPanels pulling_;
+  std::vector<FlangeKink> kinks_;
   std::vector<Slender> slender_;    ///< by segment, of both its ends
   std::map<double, Slender> near_;  ///< by place
   std::set<std::string> clamps_;

@@ -35,14 +35,22 @@ struct PathWebs {
 /// Source: EN 1993-1-5:2006, 6.1, 6.5.
 PathWebs webs_of_path(const PathSection& path, bool along_z, bool onto_high);
 
+/// What stands of a diaphragm beside a single web, within the flanges at both its ends. The opening
+/// is in the middle of the whole plate: at the web itself, or halfway to the tips of flanges on one
+/// side, where the nearer half stays.
+BearingStiffener flats_beside(const Project& project, const PathWeb& web,
+                              const Diaphragm& diaphragm, const Station& station);
+/// Why flats do not stiffen their web, "" where they do.
+std::string flats_obstacle(const BearingStiffener& flats);
+
 /// How long the panel of a path at a station is; nothing where it is not between two diaphragms, or
-/// where one of these is, beside a single web, too weak to bound it (9.3.3), twists (9.2.1(8)), or
-/// is not known to.
+/// where one of these is too weak to bound it (9.3.3), beside a single web twists (9.2.1(8)), or is
+/// not known to.
 std::optional<Length> path_panel_length_at(const Project& project, const Station& station);
 
-/// What is not checked of the diaphragms beside single webs of slender paths: why they bound no
-/// panels, or what they bear as stiffeners of these.
-std::vector<NotJudged> not_judged_of_flats(const Project& project);
+/// What is not checked of diaphragms beside slender plates: why they bound no panels, and of paths
+/// why it is not known what they bear as stiffeners of these.
+std::vector<NotJudged> not_judged_of_diaphragms(const Project& project);
 
 /// The place of a force across its own direction, by its couple.
 Length place_of(const Patch& patch);

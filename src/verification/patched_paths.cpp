@@ -109,109 +109,6 @@ PathWebs webs_of_path(const PathSection& path, bool along_z, bool onto_high) {
   return found;
 }
 
-namespace {
-
-/// What stands of a diaphragm beside a single web, within the flanges at both its ends. The opening
-/// is in the middle of the whole plate: at the web itself, or halfway to the tips of flanges on one
-/// side, where the nearer half stays.
-BearingStiffener flats_beside(const Project& project, const PathWeb& web,
-                              const Diaphragm& diaphragm, const Station& station) {
-  const bool whole = !web.both_sides && !(diaphragm.opening > Length{});
-  BearingStiffener of = stiffener_of(
-      project, web.bears, (web.both_sides || whole ? 2.0 : 1.0) * web.beside, diaphragm, station);
-  of.both_sides = web.both_sides;
-  return of;
-}
-
-/// Why flats twist, "" where they do not.
-std::string twisting_of(const BearingStiffener& flats) {
-  if (resists_torsional_buckling({{}, flats.width, flats.thickness}, flats.yield_strength))
-    return "";
-  return fmt::format("its plates beside the web twist, {:.3g} wide by their thickness (9.2.1(8))",
-                     (flats.width / flats.thickness).value());
-}
-
-/// Whether all plates held at both ends are around cells, which a diaphragm fills.
-bool is_of_cells(const PathSection& path) {
-  std::vector<bool> around(path.graph.walls.size(), false);
-  for (const Cell& cell : wall_cells_of(path.graph).cells)
-    for (const Cell::Side& side : cell.sides) around[side.wall] = true;
-  return std::all_of(path.plates.begin(), path.plates.end(), [&](const PathPlate& plate) {
-    return plate.outstand() ||
-           std::all_of(plate.parts.begin(), plate.parts.end(),
-                       [&](const PathPlate::Part& part) { return around[part.wall]; });
-  });
-}
-
-/// Why a diaphragm does not bound panels so long, "" where it does: across two webs or the cells of
-/// a path always, beside one web by what of it lies within the flanges. The station is on the
-/// panel's side of it.
-std::string bounds_obstacle(const Project& project, const Station& station, Length length) {
-  const auto at = std::find_if(project.beam.diaphragms.begin(), project.beam.diaphragms.end(),
-                               [&](const Diaphragm& of) { return of.s == station.s; });
-  const auto path = judged_path_at(project, {}, station);
-  if (at == project.beam.diaphragms.end() || !path || is_of_cells(*path)) return "";
-  for (const bool along_z : {true, false}) {
-    const PathWebs of = webs_of_path(*path, along_z, true);
-    if (!of.obstacle.empty()) return of.obstacle;
-    if (of.webs.size() != 1) continue;
-    const PathWeb& web = of.webs.front();
-    const BearingStiffener flats = flats_beside(project, web, *at, station);
-    if (!(flats.width > Length{})) return "nothing of it stands beside the web within the flanges";
-    if (std::string why = twisting_of(flats); !why.empty()) return why;
-    const SecondMoment there = stiffener_inertia(flats);
-    const SecondMoment least =
-        rigid_stiffener_inertia(web.bears.depth, web.bears.thickness, length);
-    if (there < least)
-      return fmt::format("I = {:.4g} mm^4 beside the web is below {:.4g} mm^4 (9.3.3(3))",
-                         1e12 * there.value(), 1e12 * least.value());
-  }
-  return "";
-}
-
-}  // namespace
-
-std::optional<Length> path_panel_length_at(const Project& project, const Station& station) {
-  auto length = panel_length_at(project.beam, station);
-  const Supports of = supports_around(project.beam, station);
-  if (!length || !of.before || !of.behind) return length;
-  const bool bounded = bounds_obstacle(project, {*of.before, Side::behind}, *length).empty() &&
-                       bounds_obstacle(project, {*of.behind, Side::before}, *length).empty();
-  return bounded ? length : std::nullopt;
-}
-
-std::vector<NotJudged> not_judged_of_flats(const Project& project) {
-  // By why, at which diaphragms.
-  std::map<std::string, std::vector<std::string>> places;
-  for (const Diaphragm& of : project.beam.diaphragms) {
-    for (const Side side : {Side::before, Side::behind}) {
-      const Station station{of.s, side};
-      if (side == Side::before ? of.s == Length{} : of.s == project.beam.length()) continue;
-      const auto length = panel_length_at(project.beam, station);
-      const auto path = judged_path_at(project, {}, station);
-      if (!length || !path || is_of_cells(*path)) continue;
-      const auto slender = slender_path_at(project, {}, station);
-      if (!slender || std::none_of(slender->sheared.begin(), slender->sheared.end(),
-                                   [](const ShearedWall& wall) { return wall.may_buckle; }))
-        continue;
-      std::vector<std::string>& at = places[bounds_obstacle(project, station, *length)];
-      const std::string place = to_text(Station{of.s, Side::both});
-      if (at.empty() || at.back() != place) at.push_back(place);
-    }
-  }
-  std::vector<NotJudged> found;
-  for (const auto& [why, at] : places) {
-    found.push_back(
-        {Criterion::shear_buckling,
-         fmt::format("diaphragm{} at s = {} m", at.size() > 1 ? "s" : "", fmt::join(at, ", ")),
-         why.empty()
-             ? "V_Ed - h_w t f_yw/(lambda_w^2 sqrt(3) gamma_M1), which stiffeners of panels "
-               "bear, alone or with forces there, is not checked (EN 1993-1-5, 9.3.3(3))"
-             : "the panels of the web are longer, for " + why});
-  }
-  return found;
-}
-
 Length place_of(const Patch& patch) {
   // M_x = y F_z - z F_y.
   return (patch.along_z ? 1.0 : -1.0) * patch.couple / patch.force;
@@ -222,6 +119,7 @@ std::string PatchSearch::path_obstacle_of(const Patch& patch, const PathWebs& of
   if (of.webs.empty())
     return fmt::format("no wall along {} between two flanges bears it", patch.along_z ? "z" : "y");
   if (of.webs.size() > 2) return fmt::format("{} walls share it", of.webs.size());
+  if (patch.is_none()) return "";
   // In the plane forces act in that of the web.
   if (!project_->in_space && of.webs.size() == 1) return "";
   const PathWeb &first = of.webs.front(), &last = of.webs.back();
@@ -243,6 +141,7 @@ BearingStiffener PatchSearch::path_stiffener_of(const Patch& patch, const PathWe
   BearingStiffener stiffener =
       alone ? flats_beside(*project_, web, *patch.diaphragm, station)
             : stiffener_of(*project_, web.bears, inside, *patch.diaphragm, station);
+  stiffener.bows = alone && !web.both_sides;
   const std::vector<Restraint>& holds = project_->restraints;
   stiffener.ends_clamped =
       !alone || std::any_of(holds.begin(), holds.end(), [&](const Restraint& at) {
@@ -255,10 +154,7 @@ BearingStiffener PatchSearch::path_stiffener_of(const Patch& patch, const PathWe
 std::string PatchSearch::bearing_obstacle_of(const Patch& patch, const PathWebs& of,
                                              const Station& station) const {
   if (of.webs.size() == 2) return "";
-  const BearingStiffener flats = path_stiffener_of(patch, of, of.webs.front(), station);
-  if (!flats.both_sides || !(flats.width > Length{}))
-    return "its plates do not stand on both sides of the web within the flanges";
-  return twisting_of(flats);
+  return flats_obstacle(flats_beside(*project_, of.webs.front(), *patch.diaphragm, station));
 }
 
 std::optional<PatchSearch::OnPath> PatchSearch::unjudged_on_path(const Patch& patch) {
@@ -285,7 +181,8 @@ std::optional<PatchSearch::OnPath> PatchSearch::unjudged_on_path(const Patch& pa
 }
 
 std::vector<Borne> PatchSearch::path_ways_at(const Patch& patch, const Station& station,
-                                             const JudgedSection& judged, const CutForces& cut) {
+                                             const JudgedSection& judged,
+                                             const CutForceDiagram& diagram) {
   std::vector<Borne> ways;
   const PathWebs of = webs_of_path(judged.path->path(), patch.along_z, patch.force < Force{});
   if (!path_obstacle_of(patch, of).empty()) return ways;
@@ -295,26 +192,24 @@ std::vector<Borne> PatchSearch::path_ways_at(const Patch& patch, const Station& 
   PatchBasis& basis = borne.basis;
   basis.force = abs(patch.force);
   basis.path = judged.path;
-  basis.cut = cut;
-  basis.place = judged.path->worst_place(cut);
+  basis.cut = diagram.at(station);
+  basis.place = judged.path->worst_place(basis.cut);
   const PathWeb &first = of.webs.front(), &last = of.webs.back();
   const Length between = first.place - last.place;
   for (const PathWeb& web : of.webs) {
-    basis.share = 1.0;
-    if (of.webs.size() == 2) {
+    basis.share = patch.is_none() ? 0.0 : 1.0;
+    if (of.webs.size() == 2 && !patch.is_none()) {
       const double by_first = ((place_of(patch) - last.place) / between).value();
       basis.share = std::abs(&web == &first ? by_first : 1.0 - by_first);
     }
     borne.wall = web.plate->name;
     if (patch.diaphragm != nullptr) {
       if (!bearing_obstacle_of(patch, of, station).empty()) continue;
-      const BearingStiffener stiffener = path_stiffener_of(patch, of, web, station);
-      basis.resistance = bearing_resistance_of(stiffener, project_->strength.gamma_M1);
-      basis.bears = stiffener;
-      ways.push_back(borne);
+      bear_by_stiffener(patch, path_stiffener_of(patch, of, web, station), borne.wall, diagram,
+                        borne, ways);
       continue;
     }
-    PatchedWeb under = web_under(web.bears, patch, station);
+    PatchedWeb under = web_under(web.bears, patch);
     under.length = path_panel_length_at(*project_, station);
     for (const PatchedWeb& way : in_every_way(under, patch)) {
       bear_by_effective_widths(way, basis);

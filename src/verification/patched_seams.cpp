@@ -30,8 +30,7 @@ PatchSearch::Spread PatchSearch::spread_of(const Patch& patch, const PatchedWeb&
 }
 
 std::vector<Borne> PatchSearch::seams_at(const Patch& patch, const std::vector<Patch>& all,
-                                         const Station& station, const JudgedSection& judged,
-                                         const CutForces& cut) const {
+                                         const JudgedSection& judged, const CutForces& cut) const {
   // What a diaphragm takes goes through its own welds; several are judged where they meet.
   std::vector<Borne> ways;
   if (judged.seams.empty() || patch.diaphragm != nullptr || patch.together) return ways;
@@ -56,7 +55,7 @@ std::vector<Borne> PatchSearch::seams_at(const Patch& patch, const std::vector<P
       if (!tensile) continue;
       const Length a = seam_throat_of(**throat);
       const auto spread = [&](const Patch& at) {
-        return spread_of(at, web_of(walls, web, flange, at, station));
+        return spread_of(at, web_of(judged, web, flange, at));
       };
       const Spread own = spread(patch);
       PatchedSeam seam{*throat,

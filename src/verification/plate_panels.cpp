@@ -6,7 +6,9 @@
 #include <optional>
 
 #include "boxbeam/project/plate_material.hpp"
+#include "boxbeam/strength/transverse_stiffener.hpp"
 #include "boxbeam/verification/bending_zones.hpp"
+#include "patch_search.hpp"
 
 namespace boxbeam {
 namespace {
@@ -34,6 +36,13 @@ std::optional<std::pair<std::size_t, std::size_t>> neighbours_of(const TaperedBe
   if (next == diaphragms.end() || from == diaphragms.begin()) return std::nullopt;
   return std::pair{static_cast<std::size_t>(from - diaphragms.begin()) - 1,
                    static_cast<std::size_t>(next - diaphragms.begin())};
+}
+
+const Diaphragm* diaphragm_near(const TaperedBeam& beam, Length s) {
+  const Length near = 1e-9 * beam.length();
+  for (const Diaphragm& of : beam.diaphragms)
+    if (abs(of.s - s) <= near) return &of;
+  return nullptr;
 }
 
 bool is_rigid(const Project& project, BoxPlate web, const Diaphragm& a, const Diaphragm& b) {
@@ -72,9 +81,76 @@ Supports supports_around(const TaperedBeam& beam, Station station) {
   return supports;
 }
 
-Length supported_length_at(const Project& project, const Station& station) {
+namespace {
+
+/// With what of it works.
+BearingStiffener working(BearingStiffener of, const Diaphragm& diaphragm) {
+  of.width =
+      working_width_of(of.width, of.thickness, of.yield_strength, !(diaphragm.opening > Length{}));
+  return of;
+}
+
+/// The least length of the panels that the diaphragm at a station bounds of a box's plate.
+std::optional<Length> bounded_from(const Project& project, const Station& station, BoxPlate plate) {
+  const auto walls = walls_at(project, station);
+  const auto of = walls ? bounding_stiffener_at(project, station, *walls, plate) : std::nullopt;
+  return of ? least_panel_length_of(*of) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<BearingStiffener> bounding_stiffener_at(const Project& project,
+                                                      const Station& station,
+                                                      const FourWalls& walls, BoxPlate plate) {
+  const Diaphragm* const at = diaphragm_near(project.beam, station.s);
+  if (at == nullptr) return std::nullopt;
+  const BoxWall& wall = walls.of(plate);
+  PatchedWeb web;
+  web.depth = wall.clear();
+  web.thickness = wall.thickness;
+  web.yield_strength = wall.yield_strength;
+  const Length inside =
+      walls.of(is_flange(plate) ? BoxPlate::left_web : BoxPlate::top_flange).clear();
+  const BearingStiffener of = stiffener_of(project, web, inside, *at, station);
+  if (!(of.width > Length{})) return std::nullopt;
+  return working(of, *at);
+}
+
+std::string across_obstacle(BearingStiffener of, const Diaphragm& diaphragm, Length length) {
+  if (!(of.width > Length{})) return "its opening leaves nothing of it beside the web";
+  return rigidity_obstacle(working(of, diaphragm), length);
+}
+
+std::optional<Length> panel_length_at(const Project& project, const Station& station,
+                                      BoxPlate plate) {
+  auto length = panel_length_at(project.beam, station);
   const Supports of = supports_around(project.beam, station);
-  return of.behind.value_or(project.beam.length()) - of.before.value_or(Length{});
+  if (!length || !of.before || !of.behind) return length;
+  for (const Station& end :
+       {Station{*of.before, Side::behind}, Station{*of.behind, Side::before}}) {
+    const auto least = bounded_from(project, end, plate);
+    if (!least) return std::nullopt;
+    length = std::max(*length, *least);
+  }
+  return length;
+}
+
+Length supported_length_at(const Project& project, const Station& station) {
+  const TaperedBeam& beam = project.beam;
+  Supports of = supports_around(beam, station);
+  // What does not hold a box's stiffened plates, which are columns between supports, is passed
+  // over.
+  const auto holds = [&](const Station& end) {
+    const auto walls = walls_at(project, end);
+    return !walls || std::all_of(box_plates.begin(), box_plates.end(), [&](BoxPlate plate) {
+      return walls->of(plate).stiffeners.empty() || bounded_from(project, end, plate).has_value();
+    });
+  };
+  while (of.before && *of.before > Length{} && !holds({*of.before, Side::behind}))
+    of.before = supports_around(beam, {*of.before, Side::before}).before;
+  while (of.behind && *of.behind < beam.length() && !holds({*of.behind, Side::before}))
+    of.behind = supports_around(beam, {*of.behind, Side::behind}).behind;
+  return of.behind.value_or(beam.length()) - of.before.value_or(Length{});
 }
 
 void divide_into_panels(const Project& project, const Station& station,
@@ -83,10 +159,9 @@ void divide_into_panels(const Project& project, const Station& station,
   const auto between = neighbours_of(project.beam, station);
   if (!between) return;
   const std::size_t count = diaphragms.size();
-  const Length length = *panel_length_at(project.beam, station);
   const bool inside = between->first > 0 && between->second + 1 < count;
   for (ShearedPlate& plate : plates) {
-    plate.panel.length = length;
+    plate.panel.length = panel_length_at(project, station, plate.plate);
     plate.panel.rigid_end_post =
         inside && !is_flange(plate.plate) &&
         is_rigid(project, plate.plate, diaphragms[0], diaphragms[1]) &&

@@ -17,8 +17,22 @@ namespace boxbeam {
 void divide_into_panels(const Project& project, const Station& station,
                         std::vector<ShearedPlate>& plates);
 
-/// How long the panel at a station is; nothing where it is not between two diaphragms.
+/// How far the diaphragms around a station are apart; nothing where it is not between two.
 std::optional<Length> panel_length_at(const TaperedBeam& beam, const Station& station);
+
+/// The diaphragm at a station as what bounds panels of a box's plate, with what of it works beside
+/// the plate; nothing where nothing of it stands there. The station is on the panel's side of it.
+std::optional<BearingStiffener> bounding_stiffener_at(const Project& project,
+                                                      const Station& station,
+                                                      const FourWalls& walls, BoxPlate plate);
+
+/// Why what reaches from a plate to another one does not bound panels so long, "" where it does.
+std::string across_obstacle(BearingStiffener of, const Diaphragm& diaphragm, Length length);
+
+/// How long the panel of a box's plate at a station is, no shorter than those for which both
+/// diaphragms are rigid (9.3.3(3)); nothing where it is not between two that bound it.
+std::optional<Length> panel_length_at(const Project& project, const Station& station,
+                                      BoxPlate plate);
 
 /// The plates that decide what of a station is judged, so that it is no matter of the segments into
 /// which a beam is cut: those of the station, of a steep segment as wide as they become in their
@@ -48,6 +62,10 @@ bool may_buckle_with_stiffeners(const FourWalls& walls, BoxPlate plate);
 /// Why the stiffened plates of a section are not judged, "" where they are.
 std::string stiffener_obstacle(const FourWalls& of);
 
+/// Why a flange of a box may buckle into one of its slender webs, "" where none may. Source: EN
+/// 1993-1-5:2006, 8(1).
+std::string induced_obstacle(const FourWalls& of);
+
 /// Whether a plate without stiffeners is so slender that it may buckle in shear (5.1(2)).
 bool may_buckle_in_shear(const BoxWall& wall);
 
@@ -67,8 +85,8 @@ struct Supports {
 };
 Supports supports_around(const TaperedBeam& beam, Station station);
 
-/// How far the supports across the plates at a station are apart: diaphragms, and the ends of the
-/// beam.
+/// How far the supports across the plates at a station are apart: diaphragms, of boxes those that
+/// bound the panels of all their stiffened plates, and the ends of the beam.
 Length supported_length_at(const Project& project, const Station& station);
 
 }  // namespace boxbeam

@@ -199,4 +199,51 @@ TEST_CASE("a diaphragm bears a force with strips of the web as a column") {
             .epsilon(1e-6));
 }
 
+TEST_CASE("flats on one side of a web bend as they are pressed: 6.61 by hand") {
+  // S355, web 1200 x 6, a flat 150 x 16 on one side, flanges that may give way: 2 x 73.2 + 16 of
+  // the web. n of N_b,Rd is where n + k_yy M/(W f_y) = 1 with M = N e, found by halving.
+  BearingStiffener of;
+  of.web_depth = mm(1200.0);
+  of.web_thickness = mm(6.0);
+  of.web_before = of.web_behind = mm(3000.0);
+  of.thickness = mm(16.0);
+  of.width = mm(150.0);
+  of.yield_strength = MPa(355.0);
+  of.ends_clamped = false;
+  const double centric = bearing_resistance_of(of, 1.0).value();
+  of.bows = true;
+  const double strip = 30.0 * std::sqrt(235.0 / 355.0) * 6.0 + 16.0;
+  const double web = strip * 6.0, flat = 150.0 * 16.0, A = web + flat;
+  const double e = flat * 78.0 / A;
+  const double I =
+      strip * 18.0 + web * e * e + 16.0 * std::pow(150.0, 3) / 12.0 + flat * std::pow(78.0 - e, 2);
+  const double W = I / std::max(e + 3.0, 153.0 - e);
+  const double lambda = std::sqrt(A * 355.0 / (9.8696044 * 210e3 * I / 1.44e6));
+  const double chi = column_reduction(lambda, BucklingCurve::c);
+  CHECK(centric == Approx(chi * A * 355.0).epsilon(1e-6));
+  double low = 0.0, high = 1.0;
+  for (int i = 0; i < 60; ++i) {
+    const double n = 0.5 * (low + high), N = n * chi * A * 355.0;
+    const double k_yy = 1.0 + 0.6 * std::min(lambda, 1.0) * n;
+    (n + k_yy * N * e / (W * 355.0) <= 1.0 ? low : high) = n;
+  }
+  CHECK(bearing_resistance_of(of, 1.0).value() == Approx(low * centric).epsilon(1e-6));
+  // gamma_M1 stands in front of all of it.
+  CHECK(bearing_resistance_of(of, 1.1).value() == Approx(low * centric / 1.1).epsilon(1e-6));
+  CHECK(low < 0.6);
+}
+
+TEST_CASE("a stiffener under a force and what a web pulls at it: exactly used up") {
+  const auto kN = [](double x) { return si<Force>(1e3 * x); };
+  for (const double F : {0.0, 20.0, 300.0}) {
+    for (const double V : {50.0, 400.0, 900.0}) {
+      for (const double V_cr : {10.0, 300.0, 2000.0}) {
+        const double f = stiffener_factor(kN(F), kN(V), kN(V_cr), kN(500.0));
+        CHECK(f * F + std::max(0.0, f * V - V_cr) == Approx(500.0));
+      }
+    }
+  }
+  CHECK(stiffener_factor(kN(100.0), kN(0.0), kN(50.0), kN(500.0)) == Approx(5.0));
+}
+
 }  // namespace patch_loading_test

@@ -226,4 +226,17 @@ TEST_CASE("normal stress and shear together: f eta_1 + (2 f eta_3 - 1)^2 = 1") {
   CHECK(std::isinf(interaction_factor(0.0, 0.0)));
 }
 
+// tau_cr = 48.23 MPa of a web 2720 x 18, a = 8 m: JRC, Bridge Design to Eurocodes, Worked examples
+// (2012), p. 130; 37.4 eps stands for sqrt(f_y/(sqrt(3) sigma_E)) there and here (0.1 %).
+TEST_CASE("the shear at which a web buckles, published", "[validation]") {
+  const ShearPanel panel{m(2.72), m(0.018), MPa(345), m(8.0)};
+  CHECK(buckling_shear_of(panel, 1.0).value() == Approx(48.23e6 * 2.72 * 0.018).epsilon(1e-3));
+  CHECK(buckling_shear_of(panel, 1.1).value() ==
+        Approx(buckling_shear_of(panel, 1.0).value() / 1.1));
+  // Elastic: the steel is no matter.
+  ShearPanel other = panel;
+  other.yield_strength = MPa(235);
+  CHECK(buckling_shear_of(other, 1.0).value() == Approx(buckling_shear_of(panel, 1.0).value()));
+}
+
 }  // namespace shear_buckling_test

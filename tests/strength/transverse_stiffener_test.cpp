@@ -51,4 +51,38 @@ TEST_CASE("flats beside a web, with 15 eps t of it, about the centroid of both")
         Approx(1e-12 * (162e3 / 12.0 + 1e6 + 1620.0 * 1200.0 / 2820.0 * 3025.0)).epsilon(1e-9));
 }
 
+TEST_CASE("what of a plate across a box works beside a web") {
+  const Stress S355 = si<Stress>(355e6);
+  // Whole, 584 between the webs, 10 mm: lambda_p = 58.4/(28.4 x 0.81362 x 2) = 1.2637, rho =
+  // (1.2637 - 0.22)/1.2637^2 = 0.65357: 190.8 of 292 mm.
+  CHECK(working_width_of(mm(292), mm(10), S355, true).value() == Approx(0.19084).epsilon(1e-4));
+  // To an opening 142 mm: lambda_p = 14.2/(28.4 x 0.81362 x 0.65574) = 0.93718, rho = (0.93718 -
+  // 0.188)/0.93718^2 = 0.85299.
+  CHECK(working_width_of(mm(142), mm(10), S355, false).value() == Approx(0.12113).epsilon(1e-4));
+  // A stout one works whole, none by more than it is; a thinner or narrower one never more.
+  CHECK(working_width_of(mm(50), mm(10), S355, false).value() == Approx(0.05));
+  for (const bool whole : {true, false}) {
+    double thinner = 0.0;
+    for (double t = 0.1; t < 30.0; t *= 1.1) {
+      const double width = working_width_of(mm(292), mm(t), S355, whole).value();
+      CHECK(width >= thinner);
+      CHECK(width <= 0.292 * (1.0 + 1e-12));
+      thinner = width;
+    }
+  }
+}
+
+TEST_CASE("a stiffener is rigid for panels from some length on") {
+  for (const double b : {10.0, 30.0, 60.0, 120.0, 300.0}) {
+    const BearingStiffener of{mm(1000),          mm(8), mm(3000), mm(3000), mm(10), mm(b),
+                              si<Stress>(355e6), true,  true};
+    const auto least = least_panel_length_of(of);
+    // sqrt(2) h_w and more ask for the same.
+    CHECK(least.has_value() == rigidity_obstacle(of, mm(5000)).empty());
+    if (!least) continue;
+    CHECK(rigidity_obstacle(of, *least * (1.0 + 1e-9)).empty());
+    if (least->value() < 1.414) CHECK_FALSE(rigidity_obstacle(of, *least * (1.0 - 1e-6)).empty());
+  }
+}
+
 }  // namespace transverse_stiffener_test

@@ -1,11 +1,15 @@
 // Lateral torsional buckling of the beam of a case: hand values, and where it stops a verdict.
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "boxbeam/report/report.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
+#include "support/program.hpp"
 
 namespace lateral_estimate_test {
 
@@ -156,6 +160,35 @@ TEST_CASE("a beam turns over alike whichever axes of space it lies in", "[latera
   CHECK(turned_over(in_space("y", "[\"0 N\", \"6 kN\", \"0 N\"]")) != nullptr);
   // Flat it does not turn over but by the force beside its axis.
   CHECK(part_of(in_space("z", "[\"0 N\", \"0.2 kN\", \"0 N\"]")) < 0.01);
+}
+
+TEST_CASE("a peak of bending without compression turns a beam over in any of its instants",
+          "[lateral]") {
+  // The plate under a force at its end that is small but at one instant: as if it were there all
+  // along, wherever in the record it is.
+  const test::TemporaryFolder folder;
+  const auto part = [&](int rows, int peak) {
+    std::string csv = "t [s],F [N]\n";
+    for (int i = 0; i < rows; ++i)
+      csv += fmt::format("{},{}\n", 0.1 * i, i == peak ? -3000.0 : -100.0 - i % 7);
+    folder.write("force.csv", csv);
+    const Verification of = verify(read_project(folder.write(
+        "case.toml",
+        "[case]\nname = \"given\"\nkind = \"loads\"\n[sections.plate]\nkind = \"plate\"\n"
+        "width = \"20 mm\"\nheight = \"300 mm\"\n[beam]\ndensity = \"7850 kg/m^3\"\n"
+        "[[beam.segments]]\nlength = \"6 m\"\nsection = \"plate\"\n"
+        "[files.f]\npath = \"force.csv\"\n[loads.tip]\nstation = \"6 m\"\n"
+        "columns = { F_z = \"F\" }\n[balance]\nstation = \"0 m\"\nname = \"root\"\n"
+        "[material]\nsteel = \"S355\"\n[strength]\nrequired = 1.0\n")));
+    REQUIRE(of.model.second_order.lateral);
+    return of.model.second_order.lateral->part;
+  };
+  const double whole = part(40, 20);
+  CHECK(whole > 0.1);
+  for (const auto& [rows, peak] : {std::pair{100, 51}, {200, 99}, {3000, 1001}}) {
+    CAPTURE(rows, peak);
+    CHECK(part(rows, peak) == Approx(whole).epsilon(1e-4));
+  }
 }
 
 }  // namespace lateral_estimate_test

@@ -180,6 +180,44 @@ TEST_CASE("near an end without a diaphragm a web bears less", "[patch]") {
   CHECK(free->resistance < held->resistance);
 }
 
+TEST_CASE("a long bearing at a free end has its one hinge all the same: type c", "[patch]") {
+  // c = 0 at the end, s_s = 801 mm, webs 1200 x 8: k_F = 6, F_cr = 0.9 x 6 x 210 000 x 512/1200 =
+  // 483.8 kN, l_e = 6 x 210 000 x 64/(2 x 355 x 1200) = 94.6 mm; m_1 = 154.5/8, m_2 = 200: l_y
+  // = 94.6
+  // + 12 sqrt(219.3) = 272.3 mm, F_Rd = 0.5 sqrt(272.3 x 8 x 355 x 483.8e3) = 305.8 kN.
+  const auto resistance = [](double stiff_length) {
+    const Verification of =
+        verify(project_of(beam(diaphragm(9.0) + introduction(stretch(0.0, 1.0), stiff_length),
+                               force("hook", 0.5e-3 * stiff_length, -100.0))));
+    const CheckResult* const hook = patch_at(of, "hook");
+    REQUIRE(hook != nullptr);
+    return hook->patch->resistance.value();
+  };
+  CHECK(resistance(801.0) == Approx(305.8e3).epsilon(2e-3));
+  CHECK(resistance(801.0) == Approx(resistance(799.0)).epsilon(2e-3));
+}
+
+TEST_CASE("what comes and goes in webs and is not counted in fatigue is said", "[patch]") {
+  const auto says = [](const std::string& more, double kN) {
+    const std::string wheels = fmt::format(
+        "[loads.crab]\nkind = \"wheels\"\nwheels = [{{ force = [\"0 kN\", \"{} kN\"] }}]\n"
+        "from = \"1 m\"\nto = \"8 m\"\nspeed = \"1 m/s\"\n",
+        kN);
+    const Verification of =
+        verify(project_of(beam(ends + introduction(stretch(0.5, 8.5), 100.0), wheels) + more));
+    return std::any_of(of.not_judged.begin(), of.not_judged.end(), [](const NotJudged& at) {
+      return at.by == Criterion::fatigue && at.reason.find("table 8.10") != std::string::npos;
+    });
+  };
+  const std::string fatigue =
+      "[fatigue]\ncycles = 1000000\ncategory = 71\nloading = \"spectrum\"\ngamma_Mf = 1.35\n"
+      "required = 1.0\n";
+  // 100 kN in each web: 100e3/(8 x 124) = 101 MPa, from nothing and back.
+  CHECK(says(fatigue, -200.0));
+  CHECK_FALSE(says("", -200.0));
+  CHECK_FALSE(says(fatigue, -10.0));
+}
+
 TEST_CASE("forces close together are judged together, opposed ones as passing through", "[patch]") {
   const Verification of = verify(
       project_of(beam(ends + introduction(stretch(1.0, 8.0), 100.0),

@@ -422,4 +422,43 @@ TEST_CASE("the excavator's boom passes alike as a mechanism and under recorded f
   }
 }
 
+TEST_CASE("what is extreme in no cut force by itself is found among very many rows", "[recorded]") {
+  // N, M_y or both at three rows: an effective section weighs N more than M, so that the third is
+  // the worst, 2600 kN/16 427 mm^2 + 2000 kN m/9.354e6 mm^3 = 372 MPa of 355, though the whole
+  // section's stress is largest at the second.
+  const auto use_among = [](int count) {
+    const test::TemporaryFolder folder;
+    std::string table = "time [s],N [kN],M [kN m]\n";
+    for (int i = 0; i < count; ++i) {
+      std::pair<int, int> row{-10 * (i % 7), -30 * (i % 11)};
+      if (i == count / 4) row = {-4000, 0};
+      if (i == count / 2) row = {0, -3000};
+      if (i == count / 3) row = {-2600, -2000};
+      table += fmt::format("{:.2f},{},{}\n", 0.01 * i, row.first, row.second);
+    }
+    folder.write("f.csv", table);
+    const std::string held = "holds = [\"along y\", \"along z\", \"turning over\"]\n";
+    const Verification of = verify(read_project(folder.write(
+        "case.toml",
+        "[case]\nname = \"given\"\nkind = \"loads\"\n"
+        "[sections.a]\nkind = \"box\"\nwidth = \"600 mm\"\nheight = \"1224 mm\"\n"
+        "flange = \"12 mm\"\nweb = \"8 mm\"\n[beam]\ndensity = \"7850 kg/m^3\"\n"
+        "[[beam.segments]]\nlength = \"4 m\"\nsection = \"a\"\n"
+        "[[beam.restraints]]\nstation = \"0 m\"\n" +
+            held + "[[beam.restraints]]\nstation = \"4 m\"\n" + held +
+            "[files.f]\npath = \"f.csv\"\n"
+            "[loads.tip]\nstation = \"4 m\"\ncolumns = { F_x = \"N\", M_y = \"M\" }\n"
+            "[balance]\nstation = \"0 m\"\nname = \"root\"\n"
+            "[material]\nsteel = \"S355\"\n[strength]\nrequired = 1.0\nshear_lag = false\n")));
+    double use = 0.0;
+    for (const CheckResult& result : of.checks)
+      if (result.check.criterion == Criterion::effective_section)
+        use = std::max(use, result.check.utilisation());
+    return use;
+  };
+  const double among_few = use_among(1000);
+  CHECK(among_few == Approx(372.0 / 355.0).epsilon(2e-3));
+  CHECK(use_among(320000) == Approx(among_few).epsilon(1e-6));
+}
+
 }  // namespace recorded_front_end_test

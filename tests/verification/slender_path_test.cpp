@@ -397,6 +397,48 @@ TEST_CASE("a plate on one side of a web bounds its panels by what is beside the 
   CHECK_FALSE(panel(100.0 - 2.0 * 38.5));
 }
 
+TEST_CASE("where class 3 meets class 4 a path jumps by the standard's own and no more",
+          "[plates]") {
+  // Under N alone: the section's area against what of it works. Internal, c/t = 42 eps: lambda_p =
+  // 42/56.8 = 0.7394, rho = 0.9500 (in 4.4(2) buckling begins at 38.2 eps, class 4 at 42 eps);
+  // outstands, 14 eps: lambda_p = 14/(28.4 sqrt(0.43)) = 0.7518 above 0.748, rho = 0.9975.
+  const double eps = std::sqrt(235.0 / 355.0);
+  const auto use = [](double width, double depth) {
+    const Verification of = verified(cantilever(
+        section("a", i_section(width, 20.0, depth, 10.0)),
+        segment(6.0, "a") + diaphragms({0.0, 6.0}, 30.0) + held(6.0, 20), tip(6.0, 0.0, -1000.0)));
+    return std::max({use_of(of, Criterion::yield), use_of(of, Criterion::effective_section),
+                     use_of(of, Criterion::interaction)});
+  };
+  const auto area = [](double width, double depth, double rho_f, double rho_w) {
+    return 2.0 * 20.0 * (10.0 + rho_f * (width - 10.0)) + rho_w * 10.0 * depth;
+  };
+  // Jumps are the quotient across; beside them use goes by the area as it changes.
+  constexpr double near = 1e-6;
+  const double web = 42.0 * eps * 10.0, lambda = 42.0 / 56.8;
+  const double rho = (lambda - 0.22) / (lambda * lambda);
+  CHECK(rho == Approx(0.95).margin(1e-4));
+  CHECK(use(300.0, web * (1.0 + near)) / use(300.0, web * (1.0 - near)) ==
+        Approx(area(300.0, web, 1.0, 1.0) / area(300.0, web, 1.0, rho)).epsilon(1e-5));
+  const double wide = 2.0 * 14.0 * eps * 20.0 + 10.0;
+  const double tip_lambda = 14.0 / (28.4 * std::sqrt(0.43));
+  const double tip_rho = (tip_lambda - 0.188) / (tip_lambda * tip_lambda);
+  CHECK(tip_rho == Approx(0.9975).margin(1e-4));
+  CHECK(use(wide * (1.0 + near), 300.0) / use(wide * (1.0 - near), 300.0) ==
+        Approx(area(wide, 300.0, 1.0, 1.0) / area(wide, 300.0, tip_rho, 1.0)).epsilon(1e-5));
+  // Everywhere else without a step: N's resistance over small ones of the depth.
+  double before = 0.0;
+  for (double depth = 0.9 * web; depth < 1.15 * web; depth += 0.01 * web) {
+    const double now = use(300.0, depth);
+    const bool across = depth > web && depth - 0.01 * web <= web;
+    if (before > 0.0) {
+      CHECK(now > before / 1.01);
+      CHECK(now < before * (across ? 1.03 : 1.0));
+    }
+    before = now;
+  }
+}
+
 TEST_CASE("splitting its walls changes no verdict of a path", "[plates]") {
   const Verification whole = verified(girder_case(girder, 6.0, -100.0));
   const Verification in_two =

@@ -27,6 +27,9 @@ struct LineLoad {
   Length start, length;
   std::array<Polynomial<3>, 3> force;   ///< x, y, z [N/m]
   std::array<Polynomial<4>, 3> couple;  ///< about x, y, z [N m/m]
+  /// What of the force stands on the beam from outside, beside weight and inertia: the sizes of all
+  /// that pushes along an axis and of all that pushes against it, no less, along y and z [N/m].
+  std::array<std::array<Polynomial<1>, 2>, 2> outside = {};
 };
 
 /// All that acts on the beam at one instant, inertia forces included, so that it is in balance:
@@ -38,6 +41,10 @@ struct BeamLoads {
 
 /// One stretch per segment, without load.
 std::vector<LineLoad> unloaded_lines(const TaperedBeam& beam);
+
+/// Adds a load from outside to a stretch, linear from its start to its end [N/m].
+void add_from_outside(const Eigen::Vector3d& at_start, const Eigen::Vector3d& at_end,
+                      LineLoad& stretch);
 
 /// Motion of a rigid beam at an instant, in beam axes.
 struct BeamMotion {

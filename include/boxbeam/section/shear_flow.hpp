@@ -37,12 +37,12 @@ struct StressedWalls {
 ///
 /// The flows along the walls add up to V_y, V_z and T less what the inclined normal stresses carry
 /// and less the part I_own/I that crosses the walls' thickness (a flange's own bending, of order
-/// (t/h)^2). Of V the walls of an outer and an inner profile carry sum I_c/I, I_c of each about its
-/// own centroid; where the centroids differ, what ties the profiles together carries the rest. A
-/// hole passes the flow on and takes material only. In a taper q acts along the wall's own
-/// generator, not square to it.
-/// Valid for free warping, thin walls, a shape kept by diaphragms, slopes below about 10 degrees.
-/// Source: equilibrium; Bredt (1896); Megson, Aircraft Structures, chapters 17, 21 and 23.
+/// (t/h)^2), which is taken to pass through the centroid. Of V the walls of an outer and an inner
+/// profile carry sum I_c/I, I_c of each about its own centroid; where the centroids differ, what
+/// ties the profiles together carries the rest. A hole passes the flow on and takes material only.
+/// In a taper q acts along the wall's own generator, not square to it. Valid for free warping, thin
+/// walls, a shape kept by diaphragms, slopes below about 10 degrees. Source: equilibrium; Bredt
+/// (1896); Megson, Aircraft Structures, chapters 17, 21 and 23.
 struct ShearFlow {
   StressedWalls at;
   struct Nearby {

@@ -83,6 +83,7 @@ struct BearingStiffener {
   Stress yield_strength;          ///< the lower one of both
   bool both_sides = false;
   bool ends_clamped = true;  ///< by flanges that do not give way sideways
+  bool bows = false;  ///< on one side alone, nothing holds it against bending by eccentricity
 };
 
 /// N_b,Rd of that column.
@@ -90,11 +91,25 @@ struct BearingStiffener {
 ///     15 eps t of the web on each side, 15 eps t_d of the diaphragm as an outstand part (9.1(2));
 ///     curve c, length 0.75 h_w between flanges that do not give way, else h_w (9.4(2))
 ///
-/// Eccentricity is not counted, for the diaphragm holds two webs against each other, and flats on
-/// both sides of one are alike; that it is held along the flanges is left out, on the safe side.
-/// Source: EN 1993-1-5:2006, 9.1, 9.4.
+///     flats on one side, by a force in the middle of the web at e from the centroid of it and
+///     them, n + (1 + 0.6 min(lambda, 1) n) n chi A e/W = 1,  N = n N_b,Rd
+///
+/// W elastic, at the farther edge. Else eccentricity is not counted, for the diaphragm holds two
+/// webs against each other, and flats on both sides of one are alike; that it is held along the
+/// flanges is left out, on the safe side. Source: EN 1993-1-5:2006, 9.1, 9.4(3); EN 1993-1-1:2005,
+/// 6.3.3, equation 6.61, table B.1 (C_m = 1).
 Force bearing_resistance_of(const BearingStiffener& stiffener, double gamma_M1);
 Traced derive_bearing_resistance(Derivation& steps, const BearingStiffener& stiffener,
                                  double gamma_M1);
+
+/// The factor on all loads at which a stiffener of panels is used up by a force F that comes in and
+/// by what a web beyond its buckling in shear pulls at it.
+///
+///     F <= N_b,Rd,  F + N_st <= N_b,Rd,  N_st = V_Ed - V_cr (`buckling_shear_of`)
+///
+/// Source: EN 1993-1-5:2006, 9.3.3(3), 9.4.
+double stiffener_factor(Force comes_in, Force shear, Force buckling_shear, Force resistance);
+Traced derive_stiffener_factor(Derivation& steps, const Traced& comes_in, const Traced& shear,
+                               const Traced& buckling_shear, const Traced& resistance);
 
 }  // namespace boxbeam

@@ -95,6 +95,14 @@ ShearResistance shear_resistance_of(const ShearPanel& panel, double gamma_M1);
 /// V_bw,Rd step by step.
 Traced derive_shear_resistance(Derivation& steps, const ShearPanel& panel, double gamma_M1);
 
+/// The shear at which a plate buckles, beyond which it pulls at what bounds its panel.
+///
+///     V_cr = h_w t f_yw/(lambda_w^2 sqrt(3) gamma_M1)
+///
+/// Source: EN 1993-1-5:2006, 9.3.3(3).
+Force buckling_shear_of(const ShearPanel& panel, double gamma_M1);
+Traced derive_buckling_shear(Derivation& steps, const ShearPanel& panel, double gamma_M1);
+
 /// The factor on all loads at which a plate under normal stress and shear is used up.
 ///
 ///     eta_3 <= 0.5: eta_1 <= 1,  else eta_1 + part (2 eta_3 - 1)^2 <= 1

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "boxbeam/core/units.hpp"
 #include "boxbeam/strength/patch_loading.hpp"
 
@@ -16,5 +19,19 @@ SecondMoment rigid_stiffener_inertia(Length depth, Length thickness, Length leng
 /// Of flats on one side of a web, or on both, with 15 eps t of the web on each side of them, about
 /// the centroid of all that. Source: EN 1993-1-5:2006, 9.1(2), 9.3.3, figure 9.1.
 SecondMoment stiffener_inertia(const BearingStiffener& flats);
+
+/// What of a plate across a box, which reaches so far beside one of the box's plates, works with
+/// it: of a whole one half of its effective width between both (psi = 1, k = 4), of one with an
+/// opening that of an outstand up to there (k = 0.43), as at yield. Source: EN 1993-1-5:2006, 4.4,
+/// tables 4.1 and 4.2.
+Length working_width_of(Length beside, Length thickness, Stress yield_strength, bool whole);
+
+/// The least length of panels for which a stiffener is rigid, up to sqrt(2) h_w; nothing where it
+/// is so for none. Shorter panels resist no less than those so long.
+std::optional<Length> least_panel_length_of(const BearingStiffener& stiffener);
+
+/// "I = 1.2e+06 mm^4 beside the web is below 3.5e+06 mm^4 (9.3.3(3))" of a stiffener between panels
+/// so long, "" where it is rigid.
+std::string rigidity_obstacle(const BearingStiffener& stiffener, Length panel_length);
 
 }  // namespace boxbeam

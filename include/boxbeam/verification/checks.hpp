@@ -15,6 +15,7 @@
 #include "boxbeam/strength/member_buckling.hpp"
 #include "boxbeam/strength/patch_loading.hpp"
 #include "boxbeam/strength/reduced_stress.hpp"
+#include "boxbeam/strength/shear_buckling.hpp"
 #include "boxbeam/strength/weld_throat.hpp"
 #include "boxbeam/verification/check.hpp"
 #include "boxbeam/verification/life_cycles.hpp"
@@ -111,6 +112,13 @@ struct PatchedSeam {
   WeldStrength strength;
 };
 
+/// A panel in shear beyond the buckling of its plate, which pulls at the diaphragm that bounds it.
+struct PullingPanel {
+  Station at;        ///< by which it is judged
+  ShearPanel panel;  ///< there
+  Force shear;       ///< V_Ed there
+};
+
 /// What the check of a force that comes into a web rests on.
 struct PatchBasis {
   /// What bears it: the web itself, or with a diaphragm at the place both as a column; and the seam
@@ -118,6 +126,8 @@ struct PatchBasis {
   std::variant<PatchedWeb, BearingStiffener, ReducedWeb, PatchedSeam> bears;
   Force force;         ///< of all that stands so close together, on both webs
   double share = 0.5;  ///< of this web
+  /// Of a diaphragm beside panels whose plate may buckle in shear, the one that pulls most.
+  std::optional<PullingPanel> pulls = {};
   /// By reduced stresses and of a seam that with which, all else in proportion, it is used up.
   Force resistance;
   /// Which the stress of the beam there is by: its effective sections, whole where none buckles.

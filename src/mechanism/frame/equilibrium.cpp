@@ -135,10 +135,7 @@ std::vector<LineLoad> Statics::lines_on(int member, const ActingLoads& loads) co
       const Vector3d slope =
           of.axes.transpose() * (action.at_to - action.at_from) / (action.to - action.from);
       const Vector3d start = of.axes.transpose() * action.at_from + (from - action.from) * slope;
-      for (int axis = 0; axis < 3; ++axis) {
-        Polynomial<3>& force = line.force[static_cast<std::size_t>(axis)];
-        force = force + Polynomial<1>{{start[axis], slope[axis]}};
-      }
+      add_from_outside(start, start + length * slope, line);
     }
   }
   return lines;

@@ -204,10 +204,9 @@ BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& 
     for (LineLoad& stretch : loads.lines) {
       const double middle = (stretch.start + 0.5 * stretch.length).value();
       if (middle < std::min(one, other) || middle > std::max(one, other)) continue;
-      for (int axis = 0; axis < 3; ++axis) {
-        stretch.force[static_cast<std::size_t>(axis)].c[0] += force[axis];
+      add_from_outside(force, force, stretch);
+      for (int axis = 0; axis < 3; ++axis)
         stretch.couple[static_cast<std::size_t>(axis)].c[0] += couple[axis];
-      }
     }
   }
   return loads;

@@ -1,0 +1,64 @@
+#include <algorithm>
+#include <functional>
+
+#include "boxbeam/project/plate_material.hpp"
+#include "boxbeam/strength/shear_buckling.hpp"
+#include "patch_search.hpp"
+
+namespace boxbeam {
+
+void PatchSearch::add_bare_diaphragms(std::vector<Patch>& patches) {
+  const std::size_t loaded = patches.size();
+  for (const Diaphragm& of : project_->beam.diaphragms) {
+    if (is_at_end(of.s) || pulling_.beside(of.s).empty()) continue;
+    for (const bool along_z : {true, false}) {
+      const auto taken = [&](const Patch& patch) {
+        return patch.diaphragm == &of && patch.along_z == along_z;
+      };
+      const auto last = patches.begin() + static_cast<std::ptrdiff_t>(loaded);
+      if (std::any_of(patches.begin(), last, taken)) continue;
+      Patch& bare = patches.emplace_back();
+      bare.name = "the shear of its panels";
+      bare.s = of.s;
+      bare.along_z = along_z;
+      bare.diaphragm = &of;
+    }
+  }
+}
+
+void PatchSearch::bear_by_stiffener(const Patch& patch, const BearingStiffener& stiffener,
+                                    const std::string& plate, const CutForceDiagram& diagram,
+                                    Borne borne, std::vector<Borne>& ways) {
+  PatchBasis& basis = borne.basis;
+  basis.resistance = bearing_resistance_of(stiffener, project_->strength.gamma_M1);
+  basis.bears = stiffener;
+  if (basis.share * basis.force > Force{}) ways.push_back(borne);
+  // At the ends of the beam it is no stiffener between panels.
+  if (is_at_end(patch.diaphragm->s)) return;
+  for (const PullingPanels::Panel& of : pulling_.beside(patch.diaphragm->s)) {
+    if (of.wall.name != plate) continue;
+    const Force shear = of.wall.force_of(diagram.at(of.at));
+    if (!(shear > Force{})) continue;
+    basis.pulls = PullingPanel{of.at, of.wall.panel, shear};
+    ways.push_back(borne);
+  }
+}
+
+BearingStiffener stiffener_of(const Project& project, const PatchedWeb& web, Length inside,
+                              const Diaphragm& diaphragm, const Station& station) {
+  BearingStiffener of;
+  of.web_depth = web.depth;
+  of.web_thickness = web.thickness;
+  of.web_before = station.s;
+  of.web_behind = project.beam.length() - station.s;
+  of.thickness = diaphragm.thickness;
+  of.width = 0.5 * (inside - diaphragm.opening);
+  of.yield_strength = web.yield_strength;
+  const Material& steel =
+      materials_of(project, segment_at(project.beam, station)).of(PlateKind::inner);
+  if (const auto own = yield_strength_of(steel, diaphragm.thickness))
+    of.yield_strength = std::min(of.yield_strength, *own, std::less<>());
+  return of;
+}
+
+}  // namespace boxbeam
