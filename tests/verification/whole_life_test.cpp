@@ -6,11 +6,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <numbers>
 #include <random>
+#include <string>
 
 #include "boxbeam/fatigue/rainflow.hpp"
 #include "boxbeam/verification/verify.hpp"
