@@ -255,6 +255,18 @@ TEST_CASE("a flange of a box may buckle into its slender web: no verdict (clause
   CHECK_FALSE(stops(6.0));
 }
 
+TEST_CASE("a flat that ends inside a panel holds nothing of it: no verdict", "[plates]") {
+  const auto with = [](const std::vector<double>& at) {
+    const std::string more = flats("a", "top flange", {0.0}, 100.0, 12.0) +
+                             flats("a", "bottom flange", {0.0}, 100.0, 12.0);
+    return verified(
+        cantilever(box("a", 900.0, 1000.0, 10.0, 20.0, more) + box("b", 900.0, 1000.0, 10.0, 20.0),
+                   segment(2.0, "a") + segment(4.0, "b") + diaphragms(at), tip(6.0, -50.0)));
+  };
+  CHECK(has_gate(with({0.0, 6.0}), "ends at s = 2 m, inside its panel"));
+  CHECK_FALSE(has_gate(with({0.0, 2.0, 6.0}), "inside its panel"));
+}
+
 TEST_CASE("diaphragms make panels of a web, and two at each end rigid end posts", "[plates]") {
   const auto resistance = [](const std::vector<double>& at, double thickness, double opening) {
     return shear_resistance_in(verified(
