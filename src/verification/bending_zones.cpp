@@ -84,10 +84,10 @@ bool peaks_at(const CutForceDiagram& diagram, BendingAxis about, double from, do
   return at_end >= (1.0 - nothing) * largest;
 }
 
+/// Nothing where the moment is nowhere above `least`.
 std::vector<BendingZone> zones_about(BendingAxis about, const Project& project,
-                                     const std::deque<SituationRun>& runs) {
-  const LargestBending largest = largest_bending_of(runs, about);
-  if (largest.loads == nullptr || largest.moment <= 0.0) return {};
+                                     const LargestBending& largest, double least) {
+  if (largest.loads == nullptr || largest.moment <= least) return {};
   const double length = project.beam.length().value();
   const CutForceDiagram& diagram = largest.loads->diagram(largest.instant);
   std::vector<double> borders = zeros_of(diagram, largest.moment, about);
@@ -164,11 +164,14 @@ std::optional<WidePlates> wide_plates_of(const Profile& profile, BendingAxis axi
 std::vector<BendingZone> bending_zones_of(const Project& project,
                                           const std::deque<SituationRun>& runs) {
   if (!project.strength.shear_lag) return {};
-  std::vector<BendingZone> zones = zones_about(BendingAxis::y, project, runs);
-  if (project.in_space) {
-    const std::vector<BendingZone> others = zones_about(BendingAxis::z, project, runs);
-    zones.insert(zones.end(), others.begin(), others.end());
-  }
+  const LargestBending upright = largest_bending_of(runs, BendingAxis::y);
+  if (!project.in_space) return zones_about(BendingAxis::y, project, upright, 0.0);
+  const LargestBending sideways = largest_bending_of(runs, BendingAxis::z);
+  // Beside the other one it is round-off.
+  const double least = 1e-9 * std::max(upright.moment, sideways.moment);
+  std::vector<BendingZone> zones = zones_about(BendingAxis::y, project, upright, least);
+  const std::vector<BendingZone> others = zones_about(BendingAxis::z, project, sideways, least);
+  zones.insert(zones.end(), others.begin(), others.end());
   return zones;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "boxbeam/verification/neighbours.hpp"
@@ -18,6 +19,11 @@ double negligible_force(const Project& project, const std::deque<SituationRun>& 
 /// The check of a neighbour by its largest force.
 Check check_begun(Criterion criterion, const std::string& name, const Project& project,
                   const Extreme& worst);
+
+/// What a rod is bent by its own weight and inertia, at the instants of the motion, where it
+/// counts.
+std::optional<NotJudged> own_bending_of(const Project& project,
+                                        const std::deque<SituationRun>& runs, const RodInput& rod);
 
 /// The name of a plate of a pin: "hub pin inner plate".
 std::string name_of(const PinInput& pin, const LugInput& lug);

@@ -381,6 +381,7 @@ NeighbourChecks check_rods(const Project& project, const std::deque<SituationRun
         checks.gates.push_back(rod_gate(rod, obstacle));
       }
     }
+    if (auto own = own_bending_of(project, runs, rod)) checks.not_judged.push_back(*std::move(own));
     std::vector<std::string> bending;
     for (const SituationRun& run : runs) {
       for (std::string& name : bending_of(planar_in(project, *run.situation), rod)) {

@@ -58,6 +58,46 @@ std::string hole_obstacle(const Project& project, const Station& station) {
   return "";
 }
 
+/// Whether the same stiffeners go on from one plate to the next.
+bool go_on(const std::vector<FlatStiffener>& one, const std::vector<FlatStiffener>& next) {
+  return std::equal(one.begin(), one.end(), next.begin(), next.end(),
+                    [](const FlatStiffener& a, const FlatStiffener& b) {
+                      constexpr double same = 1e-6;
+                      const Length near = same * a.depth;
+                      return abs(a.depth - b.depth) <= near &&
+                             abs(a.place - b.place) <= a.thickness &&
+                             abs(a.thickness - b.thickness) <= near;
+                    });
+}
+
+/// Why stiffeners that a plate of a box needs do not divide its panel, between diaphragms or ends
+/// of the beam: they end in it, or go on as others.
+std::string ending_obstacle(const Project& project, const Station& station,
+                            const FourWalls& walls) {
+  const auto needs_them = [&](BoxPlate plate) { return may_buckle_with_stiffeners(walls, plate); };
+  if (std::none_of(box_plates.begin(), box_plates.end(), needs_them)) return "";
+  const TaperedBeam& beam = project.beam;
+  const Supports supports = supports_around(beam, station);
+  const Length from = supports.before.value_or(Length{});
+  const Length to = supports.behind.value_or(beam.length());
+  for (std::size_t k = 0; k + 1 < beam.segments.size(); ++k) {
+    const Length s = beam.segments[k].end();
+    const Length near = 1e-9 * beam.length();
+    if (!(s > from + near && s < to - near)) continue;
+    const auto one = four_walls_of(beam.segments[k].to.outer, materials_of(project, k));
+    const auto next = four_walls_of(beam.segments[k + 1].from.outer, materials_of(project, k + 1));
+    for (const BoxPlate plate : box_plates) {
+      if (!needs_them(plate)) continue;
+      if (one && next && go_on(one->of(plate).stiffeners, next->of(plate).stiffeners)) continue;
+      return fmt::format(
+          "a stiffener of the {} ends at s = {} m, inside its panel: end it at a "
+          "diaphragm",
+          to_text(plate), to_text(Station{s, Side::both}));
+    }
+  }
+  return "";
+}
+
 }  // namespace
 
 const char* to_text(PlateRoute route) {
@@ -169,6 +209,7 @@ std::string plates_obstacle(const Project& project, const Station& station) {
   const auto walls = deciding_walls_at(project, station);
   if (!walls) return "only boxes, rectangular tubes and thin-walled paths are";
   if (std::string why = stiffener_obstacle(*walls); !why.empty()) return why;
+  if (std::string why = ending_obstacle(project, station, *walls); !why.empty()) return why;
   if (plate_route_of(project, segment) == PlateRoute::reduced_stresses) {
     for (const BoxPlate plate : box_plates) {
       if (!may_buckle_with_stiffeners(*walls, plate)) continue;

@@ -1,6 +1,7 @@
 #include "working_instants.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -8,7 +9,8 @@
 #include <thread>
 #include <vector>
 
-#include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/verification/plate_checks.hpp"
+#include "boxbeam/verification/slender_path.hpp"
 #include "boxbeam/verification/stress_points.hpp"
 #include "boxbeam/verification/worst_place.hpp"
 #include "mixed_stress.hpp"
@@ -83,31 +85,63 @@ void add_points(const Project& project, const Station& station, const Eigen::Mat
   }
 }
 
-/// Sums of two cut forces, in other parts than those of the whole section's stresses: an effective
-/// section, a member that buckles and a web in shear weigh N, M and V otherwise, A/A_eff up to some
-/// 4 times.
-void add_pairs(const Project& project, const Station& station, const Eigen::MatrixXd& rows,
-               Sums& sums) {
-  const Section section = section_at(project.beam, station);
-  const SectionProperties of = properties_of(section);
-  const Extent extent = extent_of(section.outer);
-  const double half_y = 0.5 * (extent.y_high - extent.y_low).value();
-  const double half_z = 0.5 * (extent.z_high - extent.z_low).value();
-  const double per_area = 1.0 / of.area.value();
-  const auto stress = [&](cut_force::Index force, double by) -> Eigen::VectorXd {
-    return by * rows.row(force).transpose();
+CutForces only(cut_force::Index of, double value) {
+  CutForces cut{};
+  switch (of) {
+    case cut_force::N: cut.N = si<Force>(value); break;
+    case cut_force::V_y: cut.V_y = si<Force>(value); break;
+    case cut_force::V_z: cut.V_z = si<Force>(value); break;
+    case cut_force::T: cut.T = si<Moment>(value); break;
+    case cut_force::M_y: cut.M_y = si<Moment>(value); break;
+    case cut_force::M_z: cut.M_z = si<Moment>(value); break;
+  }
+  return cut;
+}
+
+/// What plates that buckle are used by where that is a sum: for each sense of N, M_y and M_z the
+/// use by one alone times its size, which of a corner where all meet is its use, by itself and with
+/// what V_y, V_z and T use of the plate that they use most. A plate that works less the more it is
+/// compressed weighs N unlike the gross section.
+void add_plates(const Project& project, const Station& station, const Eigen::MatrixXd& rows,
+                Sums& sums) {
+  using enum cut_force::Index;
+  const auto box = slender_plates_at(project, {}, station);
+  const auto path = box ? nullptr : slender_path_at(project, {}, station);
+  if (!box && !path) return;
+  const auto normal = [&](cut_force::Index of, double sense) {
+    const CutForces cut = only(of, sense);
+    return sense * (box ? box->box.worst_corner(cut).use : path->section.use(cut));
   };
-  const Eigen::VectorXd pressed = stress(cut_force::N, per_area);
-  const Eigen::VectorXd bent = stress(cut_force::M_y, half_z / of.I_y.value());
-  const Eigen::VectorXd across = stress(cut_force::M_z, half_y / of.I_z.value());
-  const Eigen::VectorXd sheared = stress(cut_force::V_z, per_area);
-  const Eigen::VectorXd twisted = stress(cut_force::T, per_area / std::max(half_y, half_z));
-  for (const double part : {-4.0, -2.0, -1.0, -0.5, -0.25, 0.25, 0.5, 1.0, 2.0, 4.0}) {
-    sums.add(pressed + part * bent);
-    sums.add(pressed + part * across);
-    sums.add(bent + part * across);
-    sums.add(bent + part * sheared);
-    sums.add(sheared + part * twisted);
+  const auto sheared = [&](cut_force::Index of) {
+    double most = 0.0;
+    const auto look = [&](const auto& walls) {
+      for (const ShearedWall& wall : walls) {
+        const double use = wall.force_of(only(of, 1.0)) / wall.resists.resistance;
+        most = std::max(most, use);
+      }
+    };
+    if (box)
+      look(box->sheared);
+    else
+      look(path->sheared);
+    return most;
+  };
+  const std::array<double, 2> senses{-1.0, 1.0};
+  const std::array shears{V_y, V_z, T};
+  for (const double of_N : senses) {
+    for (const double of_M_y : senses) {
+      for (const double of_M_z : senses) {
+        const Eigen::VectorXd sum = normal(N, of_N) * rows.row(N).transpose() +
+                                    normal(M_y, of_M_y) * rows.row(M_y).transpose() +
+                                    normal(M_z, of_M_z) * rows.row(M_z).transpose();
+        sums.add(sum);
+        for (const cut_force::Index shear : shears) {
+          const Eigen::VectorXd more = sheared(shear) * rows.row(shear).transpose();
+          sums.add(sum + more);
+          sums.add(sum - more);
+        }
+      }
+    }
   }
 }
 
@@ -224,7 +258,7 @@ std::shared_ptr<const recorded::Channels> working_instants(const Project& projec
       const Eigen::MatrixXd rows = rows_at(units, station);
       for (Eigen::Index c = 0; c < rows.rows(); ++c) sums.add(rows.row(c).transpose());
       add_points(project, station, rows, sums);
-      add_pairs(project, station, rows, sums);
+      add_plates(project, station, rows, sums);
       const double share = (piece.end() - piece.start).value() / length;
       for (std::size_t power = 0; power < 3; ++power) {
         const double weight =

@@ -4,6 +4,8 @@
 #include "boxbeam/verification/gates.hpp"
 #include "boxbeam/verification/model_gates.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -319,6 +321,36 @@ TEST_CASE("a beam whose vibration is not in balance as far bent as it is does no
   }
   choice.weighed.front().found = 0.009;
   CHECK(model_gates_of(project, choice).empty());
+}
+
+TEST_CASE("a polygon whose walls may buckle blocks, as the box that it is") {
+  // A hollow square 390 mm with walls t: c/t = 390/1.5 = 260, 39 of 10 mm; massive 1.
+  const auto stops = [](double wall) {
+    const auto square = [](double half) {
+      return fmt::format(
+          "[[\"-{0} mm\", \"-{0} mm\"], [\"{0} mm\", \"-{0} mm\"], [\"{0} mm\", "
+          "\"{0} mm\"], [\"-{0} mm\", \"{0} mm\"]]",
+          half);
+    };
+    const std::string hollow = wall < 195.0 ? "holes = [" + square(195.0 - wall) + "]\n" : "";
+    const Verification of = verify(parse_project(
+        "polygon.toml",
+        "[case]\nname = \"polygon\"\nkind = \"static\"\n[frame]\n"
+        "gravity = [\"0 m/s^2\", \"0 m/s^2\"]\n[sections.a]\nkind = \"polygon\"\nouter = " +
+            square(195.0) + "\n" + hollow +
+            "[beam]\ndensity = \"7850 kg/m^3\"\n[[beam.segments]]\nlength = \"8 m\"\nsection = "
+            "\"a\"\n"
+            "[supports.root]\nkind = \"fixed\"\nat = \"0 m\"\n[loads.f]\nkind = \"force\"\nat = "
+            "\"8 m\"\n"
+            "force = [\"0 kN\", \"-3 kN\"]\n[material]\nsteel = \"S355\"\n[strength]\nrequired = "
+            "1.0\n"));
+    return of.verdict == Verdict::not_applicable &&
+           !gates_with(of, "plates of it may buckle").empty();
+  };
+  CHECK(stops(1.5));
+  CHECK(stops(8.0));
+  CHECK_FALSE(stops(10.0));
+  CHECK_FALSE(stops(195.0));
 }
 
 }  // namespace gates_test

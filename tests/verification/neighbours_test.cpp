@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -207,6 +208,52 @@ TEST_CASE("the buckling length is the rod's own where nothing is said, and the s
   CHECK(project.rods.front().buckling_length.value() == Approx(0.5));
   CHECK(project.rods.front().yield_strength.value() == 355e6);
   CHECK(project.rods.front().required == 2.0);
+}
+
+TEST_CASE("that a rod is bent by its own weight and inertia is said where it counts") {
+  // At every instant m (g - a) across it, linear between its ends, on 400 parts of it between pins.
+  const double L = 0.5;
+  double most = 0.0;
+  for (const InstantResult& state : states()) {
+    const BodyMotion& rod = body(state, "upper_rod");
+    const Eigen::Vector2d across(-std::sin(rod.position.z()), std::cos(rod.position.z()));
+    const double mean = across.dot(Eigen::Vector2d(0.0, -g) - rod.acceleration.head<2>());
+    const double alpha = rod.acceleration.z();
+    constexpr int parts = 400;
+    double at_start = 0.0;
+    std::array<double, parts> load{};
+    for (int k = 0; k < parts; ++k) {
+      const double x = L * (k + 0.5) / parts;
+      load[static_cast<std::size_t>(k)] = 119.0 / parts * (mean - alpha * (x - 0.5 * L));
+      at_start += load[static_cast<std::size_t>(k)] * (1.0 - x / L);
+    }
+    double shear = at_start, moment = 0.0;
+    for (const double part : load) {
+      moment += (shear - 0.5 * part) * L / parts;
+      shear -= part;
+      most = std::max(most, std::abs(moment));
+    }
+  }
+  const auto said = [](double diameter) {
+    const Project project = parse_project(
+        "rig.toml",
+        test::rig_text({},
+                       fmt::format("\n[sections.rod]\nkind = \"round tube\"\ndiameter = \"{} mm\"\n"
+                                   "wall = \"5 mm\"\n",
+                                   diameter) +
+                           rod_lines));
+    for (const NotJudged& of : check_rods(project, run_situations(project)).not_judged) {
+      const std::size_t by = of.reason.find("bend it, by ");
+      if (by != std::string::npos) return std::stod(of.reason.substr(by + 12));
+    }
+    return 0.0;
+  };
+  const double W = std::numbers::pi / 32.0 * (std::pow(0.03, 4) - std::pow(0.02, 4)) / 0.03;
+  const double by_hand = 1e-6 * most / W;
+  CHECK(by_hand > 0.04 * 355.0);
+  CHECK(said(30.0) >= by_hand * (1.0 - 5e-3));
+  CHECK(said(30.0) <= by_hand * 1.15);
+  CHECK(said(114.3) == 0.0);
 }
 
 TEST_CASE("the load factor of a situation multiplies the force of a pin and of a rod") {

@@ -214,7 +214,7 @@ TEST_CASE("diaphragms divide the panel that fails, where that is enough", "[reme
       tip(9.0, -100.0) +
       "[loads.mid]\nkind = \"force\"\nat = \"3 m\"\nforce = [\"0 kN\", \"-1600 kN\"]\n";
   const auto beam = [&](const std::vector<double>& at) {
-    return cantilever(box("a", 600.0, 1224.0, 40.0, 8.0), segment(9.0, "a") + diaphragms(at),
+    return cantilever(box("a", 600.0, 1224.0, 40.0, 8.0), segment(9.0, "a") + diaphragms(at, 20.0),
                       loads);
   };
   const Verification of = advised(beam({0.0, 3.0, 9.0}));

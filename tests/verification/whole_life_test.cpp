@@ -6,11 +6,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <numbers>
 #include <random>
+#include <string>
 
 #include "boxbeam/fatigue/rainflow.hpp"
 #include "boxbeam/verification/verify.hpp"
@@ -438,6 +440,43 @@ TEST_CASE("outer instants have the extremes that they prove", "[whole life]") {
     }
   }
   CHECK(proved > 30);
+}
+
+TEST_CASE("of a long record the instant is looked at that is worst for plates that buckle") {
+  // Webs of 1200 x 8: N weighs A/A_eff = 2.05 times as much as on the gross section, M_y 1.34
+  // times. The last event has neither the most N nor the most M_y, nor the highest stress there.
+  const std::string text =
+      "[case]\nname = \"long\"\nkind = \"loads\"\n[sections.a]\nkind = \"box\"\nwidth = \"600 "
+      "mm\"\n"
+      "height = \"1224 mm\"\nflange = \"12 mm\"\nweb = \"8 mm\"\n[beam]\ndensity = \"7850 "
+      "kg/m^3\"\n"
+      "[[beam.segments]]\nlength = \"4 m\"\nsection = \"a\"\n[files.f]\npath = \"events.csv\"\n"
+      "[loads.tip]\nstation = \"4 m\"\ncolumns = { F_x = \"Fx\", M_y = \"My\" }\n"
+      "[[beam.restraints]]\nstation = \"0 m\"\nholds = [\"along y\", \"along z\", \"turning "
+      "over\"]\n"
+      "[[beam.restraints]]\nstation = \"4 m\"\nholds = [\"along y\", \"along z\", \"turning "
+      "over\"]\n"
+      "[balance]\nstation = \"0 m\"\nname = \"root\"\n[material]\nsteel = \"S355\"\n"
+      "[strength]\nrequired = 1.0\nshear_lag = false\n";
+  const test::TemporaryFolder folder;
+  std::string csv = "time [s],Fx [kN],My [kN m]\n";
+  const std::array<std::array<double, 2>, 3> events{
+      {{-4000.0, 0.0}, {0.0, -3000.0}, {-2600.0, -2000.0}}};
+  for (int i = 0; i < 400; ++i) {
+    std::array<double, 2> at{-10.0 - i % 7, -5.0 - i % 11};
+    if (i % 100 == 51 && i < 300) at = events[static_cast<std::size_t>(i / 100)];
+    csv += fmt::format("{:.2f},{},{}\n", 0.01 * i, at[0], at[1]);
+  }
+  folder.write("events.csv", csv);
+  const Project project = read_project(folder.write("case.toml", text));
+  const auto use = [](const Verification& of) {
+    const CheckResult* const at = governing_of(of.checks, Criterion::effective_section);
+    REQUIRE(at != nullptr);
+    return at->check.utilisation();
+  };
+  const double all = use(verify(project));
+  CHECK(all > 1.0);
+  CHECK(use(verify(as_long(project))) == Approx(all).epsilon(1e-6));
 }
 
 }  // namespace whole_life_test
