@@ -8,6 +8,7 @@
 #include <charconv>
 #include <sstream>
 
+#include "case_text.hpp"
 #include "text_file.hpp"
 #include "toml_hint.hpp"
 
@@ -269,22 +270,8 @@ std::string CaseDocument::sha256_of_input() const {
   return sha256_of(hashes);
 }
 
-CaseDocument parse_document(const std::string& path, const std::string& text,
-                            const std::vector<std::string>& overrides) {
-  CaseDocument document;
-  document.path = path;
-  document.root = parse_text(document, path, text);
-  std::string hashed = text;
-  for (const std::string& override_text : overrides) {
-    apply_override(document, override_text);
-    hashed += "\n--set " + override_text;
-  }
-  document.sha256 = sha256_of(hashed);
-  return document;
-}
-
-CaseDocument read_document(const std::string& path, const std::vector<std::string>& overrides) {
-  const FileText file = read_text_file(path);
+std::string read_case_text(const std::string& path) {
+  FileText file = read_text_file(path);
   const auto hint = [&]() -> std::string {
     switch (file.trouble) {
       case FileText::Trouble::missing: return "give the path of a case file (.toml)";
@@ -296,7 +283,30 @@ CaseDocument read_document(const std::string& path, const std::vector<std::strin
   if (file.trouble != FileText::Trouble::none) {
     throw InputError({Problem{path, 0, 0, {}, file.why, hint()}});
   }
-  return parse_document(path, file.text, overrides);
+  return std::move(file.text);
+}
+
+void apply_overrides(CaseDocument& document, const std::string& text,
+                     const std::vector<std::string>& overrides) {
+  std::string hashed = text;
+  for (const std::string& override_text : overrides) {
+    apply_override(document, override_text);
+    hashed += "\n--set " + override_text;
+  }
+  document.sha256 = sha256_of(hashed);
+}
+
+CaseDocument parse_document(const std::string& path, const std::string& text,
+                            const std::vector<std::string>& overrides) {
+  CaseDocument document;
+  document.path = path;
+  document.root = parse_text(document, path, text);
+  apply_overrides(document, text, overrides);
+  return document;
+}
+
+CaseDocument read_document(const std::string& path, const std::vector<std::string>& overrides) {
+  return parse_document(path, read_case_text(path), overrides);
 }
 
 }  // namespace boxbeam

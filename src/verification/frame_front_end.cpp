@@ -316,11 +316,10 @@ class FrameFrontEnd : public FrontEnd {
     return std::make_unique<FrameAtRest>(*project_, situation, shared);
   }
 
-  std::optional<ModelChoice> own_model(const SharedMotions& shared) const override {
+  std::optional<ModelChoice> own_model() const override {
     ModelChoice choice;
     choice.chosen = {ModelLevel::flexible, 0, 0, {}, false};
     choice.tolerance = project_->model.tolerance;
-    choice.second_order = estimate_second_order(*project_, run_situations(*project_, {}, shared));
     choice.reason = "elastic members at rest, exact, by theory of the first order";
     return choice;
   }
