@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <sstream>
 
@@ -144,6 +145,31 @@ void put_at(Node& node, const Place& place) {
   }
 }
 
+/// Whether a value is a number with a unit behind it, "16 mm": no TOML, whatever follows.
+bool is_quantity_text(const std::string& value) {
+  const std::size_t space = value.find_first_not_of("+-.0123456789eE");
+  return space != 0 && space < value.size() && value[space] == ' ' && space + 1 < value.size() &&
+         std::isalpha(static_cast<unsigned char>(value[space + 1])) != 0 &&
+         std::isalpha(static_cast<unsigned char>(value[0])) == 0;
+}
+
+/// What stands behind KEY=: a number, true, a quoted text or an array as TOML; anything else is
+/// the text itself.
+Node override_value(const std::string& source, const std::string& value) {
+  Node text;
+  text.kind = Node::Kind::text;
+  text.text = value;
+  if (is_quantity_text(value)) return text;
+  try {
+    CaseDocument scratch;
+    const Node table = parse_text(scratch, source, "value = " + value + "\n");
+    if (table.members.size() == 1 && table.members.front().value.kind != Node::Kind::other)
+      return table.members.front().value;
+  } catch (const InputError&) {
+  }
+  return text;
+}
+
 void apply_override(CaseDocument& document, const std::string& override_text) {
   const std::string source = "--set " + override_text;
   const std::size_t equals = override_text.find('=');
@@ -157,27 +183,10 @@ void apply_override(CaseDocument& document, const std::string& override_text) {
     throw InputError(fmt::format("--set wants KEY=VALUE, not \"{}\"", override_text),
                      "--set bodies.sledge.mass=\"20 t\"");
   }
-  const std::string value = override_text.substr(equals + 1);
-  // A number, true, a quoted text or an array as TOML; anything else is the text itself.
-  Node parsed;
-  try {
-    CaseDocument scratch;
-    const Node table = parse_text(scratch, source, "value = " + value + "\n");
-    if (table.members.size() == 1)
-      parsed = table.members.front().value;
-    else
-      parsed.kind = Node::Kind::other;
-  } catch (const InputError&) {
-    parsed.kind = Node::Kind::other;
-  }
+  Node parsed = override_value(source, override_text.substr(equals + 1));
   const auto entry = document.lines.insert_or_assign(source, std::vector{source}).first;
   const Place place{entry->first, 1, static_cast<int>(std::string("--set ").size() + equals + 2)};
   const Place key_place{entry->first, 1, static_cast<int>(std::string("--set ").size()) + 1};
-  if (parsed.kind == Node::Kind::other) {
-    parsed = Node{};
-    parsed.kind = Node::Kind::text;
-    parsed.text = value;
-  }
   put_at(parsed, place);
 
   if (const auto trouble = set_value(document.root, parts, key_place, parsed)) {
