@@ -58,9 +58,10 @@ double largest_use(const std::string& check, const std::vector<VerifiedBeam>& be
 /// What one thread needs to judge designs.
 class Judge {
  public:
-  Judge(const Study& study, const StudyTransformation& transformation)
+  Judge(const Study& study, const StudyTransformation& transformation, const DesignTrials& trials)
       : study_(&study),
         transformation_(&transformation),
+        trials_(&trials),
         numbers_(study, study.reliability->expressions) {
     for (const std::string& text : study.reliability->expressions)
       expressions_.emplace_back(text, numbers_.names());
@@ -71,7 +72,7 @@ class Judge {
     return design_of(*study_, transformation_->values_at(u));
   }
   std::vector<VerifiedBeam> verified(const std::vector<Setting>& design) const {
-    return verify_design(case_options_of(*study_), overrides_of(*study_, design));
+    return trials_->verify(overrides_of(*study_, design));
   }
 
   Response at(const Eigen::VectorXd& u) {
@@ -107,6 +108,7 @@ class Judge {
 
   const Study* study_;
   const StudyTransformation* transformation_;
+  const DesignTrials* trials_;
   DesignNumbers numbers_;  ///< in expressions
   std::vector<NamedExpression> expressions_;
 };
@@ -133,15 +135,16 @@ void require_checks(const Study& study, const std::vector<VerifiedBeam>& beams) 
 
 CaseLimitState limit_state_of_case(const Study& study, std::size_t threads) {
   const auto transformation = std::make_shared<const StudyTransformation>(study);
+  const auto trials = std::make_shared<const DesignTrials>(case_options_of(study));
   const std::vector<Project> beams = read_beams_of(case_options_of(study));
-  const Judge first(study, *transformation);
+  const Judge first(study, *transformation, *trials);
   const std::vector<VerifiedBeam> medians =
       first.verified(first.design_at(Eigen::VectorXd::Zero(transformation->dimension())));
   require_checks(study, medians);
   DesignNumbers(study, study.reliability->expressions).units_in(medians);
-  const auto make = [transformation, &study]() -> LimitState::Function {
-    const auto judge = std::make_shared<Judge>(study, *transformation);
-    return [transformation, judge](const Eigen::VectorXd& u) { return judge->at(u); };
+  const auto make = [transformation, trials, &study]() -> LimitState::Function {
+    const auto judge = std::make_shared<Judge>(study, *transformation, *trials);
+    return [transformation, trials, judge](const Eigen::VectorXd& u) { return judge->at(u); };
   };
   return {sha256_of(study.text + "\n" + beams.front().sha256),
           LimitState(transformation->dimension(), make, threads)};

@@ -33,17 +33,28 @@ void keep_beam(const std::string& name, std::vector<Project>& beams) {
   std::erase_if(beams, [&](const Project& project) { return project.beam_name != name; });
 }
 
-}  // namespace
+std::optional<Dynamics> dynamics_in(const CaseOptions& options) {
+  if (options.dynamics.empty()) return std::nullopt;
+  return options.dynamics == "rigorous" ? Dynamics::rigorous : Dynamics::newton_chain;
+}
 
-std::vector<Project> read_beams_of(const CaseOptions& options) {
-  std::optional<Dynamics> dynamics;
-  if (!options.dynamics.empty()) {
-    dynamics = options.dynamics == "rigorous" ? Dynamics::rigorous : Dynamics::newton_chain;
-  }
-  std::vector<Project> beams = read_beams(options.file, options.set, dynamics);
+std::vector<Project> asked_for(const CaseOptions& options, std::vector<Project> beams) {
   if (!options.beam.empty()) keep_beam(options.beam, beams);
   for (Project& project : beams) take_model(options, project);
   return beams;
+}
+
+}  // namespace
+
+std::vector<Project> read_beams_of(const CaseOptions& options) {
+  return asked_for(options, read_beams(options.file, options.set, dynamics_in(options)));
+}
+
+std::vector<Project> read_beams_of(const CaseOptions& options, const CaseSource& source,
+                                   const std::vector<std::string>& set) {
+  std::vector<std::string> all = options.set;
+  all.insert(all.end(), set.begin(), set.end());
+  return asked_for(options, source.read_beams(all, dynamics_in(options)));
 }
 
 Project read_case(const CaseOptions& options) { return std::move(read_beams_of(options).front()); }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "boxbeam/project/case_source.hpp"
 #include "boxbeam/project/project.hpp"
 
 namespace boxbeam::program {
@@ -23,5 +24,9 @@ Project read_case(const CaseOptions& options);
 
 /// The same for all its beams, or the one that is asked for.
 std::vector<Project> read_beams_of(const CaseOptions& options);
+
+/// The same of a file that has been read already; `set` as --set, behind that of the options.
+std::vector<Project> read_beams_of(const CaseOptions& options, const CaseSource& source,
+                                   const std::vector<std::string>& set);
 
 }  // namespace boxbeam::program

@@ -8,23 +8,6 @@
 
 namespace boxbeam::program {
 
-namespace {
-
-std::vector<Project> read_design(const CaseOptions& options, const std::vector<std::string>& set) {
-  CaseOptions of = options;
-  of.set.insert(of.set.end(), set.begin(), set.end());
-  std::vector<Project> beams = read_beams_of(of);
-  if (beams.size() == 1) beams.front().beam_name.clear();
-  return beams;
-}
-
-}  // namespace
-
-std::vector<VerifiedBeam> verify_design(const CaseOptions& options,
-                                        const std::vector<std::string>& set) {
-  return verify_beams(read_design(options, set));
-}
-
 std::vector<VerifiedBeam> DesignTrials::verify(const std::vector<std::string>& set) const {
   std::string looked_at;
   bool all = true;
@@ -33,7 +16,9 @@ std::vector<VerifiedBeam> DesignTrials::verify(const std::vector<std::string>& s
     if (counts) looked_at += change + '\n';
     all = all && counts;
   }
-  std::vector<Project> beams = read_design(options_, set);
+  std::call_once(opened_, [&] { source_.emplace(options_.file); });
+  std::vector<Project> beams = read_beams_of(options_, *source_, set);
+  if (beams.size() == 1) beams.front().beam_name.clear();
   if (all) return verify_beams(std::move(beams));
   const auto is_known = [&](const auto& of) { return of.first == looked_at; };
   std::vector<ModelChoice> models;

@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,21 +13,20 @@
 /// A case verified with other values of its keys.
 namespace boxbeam::program {
 
-/// Of all its beams, without figures and remedies; `set` as --set, behind that of the options.
-/// Throws InputError and AnalysisError.
-std::vector<VerifiedBeam> verify_design(const CaseOptions& options,
-                                        const std::vector<std::string>& set);
-
-/// The same for many designs of one case, by several threads at once. Designs that differ in
-/// nothing that the choice of the model looks at have it made for them once.
+/// Of all its beams, without figures and remedies. The case is read from its file once; designs
+/// that differ in nothing that the choice of the model looks at have it made for them once. May be
+/// asked by several threads at once.
 class DesignTrials {
  public:
   explicit DesignTrials(CaseOptions options) : options_(std::move(options)) {}
 
+  /// `set` as --set, behind that of the options. Throws InputError and AnalysisError.
   std::vector<VerifiedBeam> verify(const std::vector<std::string>& set) const;
 
  private:
   CaseOptions options_;
+  mutable std::once_flag opened_;
+  mutable std::optional<CaseSource> source_;
   mutable std::mutex mutex_;
   /// By what is set of what the choice looks at, the last few.
   mutable std::deque<std::pair<std::string, std::vector<ModelChoice>>> models_;

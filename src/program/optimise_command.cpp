@@ -47,7 +47,10 @@ double margin_of(double use) {
 class BestDesign {
  public:
   explicit BestDesign(const Study& study)
-      : study_(&study), demand_(&*study.optimise), numbers_(study, expressions_of(*demand_)) {
+      : study_(&study),
+        demand_(&*study.optimise),
+        trials_(case_of(study)),
+        numbers_(study, expressions_of(*demand_)) {
     for (std::size_t i = 0; i < study.variables.size(); ++i) add_choice(i);
     if (choices_.empty())
       throw InputError(fmt::format("{}: no variable may be chosen", study.path),
@@ -57,9 +60,7 @@ class BestDesign {
     for (const std::string& limit : demand_->subject_to) limits_.push_back(limit);
     if (!numbers_.asks_results()) return;
     numbers_.require_case();
-    CaseOptions options;
-    options.file = study.case_file;
-    result_units_ = numbers_.units_in(verify_design(options, {}));
+    result_units_ = numbers_.units_in(trials_.verify({}));
   }
 
   const Study& study() const { return *study_; }
@@ -84,9 +85,7 @@ class BestDesign {
   }
 
   std::vector<VerifiedBeam> verified(const std::vector<Setting>& design) const {
-    CaseOptions options;
-    options.file = study_->case_file;
-    return verify_design(options, overrides_of(*study_, design));
+    return trials_.verify(overrides_of(*study_, design));
   }
 
  private:
@@ -94,6 +93,12 @@ class BestDesign {
     std::vector<std::string> all = demand.minimise;
     all.insert(all.end(), demand.subject_to.begin(), demand.subject_to.end());
     return all;
+  }
+
+  static CaseOptions case_of(const Study& study) {
+    CaseOptions options;
+    options.file = study.case_file;
+    return options;
   }
 
   void add_choice(std::size_t i) {
@@ -123,6 +128,7 @@ class BestDesign {
 
   const Study* study_;
   const OptimiseDemand* demand_;
+  DesignTrials trials_;
   std::vector<Choice> choices_;
   std::vector<std::string> units_;
   std::vector<std::size_t> places_;  ///< of the choices among the variables

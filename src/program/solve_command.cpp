@@ -113,7 +113,7 @@ std::pair<WrittenQuantity, WrittenQuantity> interval_of(const SolveOptions& opti
 class Search {
  public:
   explicit Search(const SolveOptions& options)
-      : options_(&options), wanted_(wanted_in(options.such_that)) {
+      : options_(&options), trials_(options.of_case), wanted_(wanted_in(options.such_that)) {
     const std::optional<WrittenQuantity> own = own_amount(options);
     std::tie(solution_.from, solution_.to) = interval_of(options, own);
     solution_.case_file = options.of_case.file;
@@ -141,15 +141,14 @@ class Search {
 
  private:
   std::vector<VerifiedBeam> verified_at(double value) const {
-    return verify_design(options_->of_case,
-                         {fmt::format("{}={}", options_->key,
-                                      to_text(WrittenQuantity{value, solution_.from.unit}))});
+    return trials_.verify({fmt::format("{}={}", options_->key,
+                                       to_text(WrittenQuantity{value, solution_.from.unit}))});
   }
 
   /// What is asked for must be there somewhere: in the case as it is, else at a bound.
   void look_at_case() {
     const ResultBook book =
-        solution_.own ? results_of(verify_design(options_->of_case, {}))
+        solution_.own ? results_of(trials_.verify({}))
                       : results_of(verified_at(0.5 * (solution_.from.value + solution_.to.value)));
     const ResultValue* const result = book.find(wanted_.result);
     if (result == nullptr)
@@ -186,6 +185,7 @@ class Search {
   }
 
   const SolveOptions* options_;
+  DesignTrials trials_;
   Wanted wanted_;
   Solution solution_;
 };

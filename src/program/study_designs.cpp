@@ -96,7 +96,7 @@ void StudyDesigns::require_columns() {
   const auto look_at = [&](const std::vector<std::string>& set) {
     if (unknown.empty()) return;
     trouble_of([&] {
-      const ResultBook book = results_of(verify_design(case_of(*study_), set));
+      const ResultBook book = results_of(trials_.verify(set));
       std::erase_if(unknown, [&](const std::string& key) {
         const ResultValue* const value = book.find(key);
         if (value == nullptr) return false;

@@ -5,9 +5,11 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <sstream>
 
+#include "case_text.hpp"
 #include "text_file.hpp"
 #include "toml_hint.hpp"
 
@@ -143,6 +145,31 @@ void put_at(Node& node, const Place& place) {
   }
 }
 
+/// Whether a value is a number with a unit behind it, "16 mm": no TOML, whatever follows.
+bool is_quantity_text(const std::string& value) {
+  const std::size_t space = value.find_first_not_of("+-.0123456789eE");
+  return space != 0 && space < value.size() && value[space] == ' ' && space + 1 < value.size() &&
+         std::isalpha(static_cast<unsigned char>(value[space + 1])) != 0 &&
+         std::isalpha(static_cast<unsigned char>(value[0])) == 0;
+}
+
+/// What stands behind KEY=: a number, true, a quoted text or an array as TOML; anything else is
+/// the text itself.
+Node override_value(const std::string& source, const std::string& value) {
+  Node text;
+  text.kind = Node::Kind::text;
+  text.text = value;
+  if (is_quantity_text(value)) return text;
+  try {
+    CaseDocument scratch;
+    const Node table = parse_text(scratch, source, "value = " + value + "\n");
+    if (table.members.size() == 1 && table.members.front().value.kind != Node::Kind::other)
+      return table.members.front().value;
+  } catch (const InputError&) {
+  }
+  return text;
+}
+
 void apply_override(CaseDocument& document, const std::string& override_text) {
   const std::string source = "--set " + override_text;
   const std::size_t equals = override_text.find('=');
@@ -156,27 +183,10 @@ void apply_override(CaseDocument& document, const std::string& override_text) {
     throw InputError(fmt::format("--set wants KEY=VALUE, not \"{}\"", override_text),
                      "--set bodies.sledge.mass=\"20 t\"");
   }
-  const std::string value = override_text.substr(equals + 1);
-  // A number, true, a quoted text or an array as TOML; anything else is the text itself.
-  Node parsed;
-  try {
-    CaseDocument scratch;
-    const Node table = parse_text(scratch, source, "value = " + value + "\n");
-    if (table.members.size() == 1)
-      parsed = table.members.front().value;
-    else
-      parsed.kind = Node::Kind::other;
-  } catch (const InputError&) {
-    parsed.kind = Node::Kind::other;
-  }
+  Node parsed = override_value(source, override_text.substr(equals + 1));
   const auto entry = document.lines.insert_or_assign(source, std::vector{source}).first;
   const Place place{entry->first, 1, static_cast<int>(std::string("--set ").size() + equals + 2)};
   const Place key_place{entry->first, 1, static_cast<int>(std::string("--set ").size()) + 1};
-  if (parsed.kind == Node::Kind::other) {
-    parsed = Node{};
-    parsed.kind = Node::Kind::text;
-    parsed.text = value;
-  }
   put_at(parsed, place);
 
   if (const auto trouble = set_value(document.root, parts, key_place, parsed)) {
@@ -269,22 +279,8 @@ std::string CaseDocument::sha256_of_input() const {
   return sha256_of(hashes);
 }
 
-CaseDocument parse_document(const std::string& path, const std::string& text,
-                            const std::vector<std::string>& overrides) {
-  CaseDocument document;
-  document.path = path;
-  document.root = parse_text(document, path, text);
-  std::string hashed = text;
-  for (const std::string& override_text : overrides) {
-    apply_override(document, override_text);
-    hashed += "\n--set " + override_text;
-  }
-  document.sha256 = sha256_of(hashed);
-  return document;
-}
-
-CaseDocument read_document(const std::string& path, const std::vector<std::string>& overrides) {
-  const FileText file = read_text_file(path);
+std::string read_case_text(const std::string& path) {
+  FileText file = read_text_file(path);
   const auto hint = [&]() -> std::string {
     switch (file.trouble) {
       case FileText::Trouble::missing: return "give the path of a case file (.toml)";
@@ -296,7 +292,30 @@ CaseDocument read_document(const std::string& path, const std::vector<std::strin
   if (file.trouble != FileText::Trouble::none) {
     throw InputError({Problem{path, 0, 0, {}, file.why, hint()}});
   }
-  return parse_document(path, file.text, overrides);
+  return std::move(file.text);
+}
+
+void apply_overrides(CaseDocument& document, const std::string& text,
+                     const std::vector<std::string>& overrides) {
+  std::string hashed = text;
+  for (const std::string& override_text : overrides) {
+    apply_override(document, override_text);
+    hashed += "\n--set " + override_text;
+  }
+  document.sha256 = sha256_of(hashed);
+}
+
+CaseDocument parse_document(const std::string& path, const std::string& text,
+                            const std::vector<std::string>& overrides) {
+  CaseDocument document;
+  document.path = path;
+  document.root = parse_text(document, path, text);
+  apply_overrides(document, text, overrides);
+  return document;
+}
+
+CaseDocument read_document(const std::string& path, const std::vector<std::string>& overrides) {
+  return parse_document(path, read_case_text(path), overrides);
 }
 
 }  // namespace boxbeam

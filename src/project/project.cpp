@@ -6,8 +6,10 @@
 #include <deque>
 #include <utility>
 
+#include "boxbeam/project/case_source.hpp"
 #include "boxbeam/project/key_reference.hpp"
 #include "boxbeam/project/limits.hpp"
+#include "case_text.hpp"
 #include "front_end_reader.hpp"
 #include "readers.hpp"
 #include "several_beams.hpp"
@@ -143,10 +145,11 @@ Project read_for_beam(const CaseDocument& document, const Node& tree, std::size_
 }
 
 std::vector<Project> read(CaseDocument document, const std::vector<std::string>& overrides,
-                          std::optional<Dynamics> dynamics, KeyRecorder* recorder = nullptr) {
+                          std::optional<Dynamics> dynamics, KeptFiles& files,
+                          KeyRecorder* recorder = nullptr) {
   ProblemList problems(document);
   problems.recorder = recorder;
-  TimeTables tables(document);
+  TimeTables tables(document, files);
   if (document.root.members.empty()) {
     problems.add({document.lines.begin()->first, 1, 1}, "the case is empty",
                  "boxbeam init planar my.toml writes a commented case that runs as it is");
@@ -223,7 +226,22 @@ const char* to_text(Dynamics dynamics) {
 
 std::vector<Project> read_beams(const std::string& path, const std::vector<std::string>& overrides,
                                 std::optional<Dynamics> dynamics) {
-  return read(read_document(path, overrides), overrides, dynamics);
+  KeptFiles files;
+  return read(read_document(path, overrides), overrides, dynamics, files);
+}
+
+CaseSource::CaseSource(const std::string& path)
+    : text_(read_case_text(path)),
+      document_(parse_document(path, text_, {})),
+      files_(std::make_unique<KeptFiles>()) {}
+
+CaseSource::~CaseSource() = default;
+
+std::vector<Project> CaseSource::read_beams(const std::vector<std::string>& overrides,
+                                            std::optional<Dynamics> dynamics) const {
+  CaseDocument document = document_;  // whose places are those of the text of this one
+  apply_overrides(document, text_, overrides);
+  return read(std::move(document), overrides, dynamics, *files_);
 }
 
 Project read_project(const std::string& path, const std::vector<std::string>& overrides,
@@ -234,7 +252,8 @@ Project read_project(const std::string& path, const std::vector<std::string>& ov
 std::vector<Project> parse_beams(const std::string& path, const std::string& text,
                                  const std::vector<std::string>& overrides,
                                  std::optional<Dynamics> dynamics) {
-  return read(parse_document(path, text, overrides), overrides, dynamics);
+  KeptFiles files;
+  return read(parse_document(path, text, overrides), overrides, dynamics, files);
 }
 
 Project parse_project(const std::string& path, const std::string& text,
@@ -252,7 +271,8 @@ void record_keys(const std::string& path, const std::string& text, KeyRecorder& 
                                      {"couple.csv", "moment [N m]"},
                                      {"line.csv", "line force [N/m]"}})
     document.add_file(file, file, fmt::format("time [s], {}\n0, 0\n1, 0.1\n2, 0\n", column));
-  read(std::move(document), {}, {}, &recorder);
+  KeptFiles files;
+  read(std::move(document), {}, {}, files, &recorder);
 }
 
 }  // namespace boxbeam

@@ -129,9 +129,49 @@ std::size_t ChannelFiles::channel_of(TableReader& table, const Key& key, std::si
   return wanted_.size() - 1;
 }
 
+std::string ChannelFiles::description() const {
+  std::string text;
+  const auto add = [&](const auto& optional) {
+    text += optional ? fmt::format("{} ", *optional) : "- ";
+  };
+  for (const File& file : files_) {
+    const auto& format = file.source.format;
+    add(format ? std::optional(word_of(*format)) : std::nullopt);
+    add(file.source.time_step);
+    add(file.source.time_unit);
+    text += file.source.path + '\n';
+  }
+  for (const Wanted& of : wanted_) {
+    text += fmt::format("{} ", of.file);
+    add(of.signal.dimension ? std::optional(of.signal.dimension->name) : std::nullopt);
+    add(of.signal.scale);
+    text += of.signal.name + '\n';
+  }
+  return text;
+}
+
 recorded::Channels ChannelFiles::read(TableReader& root, TimeTables& tables) const {
   if (!root.problems().empty() || root.problems().recorder != nullptr)
     return nothing(wanted_.size());
+  std::string made_of = description();
+  if (const auto known = tables.files().channels(made_of)) {
+    for (std::size_t f = 0; f < files_.size(); ++f)
+      if (is_wanted(f)) tables.add_signals(files_[f].written);
+    return *known;
+  }
+  recorded::Channels channels = read_files(root, tables);
+  if (root.problems().empty())
+    tables.files().keep_channels(std::move(made_of),
+                                 std::make_shared<const recorded::Channels>(channels));
+  return channels;
+}
+
+bool ChannelFiles::is_wanted(std::size_t file) const {
+  return std::any_of(wanted_.begin(), wanted_.end(),
+                     [&](const Wanted& of) { return of.file == file; });
+}
+
+recorded::Channels ChannelFiles::read_files(TableReader& root, TimeTables& tables) const {
   std::vector<SignalTable> all;
   for (std::size_t f = 0; f < files_.size(); ++f) {
     std::vector<const Wanted*> of_file;

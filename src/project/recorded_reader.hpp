@@ -52,6 +52,10 @@ class ChannelFiles {
     TableReader table;  ///< whose key names it
     std::string key;
   };
+  /// All that the channels follow from, but for what the files hold.
+  std::string description() const;
+  bool is_wanted(std::size_t file) const;
+  recorded::Channels read_files(TableReader& root, TimeTables& tables) const;
   recorded::Channels on_one_time(TableReader& root, std::vector<SignalTable> of) const;
   /// Of files that have the same instants, more than are looked at one by one.
   recorded::Channels long_channels(std::vector<SignalTable> of) const;

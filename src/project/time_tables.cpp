@@ -153,26 +153,41 @@ class TimeTableParser {
 const std::vector<std::string>* TimeTables::lines_of(TableReader& table, std::string_view key,
                                                      const std::string& written,
                                                      const std::string& resolved) {
-  const auto same = [&](const InputFile& file) { return file.resolved == resolved; };
-  if (std::any_of(document_->files.begin(), document_->files.end(), same)) {
-    return &document_->lines.find(resolved)->second;
-  }
-  const FileText file = read_regular_file(resolved);
+  if (is_known(resolved)) return &document_->lines.find(resolved)->second;
+  const std::shared_ptr<const KeptText> kept = files_->text_at(resolved);
+  const FileText& file = kept->file;
   if (file.trouble != FileText::Trouble::none) {
     table.problem(key, fmt::format("{}: {}", resolved, file.why),
                   "give the path of a table (.csv) from the folder of the case file");
     return nullptr;
   }
-  document_->add_file(written, resolved, file.text);
+  const auto lines = document_->lines.insert_or_assign(resolved, kept->lines).first;
+  document_->files.push_back({written, resolved, kept->sha256});
   if (const std::size_t at = find_not_utf8(file.text); at != std::string::npos) {
     std::string text = file.text;
     unify_line_ends(text);
     const LineColumn place = position_of(text, at);
-    table.problems().add({document_->lines.find(resolved)->first, place.line, place.column},
-                         "the file is not UTF-8 text", "save it with UTF-8 encoding");
+    table.problems().add({lines->first, place.line, place.column}, "the file is not UTF-8 text",
+                         "save it with UTF-8 encoding");
     return nullptr;
   }
-  return &document_->lines.find(resolved)->second;
+  return &lines->second;
+}
+
+bool TimeTables::is_known(const std::string& resolved) const {
+  return std::any_of(document_->files.begin(), document_->files.end(),
+                     [&](const InputFile& file) { return file.resolved == resolved; });
+}
+
+void TimeTables::add_signals(const std::string& written) {
+  const std::string path = resolved(written);
+  if (is_known(path)) return;
+  if (const auto sha256 = files_->sha256_at(path)) {
+    document_->files.push_back({written, path, *sha256});
+    return;
+  }
+  document_->add_large_file(written, path);
+  files_->keep_sha256(path, document_->files.back().sha256);
 }
 
 std::string TimeTables::resolved(const std::string& written) const {

@@ -8,6 +8,7 @@
 #include "boxbeam/project/case_document.hpp"
 #include "boxbeam/project/quantity_text.hpp"
 #include "boxbeam/project/table_reader.hpp"
+#include "kept_files.hpp"
 
 namespace boxbeam {
 
@@ -25,7 +26,7 @@ struct TimeTable {
 /// hash covers it.
 class TimeTables {
  public:
-  explicit TimeTables(CaseDocument& document) : document_(&document) {}
+  TimeTables(CaseDocument& document, KeptFiles& files) : document_(&document), files_(&files) {}
 
   /// The table in the file that a key names, its path taken from the folder of the case file; a
   /// problem and nothing where it cannot be read. `column` names the value in examples.
@@ -36,16 +37,20 @@ class TimeTables {
   std::string resolved(const std::string& written) const;
 
   /// Takes a file of signals, which others read, for the hash of the input.
-  void add_signals(const std::string& written) {
-    document_->add_large_file(written, resolved(written));
-  }
+  void add_signals(const std::string& written);
+
+  KeptFiles& files() { return *files_; }
 
  private:
   /// The lines of a file, read once; nothing and a problem where it cannot be read.
   const std::vector<std::string>* lines_of(TableReader& table, std::string_view key,
                                            const std::string& written, const std::string& resolved);
 
+  /// Whether the document has a file already.
+  bool is_known(const std::string& resolved) const;
+
   CaseDocument* document_;
+  KeptFiles* files_;
 };
 
 }  // namespace boxbeam

@@ -120,7 +120,7 @@ class FlexibleFrontEnd : public FrontEnd {
     return std::make_unique<VibratingLinks>(*project_, situation, model);
   }
 
-  std::optional<ModelChoice> own_model(const SharedMotions&) const override {
+  std::optional<ModelChoice> own_model() const override {
     ModelChoice choice = choose_for_links(*project_);
     choice.reason += ", which is the error of this model of the links alone";
     return choice;

@@ -141,20 +141,33 @@ class LoadedFrame {
     return of;
   }
 
-  /// The least over instants, at most `most`.
-  double critical_factor(const LoadHistory& loads, double most) const {
-    constexpr int parts = 8;
-    const frame::Statics finer(structure, parts);
-    const std::vector<double> standing = finer.axial_forces(standing_);
-    if (!changes_) return finer.critical_factor(standing, most);
+  /// Members in parts, and the axial forces in these of the instants that may buckle the frame.
+  struct Pressed {
+    explicit Pressed(const frame::Structure& of) : finer(of, 8) {}
+
+    /// The least over instants, at most `most`.
+    double critical_factor(double most) const {
+      for (const std::vector<double>& of : forces)
+        most = std::min(most, finer.critical_factor(of, most));
+      return most;
+    }
+
+    frame::Statics finer;
+    std::vector<std::vector<double>> forces;
+  };
+
+  std::unique_ptr<const Pressed> pressed_by(const LoadHistory& loads) const {
+    auto pressed = std::make_unique<Pressed>(structure);
+    const std::vector<double> standing = pressed->finer.axial_forces(standing_);
+    pressed->forces = {standing};
+    if (!changes_) return pressed;
     std::vector<std::vector<double>> all;
     for (std::size_t i = 0; i < loads.instants(); ++i) {
-      all.push_back(finer.axial_forces(moving_at(loads.time_of(i).value())));
+      all.push_back(pressed->finer.axial_forces(moving_at(loads.time_of(i).value())));
       for (std::size_t p = 0; p < standing.size(); ++p) all.back()[p] += standing[p];
     }
-    for (const std::vector<double>& forces : most_compressed_of(std::move(all)))
-      most = std::min(most, finer.critical_factor(forces, most));
-    return most;
+    pressed->forces = most_compressed_of(std::move(all));
+    return pressed;
   }
 
   /// By which heat bends a beam about its y [1/m].
@@ -268,7 +281,8 @@ class FrameAtRest : public SolvedMotion {
   }
 
   std::optional<double> critical_factor(const LoadHistory& loads, double most) const override {
-    return frame_->critical_factor(loads, most);
+    if (!pressed_) pressed_ = frame_->pressed_by(loads);
+    return pressed_->critical_factor(most);
   }
 
   std::vector<SupportReaction> reactions(const LoadHistory& loads) const override {
@@ -305,6 +319,8 @@ class FrameAtRest : public SolvedMotion {
  private:
   const Project* project_;
   std::shared_ptr<const LoadedFrame> frame_;
+  /// Under the loads, of which there are none other, when it is first asked for.
+  mutable std::unique_ptr<const LoadedFrame::Pressed> pressed_;
 };
 
 class FrameFrontEnd : public FrontEnd {
@@ -316,11 +332,10 @@ class FrameFrontEnd : public FrontEnd {
     return std::make_unique<FrameAtRest>(*project_, situation, shared);
   }
 
-  std::optional<ModelChoice> own_model(const SharedMotions& shared) const override {
+  std::optional<ModelChoice> own_model() const override {
     ModelChoice choice;
     choice.chosen = {ModelLevel::flexible, 0, 0, {}, false};
     choice.tolerance = project_->model.tolerance;
-    choice.second_order = estimate_second_order(*project_, run_situations(*project_, {}, shared));
     choice.reason = "elastic members at rest, exact, by theory of the first order";
     return choice;
   }

@@ -336,7 +336,7 @@ void weigh_balance(const Project& project, const std::deque<SituationRun>& rigid
 
 ModelledRuns run_by_chosen_model(const Project& project, const SharedMotions& shared) {
   const std::unique_ptr<const FrontEnd> front_end = front_end_of(project);
-  if (std::optional<ModelChoice> own = front_end->own_model(shared)) {
+  if (std::optional<ModelChoice> own = front_end->own_model()) {
     std::deque<SituationRun> runs = run_situations(project, own->chosen, shared);
     own->second_order = estimate_second_order(project, runs);
     own->reason += "; " + second_order_text(own->second_order);
@@ -351,12 +351,6 @@ ModelledRuns run_by_chosen_model(const Project& project, const SharedMotions& sh
   return {std::move(model), std::move(runs)};
 }
 
-ModelChoice choose_model(const Project& project) {
-  const std::unique_ptr<const FrontEnd> front_end = front_end_of(project);
-  const SharedMotions shared;
-  if (std::optional<ModelChoice> own = front_end->own_model(shared)) return std::move(*own);
-  const std::deque<SituationRun> rigid = run_situations(project, {}, shared);
-  return choose_for_rigid(project, rigid, front_end->obstacle_to_vibration(rigid), shared);
-}
+ModelChoice choose_model(const Project& project) { return run_by_chosen_model(project, {}).model; }
 
 }  // namespace boxbeam

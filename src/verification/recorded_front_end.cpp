@@ -166,10 +166,9 @@ class RecordedFrontEnd : public FrontEnd {
     return std::make_unique<RecordedMotion>(*project_, situation);
   }
 
-  std::optional<ModelChoice> own_model(const SharedMotions& shared) const override {
+  std::optional<ModelChoice> own_model() const override {
     ModelChoice choice;
     choice.tolerance = project_->model.tolerance;
-    choice.second_order = estimate_second_order(*project_, run_situations(*project_, {}, shared));
     choice.reason = "the loads are given: what moves and vibrates is in them";
     return choice;
   }

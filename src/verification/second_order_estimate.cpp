@@ -298,15 +298,8 @@ class Estimating {
         in_plane_(project, Plane::z),
         across_(project, Plane::y) {
     for (const ComparedPlace& place : places_) {
-      const Section section = section_at(project.beam, place.station);
-      const Length half = 0.5 * height_of(section.outer);
-      const Length wall = std::max(wall_at(section.outer, half), wall_at(section.outer, -half));
-      const PlateOf first = first_to_yield(plates_around(project, place.station.s, wall));
-      const auto yield = yield_strength_of(*first.material, wall);
-      yield_.push_back(yield ? yield->value() : unbounded);
-      modulus_across_.push_back(properties_of(section).W_z.value());
+      add_section(section_at(project.beam, place.station), place.station.s);
       result_.growth.push_back({place.station});
-      excess_.push_back(excess_points_of(section));
     }
     for (const Segment& segment : project.beam.segments) {
       const Profile& profile = segment.from.outer;
@@ -404,6 +397,27 @@ class Estimating {
   }
 
  private:
+  /// What the section of a place says; as at the place before where it goes on.
+  void add_section(Section section, Length s) {
+    const std::array<std::size_t, 2> segments{segment_at(project_->beam, {s, Side::before}),
+                                              segment_at(project_->beam, {s, Side::behind})};
+    if (last_ && segments == last_segments_ && section == *last_) {
+      yield_.push_back(yield_.back());
+      modulus_across_.push_back(modulus_across_.back());
+      excess_.push_back(excess_.back());
+      return;
+    }
+    const Length half = 0.5 * height_of(section.outer);
+    const Length wall = std::max(wall_at(section.outer, half), wall_at(section.outer, -half));
+    const PlateOf first = first_to_yield(plates_around(*project_, s, wall));
+    const auto yield = yield_strength_of(*first.material, wall);
+    yield_.push_back(yield ? yield->value() : unbounded);
+    modulus_across_.push_back(properties_of(section).W_z.value());
+    excess_.push_back(excess_points_of(section));
+    last_ = std::move(section);
+    last_segments_ = segments;
+  }
+
   Held held_at(const SituationRun& run, Time time, const BeamLoads& loads) {
     Held held;
     held.alone = holds_of(*project_, run.motion->supports(loads));
@@ -539,6 +553,8 @@ class Estimating {
   std::vector<double> yield_;           ///< of the flanges there [Pa]
   std::vector<double> modulus_across_;  ///< W_z there [m^3]
   std::vector<std::vector<ExcessPoint>> excess_;
+  std::optional<Section> last_;  ///< whose values stand last
+  std::array<std::size_t, 2> last_segments_{};
   bool open_ = false;  ///< a segment of open thin walls, which may twist under compression
   LateralEstimate lateral_;
   BeamAlone in_plane_, across_;

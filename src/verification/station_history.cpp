@@ -100,14 +100,29 @@ void StationHistory::divide_at_passages(const LoadHistory::Reach& reach,
   };
   for (std::size_t k = 1; k <= last_node; ++k) {
     const std::size_t before = borders_before(bracket[k - 1], station_);
-    if (borders_before(bracket[k], station_) == before) continue;
+    const std::size_t behind = borders_before(bracket[k], station_);
+    if (behind == before) continue;
     double low = BracketPoints::between(begin, end, k - 1);
     double high = BracketPoints::between(begin, end, k);
+    const auto look_at = [&](double time) {
+      if (!(time > low && time < high)) return;
+      const CutForceDiagram at = loads_->diagram_at(si<Time>(time));
+      (borders_before(at, station_) == before ? low : high) = time;
+    };
+    // At even speed it passes here, but for rounding.
+    const std::size_t border = std::min(before, behind);
+    const double left = (bracket[k - 1].pieces[border].end() - station_.s).value();
+    const double beyond = (station_.s - bracket[k].pieces[border].end()).value();
+    if (left * beyond > 0.0) {
+      const double passed = low + left / (left + beyond) * (high - low);
+      const double aside = 1e-14 * std::max(std::abs(low), std::abs(high));
+      look_at(passed - aside);
+      look_at(passed + aside);
+    }
     // To the last time before and the first behind: the same from whichever instants it is found,
     // so that an extremum on one side of it is looked up there.
-    for (double half = 0.5 * (low + high); half > low && half < high; half = 0.5 * (low + high)) {
-      (borders_before(loads_->diagram_at(si<Time>(half)), station_) == before ? low : high) = half;
-    }
+    for (double half = 0.5 * (low + high); half > low && half < high; half = 0.5 * (low + high))
+      look_at(half);
     add(low);
     from = high;
   }

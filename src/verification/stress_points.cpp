@@ -337,9 +337,13 @@ class StressPoints {
 
 ResistingDetail detail_at(const FatigueInput& fatigue, const Station& station, DetailPlace on,
                           Length plate) {
+  const auto strength_of = [](const BeamDetail& of) {
+    return strength_at(curve_of(of.detail), 2e6, Loading::spectrum).value() / of.stress_factor;
+  };
   ResistingDetail weakest;
   bool reduced = true;
-  double least = 0.0, range_factor = 0.0;
+  double range_factor = 0.0;
+  std::optional<double> least;  // where several were compared
   const auto look_at = [&](const BeamDetail& stretch) {
     range_factor = std::max(range_factor, stretch.stress_factor);
     ResistingDetail here{&stretch, {}, false};
@@ -349,12 +353,13 @@ ResistingDetail detail_at(const FatigueInput& fatigue, const Station& station, D
       here = {own.get(), own, false};
     }
     reduced = reduced && here.detail->detail.compression_reduced;
-    const double strength =
-        strength_at(curve_of(here.detail->detail), 2e6, Loading::spectrum).value() /
-        stretch.stress_factor;
-    if (weakest.detail != nullptr && strength >= least) return;
+    if (weakest.detail != nullptr) {
+      if (!least) least = strength_of(*weakest.detail);
+      const double strength = strength_of(*here.detail);
+      if (strength >= *least) return;
+      least = strength;
+    }
     weakest = std::move(here);
-    least = strength;
   };
   bool inside = false;
   for (const BeamDetail& stretch : fatigue.details) {

@@ -21,10 +21,16 @@ std::vector<ComparedPlace> compared_places_of(const TaperedBeam& beam,
   std::sort(at.begin(), at.end());
   at.erase(std::unique(at.begin(), at.end()), at.end());
   std::vector<ComparedPlace> places;
+  std::optional<Section> last;
+  SectionProperties of;
   for (const Length& s : at) {
     for (const Side side : {Side::before, Side::behind}) {
       if (side == Side::before ? s == at.front() : s == at.back()) continue;
-      const SectionProperties of = properties_of(section_at(beam, {s, side}));
+      Section section = section_at(beam, {s, side});
+      if (!last || !(section == *last)) {
+        of = properties_of(section);
+        last = std::move(section);
+      }
       places.push_back({{s, side}, 1.0 / of.area.value(), 1.0 / of.W_y.value()});
     }
   }

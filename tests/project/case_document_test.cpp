@@ -130,6 +130,20 @@ TEST_CASE("the item behind the last one of an array is added to it") {
   CHECK(segments.items[3].find("length")->text == "4 m");
 }
 
+TEST_CASE("a number with a unit behind it is a text, what TOML knows is not") {
+  const auto value_of = [](const std::string& value) {
+    return at(parse(small, {"case.note=" + value}), {"case", "note"});
+  };
+  for (const char* text : {"16 mm", "-3.5e2 kN m", "+.5 t", "1 e5", "16 mm # wide", "1979-05-27 T",
+                           "1979-05-27 07:32:00", "16  mm", "16mm", "e 5", " 16 mm", "- 5"}) {
+    CAPTURE(text);
+    CHECK(value_of(text).kind == Node::Kind::text);
+    CHECK(value_of(text).text == text);
+  }
+  CHECK(value_of("16 # mm").number == 16.0);
+  CHECK(value_of("16 ").number == 16.0);
+}
+
 TEST_CASE("the value of an override may hold an equals sign, and be empty") {
   const CaseDocument document = parse(small, {"case.title=a = b", "case.name="});
   CHECK(at(document, {"case", "title"}).text == "a = b");

@@ -233,6 +233,28 @@ TEST_CASE("the shear centre moves with its section, however its walls are cut", 
   CHECK(largest > 0.01);
 }
 
+TEST_CASE("the shear centre of any box or tube is where its flows have no torque", "[section]") {
+  Box unlike = symmetric_box(mm(400), mm(1000), mm(50), mm(30));
+  unlike.left_web = mm(20);
+  Box uneven = symmetric_box(mm(400), mm(1000), mm(50), mm(30));
+  uneven.top_flange = mm(20);
+  Box stiffened = symmetric_box(mm(400), mm(1000), mm(12), mm(10));
+  stiffened.stiffeners = {{BoxPlate::left_web, mm(200), mm(80), mm(8)}};
+  const Box even = symmetric_box(mm(400), mm(1000), mm(12), mm(10));
+  const RectangularTube tube{mm(290), mm(490), mm(12), mm(18), mm(6)};
+  for (const Section& section :
+       {Section{even, {}}, Section{unlike, {}}, Section{uneven, {}}, Section{stiffened, {}},
+        Section{tube, {}}, Section{RoundTube{mm(200), mm(8)}, {}}, Section{even, tube},
+        Section{unlike, tube}, Section{tube, unlike}}) {
+    const SectionPlace centre = *shear_centre_of(section);
+    const ShearFlow flow = *shear_flow_of(section, {}, {});
+    CHECK(std::abs(centre.y.value() + flow.torque[cut_force::V_z]) < 1e-12);
+    CHECK(std::abs(centre.z.value() - flow.torque[cut_force::V_y]) < 1e-12);
+  }
+  CHECK(std::abs(shear_centre_of({unlike, {}})->y.value()) > 1e-3);
+  CHECK(std::abs(shear_centre_of({uneven, {}})->z.value()) > 1e-3);
+}
+
 TEST_CASE("shear flow in a box web by hand: half of V S/I at the seam and at the neutral axis",
           "[section]") {
   // 400 x 1000 x 50: I = 400 1000^3/12 - 300 900^3/12 mm^4; S of the flange 400*50*475, of half a

@@ -78,6 +78,39 @@ TEST_CASE("a plate on edge turns over at the load of the hand calculation", "[la
   CHECK(part_of(of) == Approx(1000.0 / critical_force() * bow).epsilon(5e-3));
 }
 
+TEST_CASE("a plate that tapers turns over as one of many steps does", "[lateral]") {
+  const auto clamped = [](const std::string& sections, const std::string& segments) {
+    return part_of(verify(parse_project(
+        "plate.toml",
+        "[case]\nname = \"plate\"\nkind = \"static\"\n"
+        "[frame]\ngravity = [\"0 m/s^2\", \"0 m/s^2\"]\n" +
+            sections + "[beam]\ndensity = \"7850 kg/m^3\"\n" + segments +
+            "[supports.wall]\nkind = \"fixed\"\nat = \"0 m\"\n"
+            "[loads.tip]\nkind = \"force\"\nat = \"6 m\"\nforce = [\"0 N\", \"-1000 N\"]\n"
+            "[material]\nsteel = \"S355\"\n[strength]\nrequired = 1.0\n")));
+  };
+  const auto section = [](const std::string& name, double height) {
+    return fmt::format("[sections.{}]\nkind = \"plate\"\nwidth = \"20 mm\"\nheight = \"{} mm\"\n",
+                       name, height);
+  };
+  const auto even = [&](double height) {
+    return clamped(section("plate", height),
+                   "[[beam.segments]]\nlength = \"6 m\"\nsection = \"plate\"\n");
+  };
+  const double tapered =
+      clamped(section("root", 300.0) + section("tip", 150.0),
+              "[[beam.segments]]\nlength = \"6 m\"\nfrom = \"root\"\nto = \"tip\"\n");
+  constexpr int steps = 24;
+  std::string sections, segments;
+  for (int k = 0; k < steps; ++k) {
+    sections += section(fmt::format("s{}", k), 300.0 - 150.0 * (k + 0.5) / steps);
+    segments += fmt::format("[[beam.segments]]\nlength = \"0.25 m\"\nsection = \"s{}\"\n", k);
+  }
+  CHECK(tapered == Approx(clamped(sections, segments)).epsilon(5e-3));
+  CHECK(tapered > 1.05 * even(300.0));
+  CHECK(tapered < 0.95 * even(150.0));
+}
+
 TEST_CASE("a plate that would turn over gets no verdict, though its stress is small", "[lateral]") {
   // 5.3 kN: 106 MPa at the wall.
   const Verification over = verify(plate(1.05 * critical_force()));

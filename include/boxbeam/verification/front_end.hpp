@@ -89,8 +89,9 @@ class FrontEnd {
                                                     const ElasticModel& model,
                                                     const SharedMotions& shared) const = 0;
 
-  /// The model of what is elastic itself; nothing of rigid bodies, whose beam may bend.
-  virtual std::optional<ModelChoice> own_model(const SharedMotions&) const { return {}; }
+  /// The model of what is elastic itself, its second order not yet estimated; nothing of rigid
+  /// bodies, whose beam may bend.
+  virtual std::optional<ModelChoice> own_model() const { return {}; }
 
   /// Why the vibration of the beam is not estimated; "" where it is, in the plane.
   virtual std::string obstacle_to_vibration(const std::deque<SituationRun>& rigid) const = 0;

@@ -198,9 +198,8 @@ Equilibrium Statics::solve(const ActingLoads& loads) const {
     };
     const Matrix6 outwards = rotation(member.axes);
     load_node(piece.from, outwards * cut(from));
-    const Vector6 misfit =
-        strains_between<1>(profiles_[static_cast<std::size_t>(piece.member)], from, to,
-                           borders_of(acting.cut), cut, acting.heat);
+    const Vector6 misfit = strains_between<1>(profiles_[static_cast<std::size_t>(piece.member)],
+                                              from, to, borders_of(acting.cut), cut, acting.heat);
     for (std::size_t i = 0; i < cuts.size(); ++i)
       right[row_of_piece(p) + static_cast<Index>(i)] = misfit[cuts[i]] / shift_unit(cuts[i]);
   }
@@ -269,9 +268,8 @@ Vector6 Statics::motion_at(int member, double s, const Equilibrium& of) const {
     return vector_of(acting.cut.at({si<Length>(at), Side::behind}));
   };
   const Matrix6 outwards = rotation(member_of(*structure_, member).axes);
-  const Vector6 strain =
-      strains_between<1>(profiles_[static_cast<std::size_t>(member)], from, s,
-                         borders_of(acting.cut), cut, acting.heat);
+  const Vector6 strain = strains_between<1>(profiles_[static_cast<std::size_t>(member)], from, s,
+                                            borders_of(acting.cut), cut, acting.heat);
   return outwards * (carry(Vector3d(s - from, 0.0, 0.0)) * (outwards.transpose() * start) + strain);
 }
 
