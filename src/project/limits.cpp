@@ -8,9 +8,9 @@ namespace boxbeam::limits {
 namespace {
 
 constexpr Count table_of_counts[] = {
-    {"bodies", 300},
+    {"bodies", 3000},
     {"bodies.*.points", 300},
-    {"joints", 600},
+    {"joints", 6000},
     {"drivers", 300},
     {"forces", 600},
     {"loads", 600},

@@ -47,6 +47,27 @@ TEST_CASE("N-four-bar: one freedom, three where it lies flat") {
   CHECK(singular.redundant == N);
 }
 
+TEST_CASE("N-four-bar of many loops: the same freedoms, by sparse singular values") {
+  for (const int loops : {60, 400}) {
+    const Mechanism mechanism = charts::n_four_bar(loops);
+    CAPTURE(loops);
+    const DegreesOfFreedom upright = degrees_of_freedom_of(mechanism, sketch_of(mechanism));
+    CHECK(upright.by_rank == 1);
+    CHECK(upright.undriven == 1);
+    CHECK(upright.redundant == 0);
+    CHECK(upright.moving.size() == mechanism.bodies.size());
+  }
+  // Cranks first, then couplers: all of them flat.
+  constexpr int loops = 60;
+  const Mechanism mechanism = charts::n_four_bar(loops);
+  Eigen::VectorXd flat = Eigen::VectorXd::Zero(mechanism.coordinates());
+  for (int i = 0; i <= loops; ++i) flat[3 * i] = 0.5 + i;
+  for (int i = 0; i < loops; ++i) flat[3 * (loops + 1 + i)] = 1.5 + i;
+  const DegreesOfFreedom singular = degrees_of_freedom_of(mechanism, flat);
+  CHECK(singular.by_rank == loops + 1);
+  CHECK(singular.redundant == loops);
+}
+
 TEST_CASE("N-four-bar: ten seconds through the singular position") {
   struct Point {
     double t, x, y;

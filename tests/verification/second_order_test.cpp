@@ -3,9 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/section/section_properties.hpp"
@@ -188,42 +192,88 @@ TEST_CASE("a beam is not bent at more instants than can be looked at", "[second_
   }
 }
 
+namespace {
+
+/// Whether a column between pins, of E I as a polynomial along it, stands under a force.
+bool column_stands(const std::array<double, 4>& EI, double force) {
+  flexible::Mechanism held;
+  flexible::Link& link = held.links.emplace_back();
+  link.name = "column";
+  link.length = L;
+  link.parts = 128;
+  flexible::LinkStretch& stretch = link.stretches.emplace_back();
+  stretch.length = L;
+  std::copy(EI.begin(), EI.end(), stretch.EI.c.begin());
+  stretch.EA.c = {1e6 * E * A};
+  stretch.GA.c = {1e6 * E * A};
+  const double free = 0.0, stiff = std::numeric_limits<double>::infinity();
+  for (const double s : {0.0, L}) {
+    flexible::Joint& joint = held.joints.emplace_back();
+    joint.name = "pin";
+    joint.a = {0, {s, 0.0}};
+    joint.b = {flexible::ground, {s, 0.0}};
+    joint.stiffness = {s == 0.0 ? stiff : free, stiff, free};
+  }
+  const Project project = test::slow_slider_crank(0.0);
+  BeamLoads loads;
+  loads.lines = unloaded_lines(project.beam);
+  loads.points = {{si<Length>(0.0), {1e3, 0.0, 0.0}}, {si<Length>(L), {-1e3, 0.0, 0.0}}};
+  return stands(loaded_beam(held, project.beam, loads, force / 1e3));
+}
+
+/// The smallest P of w'' + P w/(E I) = 0, w = 0 at both ends, by central differences on n steps.
+double by_differences(const std::array<double, 4>& EI, int n) {
+  const double h = L / n;
+  Eigen::MatrixXd second = Eigen::MatrixXd::Zero(n - 1, n - 1);
+  Eigen::VectorXd soft(n - 1);
+  for (int i = 0; i < n - 1; ++i) {
+    const double x = (i + 1) * h;
+    soft[i] = 1.0 / (EI[0] + x * (EI[1] + x * (EI[2] + x * EI[3])));
+    second(i, i) = 2.0 / (h * h);
+    if (i > 0) second(i, i - 1) = second(i - 1, i) = -1.0 / (h * h);
+  }
+  return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(
+             second, Eigen::MatrixXd(soft.asDiagonal()), Eigen::EigenvaluesOnly)
+      .eigenvalues()[0];
+}
+
+}  // namespace
+
 // E I ~ (1 + (r - 1) x/L)^2 between pins: N_cr L^2/(E I_min) = (r - 1)^2 ((pi/ln r)^2 + 1/4).
 // Source: Timoshenko, Gere, Theory of Elastic Stability (1961), section 2.14, n = 2; 1.5270, 2.1067
 // and 3.4155 times pi^2 for r = 1.5, 2 and 3.
 TEST_CASE("a column whose depth tapers buckles at the closed form", "[second_order]") {
   for (const double r : {1.5, 2.0, 3.0}) {
-    flexible::Mechanism held;
-    flexible::Link& link = held.links.emplace_back();
-    link.name = "column";
-    link.length = L;
-    link.parts = 128;
     const double d = (r - 1.0) / L;
-    flexible::LinkStretch& stretch = link.stretches.emplace_back();
-    stretch.length = L;
-    stretch.EI.c = {E * I, 2.0 * d * E * I, d * d * E * I};
-    stretch.EA.c = {1e6 * E * A};
-    stretch.GA.c = {1e6 * E * A};
-    const double free = 0.0, stiff = std::numeric_limits<double>::infinity();
-    for (const double s : {0.0, L}) {
-      flexible::Joint& joint = held.joints.emplace_back();
-      joint.name = "pin";
-      joint.a = {0, {s, 0.0}};
-      joint.b = {flexible::ground, {s, 0.0}};
-      joint.stiffness = {s == 0.0 ? stiff : free, stiff, free};
-    }
-    Project project = test::slow_slider_crank(0.0);
-    BeamLoads loads;
-    loads.lines = unloaded_lines(project.beam);
-    loads.points = {{si<Length>(0.0), {1e3, 0.0, 0.0}}, {si<Length>(L), {-1e3, 0.0, 0.0}}};
     const double closed =
         std::pow(r - 1.0, 2) * (std::pow(pi / std::log(r), 2) + 0.25) * E * I / (L * L);
-    const auto stands_at = [&](double part) {
-      return stands(loaded_beam(held, project.beam, loads, part * closed / 1e3));
-    };
+    const std::array<double, 4> EI{E * I, 2.0 * d * E * I, d * d * E * I, 0.0};
     INFO("r = " << r);
-    CHECK(stands_at(1.0 - 2e-4));
-    CHECK_FALSE(stands_at(1.0 + 2e-4));
+    CHECK(column_stands(EI, (1.0 - 1e-4) * closed));
+    CHECK_FALSE(column_stands(EI, (1.0 + 1e-4) * closed));
+  }
+}
+
+// Any taper against an eigenproblem of finite differences, by Richardson's extrapolation.
+TEST_CASE("columns of any taper buckle where finite differences say", "[second_order]") {
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> of(0.3, 4.0);
+  for (int k = 0; k < 15; ++k) {
+    // A cubic through four stiffnesses, so that it is nowhere near nothing.
+    Eigen::Matrix4d powers;
+    Eigen::Vector4d values;
+    for (int i = 0; i < 4; ++i) {
+      const double x = L * i / 3.0;
+      powers.row(i) << 1.0, x, x * x, x * x * x;
+      values[i] = E * I * (i < 2 ? 1.0 : 0.5) * (1.0 + 0.5 * of(random));
+    }
+    const Eigen::Vector4d c = powers.partialPivLu().solve(values);
+    const std::array<double, 4> EI{c[0], c[1], c[2], c[3]};
+    const double coarse = by_differences(EI, 60), fine = by_differences(EI, 120);
+    const double critical = fine + (fine - coarse) / 3.0;
+    INFO("taper " << k);
+    CHECK(column_stands(EI, (1.0 - 1e-4) * critical));
+    CHECK_FALSE(column_stands(EI, (1.0 + 1e-4) * critical));
   }
 }
 
