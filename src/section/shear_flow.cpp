@@ -8,6 +8,7 @@
 
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/section/torsion.hpp"
+#include "opened_walls.hpp"
 
 namespace boxbeam {
 namespace {
@@ -50,14 +51,15 @@ WallFlows flows_in(std::size_t wall, const Flow& flow) {
   return flows;
 }
 
-/// Nothing where a profile is solid.
+/// Nothing where a profile is solid; `cells_of` finds the cells of the walls, or opens them alone.
 std::optional<StressedWalls> stressed_walls_of(const Section& section,
-                                               const std::vector<Hole>& holes) {
+                                               const std::vector<Hole>& holes,
+                                               WallCells (&cells_of)(const WallGraph&)) {
   std::optional<WallGraph> graph = wall_graph_of(section, holes);
   if (!graph) return std::nullopt;
   StressedWalls walls;
   walls.graph = *std::move(graph);
-  walls.cells = wall_cells_of(walls.graph);
+  walls.cells = cells_of(walls.graph);
   walls.plane = normal_stress_plane(sums_of(outline_of(section, holes)));
   return walls;
 }
@@ -289,12 +291,12 @@ void complete(ShearFlow& flow, const Section& section) {
 
 std::optional<ShearFlow> shear_flow_of(const Section& section, const std::vector<Hole>& holes,
                                        const Taper& taper) {
-  std::optional<StressedWalls> walls = stressed_walls_of(section, holes);
+  std::optional<StressedWalls> walls = stressed_walls_of(section, holes, wall_cells_of);
   if (!walls) return std::nullopt;
   ShearFlow flow;
   flow.at = *std::move(walls);
   for (const NearbySection& near : taper)
-    flow.taper.push_back({*stressed_walls_of(near.section, holes), near.weight});
+    flow.taper.push_back({*stressed_walls_of(near.section, holes, opened_walls_of), near.weight});
   complete(flow, section);
   return flow;
 }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "opened_walls.hpp"
+
 namespace boxbeam {
 namespace {
 
@@ -147,9 +149,14 @@ double slenderness_of(const WallGraph& graph, const Wall& wall) {
   return (length_of(wall) + links) / wall.thickness;
 }
 
-WallCells wall_cells_of(const WallGraph& graph) {
+WallCells opened_walls_of(const WallGraph& graph) {
   WallCells result;
   cut_open(graph, result);
+  return result;
+}
+
+WallCells wall_cells_of(const WallGraph& graph) {
+  WallCells result = opened_walls_of(graph);
   find_cells(graph, result);
   const auto n = static_cast<Eigen::Index>(result.cells.size());
   Eigen::MatrixXd around = Eigen::MatrixXd::Zero(n, static_cast<Eigen::Index>(graph.walls.size()));

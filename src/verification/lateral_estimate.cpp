@@ -210,10 +210,10 @@ void LateralEstimate::hold(const std::vector<double>& at, const BeamLoads& loads
   std::optional<Section> last;
   SectionTurning of{};
   for (std::size_t e = 0; e + 1 < count; ++e) {
-    const std::array<double, 2> places = gauss_places(beam_, e);
-    beam_.warping_stiffness[e] = E * I_w[segment_at(beam, {si<Length>(places[0])})];
+    const std::array<double, 2> inside = gauss_places(beam_, e);
+    beam_.warping_stiffness[e] = E * I_w[segment_at(beam, {si<Length>(inside[0])})];
     for (std::size_t g = 0; g < 2; ++g) {
-      Section section = section_at(beam, {si<Length>(places[g])});
+      Section section = section_at(beam, {si<Length>(inside[g])});
       if (!last || !(*last == section)) {
         of = turning_of(section, E, G);
         last = std::move(section);
