@@ -1,10 +1,12 @@
 #include "boxbeam/section/shear_flow.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/QR>
 #include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/section/torsion.hpp"
@@ -261,6 +263,24 @@ bool mirrors_twice(const Profile& profile) {
          std::holds_alternative<RoundTube>(profile);
 }
 
+/// The place through which the flows of V_y and V_z pass; of a direction in which walls carry
+/// nothing along themselves, that of the centroid.
+Vector2d centre_of(const ShearFlow& flow, const Eigen::Matrix<double, 3, 6>& carried) {
+  Vector3d material = Vector3d::Zero();
+  for (const Vector3d& of : flow.at.cells.total) material += of;
+  const Vector2d centroid = material.tail<2>() / material[0];
+  Eigen::Matrix2d arms;
+  Vector2d torques;
+  for (const auto& [row, force] : {std::pair{0, cut_force::V_y}, {1, cut_force::V_z}}) {
+    const Vector2d along = carried.col(force).head<2>();
+    arms.row(row) << along.y(), -along.x();
+    torques[row] = carried(2, force) - cross(centroid, along);
+  }
+  Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix2d> solver;
+  solver.setThreshold(1e-6);
+  return centroid + solver.compute(arms).solve(torques);
+}
+
 /// All that follows from the walls of a flow.
 void complete(ShearFlow& flow, const Section& section) {
   set_flow_of_components(flow);
@@ -275,14 +295,12 @@ void complete(ShearFlow& flow, const Section& section) {
   const Eigen::Matrix<double, 3, 6> carried =
       along_walls(flow.at.graph, [&](std::size_t i) -> const WallFlows& { return flows[i]; }) +
       of_inclined_stress(flow);
-  // What walls do not carry along themselves passes through the centroid, wherever the origin is.
-  Vector3d material = Vector3d::Zero();
-  for (const Vector3d& of : flow.at.cells.total) material += of;
+  // What walls do not carry along themselves passes where the rest does, wherever the origin is.
+  const Vector2d centre = centre_of(flow, carried);
   Eigen::Matrix<double, 2, 6> missing = -carried.topRows<2>();
   missing(0, cut_force::V_y) += 1.0;
   missing(1, cut_force::V_z) += 1.0;
-  const RowVector6d turned =
-      (material[1] * missing.row(1) - material[2] * missing.row(0)) / material[0];
+  const RowVector6d turned = centre.x() * missing.row(1) - centre.y() * missing.row(0);
   flow.torque = -(carried.row(2) + turned).transpose();
   flow.torque[cut_force::T] = 1.0;
 }

@@ -120,7 +120,7 @@ std::vector<NotJudged> PatchNotes::not_judged() const {
         std::max(of.most, moves ? 0.0 : of.least) - std::min(of.least, moves ? 0.0 : of.most);
     if (!(range > hardly_changes)) continue;
     found.push_back(
-        {Criterion::fatigue, fmt::format("web under {}", key.first),
+        {Criterion::patch_loading, fmt::format("web under {}", key.first),
          fmt::format("sigma_z = F/(t (s_s + 2 t_f)), which comes and goes by {:.3g} MPa, and its "
                      "seams are not counted in fatigue (EN 1993-1-9, table 8.10)",
                      1e-6 * range)});

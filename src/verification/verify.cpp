@@ -52,6 +52,8 @@ std::optional<NotJudged> fillets_not_judged(const Project& project) {
   std::vector<std::string> places;
   double weakest = 0.0;
   for (const Diaphragm& of : project.beam.diaphragms) {
+    // At the ends of the beam are the details of what holds it there.
+    if (of.s == Length{} || of.s == project.beam.length()) continue;
     // Between the toes of fillets with legs as long as it is thick: EN 1993-1-9, table 8.4, row 8.
     const double category = of.thickness.value() <= 50e-3 / 3.0 ? 80e6 : 71e6;
     const auto stands_for = [&](const BeamDetail& detail) {
@@ -72,7 +74,7 @@ std::optional<NotJudged> fillets_not_judged(const Project& project) {
     weakest = std::max(weakest, category);
   }
   if (places.empty()) return std::nullopt;
-  return NotJudged{Criterion::fatigue,
+  return NotJudged{Criterion::weld,
                    fmt::format("fillets of diaphragms at s = {} m", fmt::join(places, ", ")),
                    fmt::format("no detail there is as weak as category {:.0f} (EN 1993-1-9, row "
                                "8.4/8): [[fatigue.details]] say them",

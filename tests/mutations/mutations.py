@@ -465,7 +465,7 @@ MUTATIONS = [
           "what of a plate across a box works beside a web", "transverse_stiffener_test")),
     *_in("src/section", "shear_flow.cpp",
          ("missing-at-centroid", "-(carried.row(2) + turned).transpose()", "-carried.row(2).transpose()",
-          "what walls do not carry of V passes through the centroid", "shear_flow_test")),
+          "what walls do not carry of V passes through the shear centre", "shear_flow_test")),
     *_in("src/mechanism/flexible", "dynamic_stiffness.cpp",
          ("negative-pivots", "if (pivot < 0.0) ++negative;", "if (pivot < 0.0 && negative == 0) ++negative;",
           "as many frequencies lie below as there are negative pivots", "modes_test exact_modes_test second_order_test")),

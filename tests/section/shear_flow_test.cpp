@@ -66,10 +66,11 @@ void check_forces(const Section& section) {
     CHECK(std::abs(sums(row, cut_force::T)) < 1e-9);
     CHECK(std::abs(sums(row, cut_force::N)) < 1e-9);
   }
-  // About the beam axis only T turns, where what walls do not carry passes through the centroid.
+  // About the beam axis only T turns, where what walls do not carry passes through the shear
+  // centre.
   CHECK(sums(2, cut_force::T) == Approx(1.0).epsilon(1e-9));
-  const SectionProperties whole = properties_of(section);
-  const double y = whole.centroid_y.value(), z = whole.centroid_z.value();
+  const SectionPlace centre = *shear_centre_of(section);
+  const double y = centre.y.value(), z = centre.z.value();
   for (const Eigen::Index k : columns) {
     const double V_y = (k == cut_force::V_y ? 1.0 : 0.0) - sums(0, k);
     const double V_z = (k == cut_force::V_z ? 1.0 : 0.0) - sums(1, k);

@@ -37,7 +37,7 @@ struct StressedWalls {
 ///
 /// The flows along the walls add up to V_y, V_z and T less what the inclined normal stresses carry
 /// and less the part I_own/I that crosses the walls' thickness (a flange's own bending, of order
-/// (t/h)^2), which is taken to pass through the centroid. Of V the walls of an outer and an inner
+/// (t/h)^2), which is taken to pass where the rest does. Of V the walls of an outer and an inner
 /// profile carry sum I_c/I, I_c of each about its own centroid; where the centroids differ, what
 /// ties the profiles together carries the rest. A hole passes the flow on and takes material only.
 /// In a taper q acts along the wall's own generator, not square to it. Valid for free warping, thin
