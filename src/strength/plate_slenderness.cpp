@@ -105,11 +105,12 @@ std::vector<Panel> panels_of(const ThinWalled& path, const PlateMaterials& mater
 // Solids have no plate that could buckle.
 std::vector<Panel> panels_of(const Plate&, const PlateMaterials&) { return {}; }
 
-// Of a polygon the thinnest part is a plate whose edges are not known to be held: an outstand.
+// Of a polygon the thinnest part is a plate, held at both edges where it is a wall of a cell.
 std::vector<Panel> panels_of(const Polygon& polygon, const PlateMaterials&) {
   const auto wall = most_slender_wall_of(polygon);
   if (!wall) return {};
-  return {{"thinnest wall of the polygon", wall->length, wall->thickness, outstand}};
+  return {{"thinnest wall of the polygon", wall->length, wall->thickness,
+           wall->of_cell ? compressed : outstand}};
 }
 
 }  // namespace

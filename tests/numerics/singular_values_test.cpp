@@ -51,7 +51,7 @@ TEST_CASE("small singular values and their vectors are those of the whole SVD") 
         const SingularValues found = smallest_singular_values(A, 1e-5, 0);
         const SingularValues whole = smallest_singular_values(A, 1e-5, 1000);
         REQUIRE(found.smallest.size() == whole.smallest.size());
-        CHECK(found.largest == Approx(whole.largest).epsilon(1e-9));
+        CHECK(found.largest == Approx(whole.largest).epsilon(1e-5));
         for (Eigen::Index i = 0; i < found.smallest.size(); ++i) {
           CHECK(found.smallest[i] ==
                 Approx(whole.smallest[i]).epsilon(1e-6).margin(1e-13 * whole.largest));
@@ -80,7 +80,7 @@ TEST_CASE("a long chain has the values of its closed form") {
   A.setFromTriplets(entries.begin(), entries.end());
   const SingularValues of = smallest_singular_values(A, 1e-5);
   const double step = 0.5 * std::numbers::pi / static_cast<double>(n + 1);
-  CHECK(of.largest == Approx(2.0 * std::cos(step)).epsilon(1e-6));
+  CHECK(of.largest == Approx(2.0 * std::cos(step)).epsilon(1e-5));
   REQUIRE(of.smallest.size() == 1);
   CHECK(of.smallest[0] == Approx(2.0 * std::sin(step)).epsilon(1e-8));
   // Neither end held: one sum that differences do not see.

@@ -21,9 +21,9 @@ struct SingularValues {
 /// a block of vectors with (A^T A + delta^2)^-1, factored once, delta = 1e-7 of the largest: what
 /// lies below delta is brought up in one or two steps, and the block's own values are those of the
 /// SVD of A times the block, so that squaring costs no digit. The block grows until it holds one
-/// value that surely counts. The largest by Lanczos' method. Memory and time grow with the entries
-/// of the factor, times the number of small values.
-/// Source: Golub and Van Loan, Matrix Computations (1996), sections 8.2.4, 8.6, 9.1.
+/// value that surely counts. The largest by Lanczos' method, to some 1e-6. Memory and time grow
+/// with the entries of the factor, times the number of small values. Source: Golub and Van Loan,
+/// Matrix Computations (1996), sections 8.2.4, 8.6, 9.1.
 SingularValues smallest_singular_values(const Eigen::SparseMatrix<double>& A, double wanted,
                                         Eigen::Index dense_below = 150);
 
