@@ -77,8 +77,8 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
 /// The smallest values of A with `count` vectors.
 SingularValues by_iteration(const Sparse& A, const Eigen::SimplicialLDLT<Sparse>& inverse,
                             double largest, double wanted, Eigen::Index count) {
-  constexpr int most_steps = 200;
-  constexpr double close = 1e-10;
+  constexpr int most_steps = 100;
+  constexpr double close = 1e-8;
   const double round_off = 1e-14 * largest;
   // The same start each time: fixed columns without a pattern that a mechanism could share.
   Eigen::MatrixXd block(A.cols(), count);
