@@ -18,24 +18,24 @@ namespace {
 /// Diaphragms, introductions and forces so near each other are at one place, by the beam's length.
 constexpr double same_place = 1e-6;
 
-/// Whether a joint of that name is known to let the beam turn: its couple is that of a force with a
-/// lever.
-bool turns_freely(const Project& project, const std::string& name) {
-  const auto named = [&](const auto& joints) {
-    return std::find_if(joints.begin(), joints.end(),
-                        [&](const auto& joint) { return joint.name == name; });
-  };
-  if (const auto* const planar = std::get_if<planar::Mechanism>(&project.mechanism)) {
-    const auto at = named(planar->joints);
-    return at != planar->joints.end() && (std::holds_alternative<planar::Pin>(at->kind) ||
+template <class Joints>
+auto named(const Joints& joints, const std::string& name) {
+  return std::find_if(joints.begin(), joints.end(),
+                      [&](const auto& joint) { return joint.name == name; });
+}
+
+bool turns_freely_in(const planar::Mechanism& mechanism, const Project&, const std::string& name) {
+  const auto at = named(mechanism.joints, name);
+  return at != mechanism.joints.end() && (std::holds_alternative<planar::Pin>(at->kind) ||
                                           std::holds_alternative<planar::PinInSlot>(at->kind) ||
                                           std::holds_alternative<planar::Distance>(at->kind));
-  }
-  const auto* const frame = std::get_if<frame::Structure>(&project.mechanism);
-  if (frame == nullptr) return false;
-  const auto at = named(frame->joints);
-  if (at == frame->joints.end()) return false;
-  const Eigen::Matrix3d& beam = frame->members[static_cast<std::size_t>(project.beam_body)].axes;
+}
+
+bool turns_freely_in(const frame::Structure& frame, const Project& project,
+                     const std::string& name) {
+  const auto at = named(frame.joints, name);
+  if (at == frame.joints.end()) return false;
+  const Eigen::Matrix3d& beam = frame.members[static_cast<std::size_t>(project.beam_body)].axes;
   for (int axis = 0; axis < 3; ++axis) {
     if (!(at->stiffness[static_cast<std::size_t>(3 + axis)] > 0.0)) continue;
     const auto about = [&](int of) {
@@ -44,6 +44,55 @@ bool turns_freely(const Project& project, const std::string& name) {
     if (about(1) || (project.in_space && about(2))) return false;
   }
   return true;
+}
+
+bool turns_freely_in(const flexible::Mechanism& mechanism, const Project&,
+                     const std::string& name) {
+  const auto at = named(mechanism.joints, name);
+  return at != mechanism.joints.end() && at->stiffness[2] == 0.0;
+}
+
+/// A hinge about the beam's y that nothing drives counts as free, whatever it holds about its z:
+/// what comes across is then judged as a force.
+bool turns_freely_in(const spatial::Mechanism& mechanism, const Project& project,
+                     const std::string& name) {
+  if (named(mechanism.springs, name) != mechanism.springs.end()) return true;
+  const spatial::BeamPlacement& placement = project.placement;
+  const auto about_y = [&](const Eigen::Vector3d& axis_in_body) {
+    return std::abs(axis_in_body.dot(placement.axes.col(1))) > 1.0 - same_place;
+  };
+  const auto closing = named(mechanism.closing, name);
+  if (closing != mechanism.closing.end()) {
+    using enum spatial::ClosingKind;
+    const Eigen::Vector3d axis = closing->a.body == placement.body
+                                     ? closing->axis
+                                     : Eigen::Vector3d(closing->turn.transpose() * closing->axis);
+    switch (closing->kind) {
+      case universal:
+      case spherical:
+      case slot:
+      case distance: return true;
+      case revolute:
+      case cylindrical: return about_y(axis);
+      case fixed:
+      case prismatic:
+      case planar: return false;
+    }
+  }
+  const auto at = named(mechanism.joints, name);
+  if (at == mechanism.joints.end() || at->kind != spatial::JointKind::revolute || !at->free)
+    return false;
+  return about_y(at->parent == placement.body ? at->axis
+                                              : Eigen::Vector3d(at->turn.transpose() * at->axis));
+}
+
+bool turns_freely_in(const recorded::Loads&, const Project&, const std::string&) { return false; }
+
+/// Whether a joint of that name is known to let the beam turn: its couple is that of a force with a
+/// lever.
+bool turns_freely(const Project& project, const std::string& name) {
+  return std::visit([&](const auto& of) { return turns_freely_in(of, project, name); },
+                    project.mechanism);
 }
 
 }  // namespace

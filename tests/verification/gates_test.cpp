@@ -345,8 +345,7 @@ TEST_CASE("a polygon whose walls may buckle blocks, as the box that it is") {
             "\"8 m\"\n"
             "force = [\"0 kN\", \"-3 kN\"]\n[material]\nsteel = \"S355\"\n[strength]\nrequired = "
             "1.0\n"));
-    return of.verdict == Verdict::not_applicable &&
-           !gates_with(of, "class 4").empty();
+    return of.verdict == Verdict::not_applicable && !gates_with(of, "class 4").empty();
   };
   CHECK(stops(1.5));
   CHECK(stops(10.0));

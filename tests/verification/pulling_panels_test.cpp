@@ -286,4 +286,56 @@ TEST_CASE("a pin at a lug far below a beam is no clamp: its force comes into the
   CHECK_FALSE(has_gate(of("fixed"), "of \"l\""));
 }
 
+TEST_CASE("in space a hinge at a lug far below a beam is no clamp, one that is driven is",
+          "[patch]") {
+  // About the heel, 0.8 m below the axis: strut (6 m) = tip's -F_x 0.8 m + F_z 8 m, with F = 900 kN
+  // along (-0.97, 0, -0.24): 171.8 kN of 216.2 kN, so that the heel holds 44.4 kN down.
+  const std::string tail =
+      "[forces.tip]\nkind = \"force\"\npoint = \"boom.tip\"\n"
+      "direction = [-0.97, 0, -0.24]\nsize = \"900 kN\"\n"
+      "[sections.box]\nkind = \"box\"\nwidth = \"600 mm\"\nheight = \"1224 mm\"\n"
+      "flange = \"12 mm\"\nweb = \"8 mm\"\n[beam]\nbody = \"boom\"\nstart = \"axis\"\n"
+      "axis = \"x\"\nz = \"z\"\ndensity = \"7850 kg/m^3\"\n"
+      "[[beam.segments]]\nlength = \"8 m\"\nsection = \"box\"\n"
+      "[[beam.diaphragms]]\nstation = \"6 m\"\nthickness = \"16 mm\"\n"
+      "[[beam.diaphragms]]\nstation = \"8 m\"\nthickness = \"16 mm\"\n"
+      "[material]\nsteel = \"S355\"\n[strength]\nrequired = 1.0\nshear_lag = false\n";
+  const std::string head =
+      "[case]\nname = \"boom\"\nkind = \"spatial\"\n[mechanism]\n"
+      "gravity = [\"0 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]\n[bodies.boom]\n"
+      "points = { axis = [\"0 m\", \"0 m\", \"0 m\"], heel = [\"0 m\", \"0 m\", \"-0.8 m\"], "
+      "lug = [\"6 m\", \"0 m\", \"0 m\"], tip = [\"8 m\", \"0 m\", \"0 m\"] }\n"
+      "[joints.heel]\nkind = \"revolute\"\nconnect = [\"ground\", \"boom.heel\"]\naxis = \"y\"\n";
+  const std::string swing =
+      "kind = \"harmonic\"\namplitude = \"0.001 {}\"\nfrequency = \"0.1 Hz\"\n";
+  const std::string strut =
+      "[bodies.ram]\nmass = \"1 kg\"\npoints = { foot = [\"0 m\", \"0 m\", \"0 m\"] }\n"
+      "[joints.foot]\nkind = \"fixed\"\nconnect = [\"ground\", \"ram.foot\"]\n"
+      "at = [\"6 m\", \"0 m\", \"-5 m\"]\n"
+      "[joints.strut]\nkind = \"distance\"\nconnect = [\"ram.foot\", \"boom.lug\"]\n"
+      "[drivers.strut]\njoint = \"strut\"\nmean = \"5.8 m\"\n";
+  struct Uses {
+    double heel = 0.0, effective = 0.0;
+  };
+  const auto uses_of = [&](const std::string& moved) {
+    const Verification of = verify(parse_project("boom.toml", head + moved + tail));
+    Uses uses;
+    for (const CheckResult& result : of.checks) {
+      const Check& check = result.check;
+      const bool at_heel = check.point.find("heel") != std::string::npos;
+      double& use = check.criterion == Criterion::effective_section ? uses.effective : uses.heel;
+      if (check.criterion == Criterion::effective_section || at_heel)
+        use = std::max(use, check.utilisation());
+    }
+    return uses;
+  };
+  // 7.2: F/F_Rd + 0.8 eta_1 of 1.4, in each web half of the force; F_Rd = 141 kN: type c, k_F = 2,
+  // F_cr = 161 kN, l_y = 12 sqrt(156/16 + 200) = 174 mm.
+  const Uses hinged = uses_of(strut + fmt::format(fmt::runtime(swing), "m"));
+  CHECK(hinged.heel == Approx((0.5 * 44.4 / 141.1 + 0.8 * hinged.effective) / 1.4).epsilon(0.02));
+  CHECK(uses_of("[drivers.heel]\njoint = \"heel\"\nmean = \"0 deg\"\n" +
+                fmt::format(fmt::runtime(swing), "deg"))
+            .heel == 0.0);
+}
+
 }  // namespace pulling_panels_test

@@ -227,7 +227,8 @@ TEST_CASE("width: on a terminal of 80 columns no line is broken by it", "[termin
         Words{"explain", "fatigue", rig}, Words{"motion", rig, "--at", "1"}, Words{"motion", gear},
         Words{"motion", truck}, Words{"motion", rig, "--assemblies"},
         Words{"section", "RHS 200x100x8"}, Words{"compare", gear, values},
-        Words{"section", "box 600x1224 flange 12 web 8", "--forces", "N = -600 kN, M_y = 1500 kN m"},
+        Words{"section", "box 600x1224 flange 12 web 8", "--forces",
+              "N = -600 kN, M_y = 1500 kN m"},
         Words{"fatigue", history, "--detail", "71", "--shear-detail", "80"}}) {
     INFO(command[0] << " " << (command.size() > 1 ? command[1] : ""));
     const std::size_t narrow = longest(on_terminal(command, {{"COLUMNS", "80"}}));
