@@ -189,7 +189,7 @@ std::optional<PolygonWall> most_slender_wall_of(const Polygon& polygon) {
   if (!(size > 0.0)) return std::nullopt;
   std::size_t edges = 0;
   for (const Loop& loop : loops) edges += loop.size();
-  const int per_edge = std::clamp(static_cast<int>(800 / edges), 3, 32);
+  const int per_edge = std::clamp(static_cast<int>(800 / std::max<std::size_t>(1, edges)), 3, 32);
   // A wall of a cell is held at both ends and may be three times as slender (42 eps, 14 eps).
   const auto counted = [](const PolygonWall& of) {
     return of.of_cell ? of.slenderness() / 3.0 : of.slenderness();

@@ -37,7 +37,7 @@ bool turns_freely_in(const frame::Structure& frame, const Project& project,
   if (at == frame.joints.end()) return false;
   const Eigen::Matrix3d& beam = frame.members[static_cast<std::size_t>(project.beam_body)].axes;
   for (int axis = 0; axis < 3; ++axis) {
-    if (!(at->stiffness[static_cast<std::size_t>(3 + axis)] > 0.0)) continue;
+    if (!(at->stiffness[3 + static_cast<std::size_t>(axis)] > 0.0)) continue;
     const auto about = [&](int of) {
       return std::abs(at->axes.col(axis).dot(beam.col(of))) > same_place;
     };

@@ -118,7 +118,7 @@ std::string bounds_obstacle(const Project& project, const Station& station, Leng
       const Length inside =
           first.place - last.place - 0.5 * (first.bears.thickness + last.bears.thickness);
       for (const PathWeb& web : of.webs) {
-        const std::string why =
+        std::string why =
             across_obstacle(stiffener_of(project, web.bears, inside, *at, station), *at, length);
         if (!why.empty()) return why;
       }

@@ -116,7 +116,7 @@ std::optional<BearingStiffener> bounding_stiffener_at(const Project& project,
   return working(of, *at);
 }
 
-std::string across_obstacle(BearingStiffener of, const Diaphragm& diaphragm, Length length) {
+std::string across_obstacle(const BearingStiffener& of, const Diaphragm& diaphragm, Length length) {
   if (!(of.width > Length{})) return "its opening leaves nothing of it beside the web";
   return rigidity_obstacle(working(of, diaphragm), length);
 }

@@ -27,7 +27,7 @@ std::optional<BearingStiffener> bounding_stiffener_at(const Project& project,
                                                       const FourWalls& walls, BoxPlate plate);
 
 /// Why what reaches from a plate to another one does not bound panels so long, "" where it does.
-std::string across_obstacle(BearingStiffener of, const Diaphragm& diaphragm, Length length);
+std::string across_obstacle(const BearingStiffener& of, const Diaphragm& diaphragm, Length length);
 
 /// How long the panel of a box's plate at a station is, no shorter than those for which both
 /// diaphragms are rigid (9.3.3(3)); nothing where it is not between two that bound it.
