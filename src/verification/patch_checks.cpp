@@ -56,14 +56,20 @@ class PatchRun {
 
   void look() {
     const LoadHistory& history = run_->loads;
-    std::map<BorneKey, std::pair<double, std::size_t>> highest;
+    struct Highest {
+      double use;
+      std::size_t at;
+      double lowest;
+    };
+    std::map<BorneKey, Highest> highest;
     std::vector<Length> before;
     for (std::size_t i = 0; i < history.instants(); ++i) {
       const Time time = history.time_of(i);
       const BeamLoads loads = history.loads_at(time);
       for (const auto& [key, use] : look_at(time, loads, history.diagram(i))) {
-        const auto known = highest.try_emplace(key, use, i).first;
-        if (use > known->second.first) known->second = {use, i};
+        Highest& known = highest.try_emplace(key, Highest{use, i, use}).first->second;
+        known.lowest = std::min(known.lowest, use);
+        if (use > known.use) known = {use, i, known.lowest};
       }
       std::vector<Length> places = places_in(loads);
       if (i > 0 && !history.is_recorded() && !history.begins_piece(i))
@@ -72,17 +78,22 @@ class PatchRun {
     }
     // Of recorded loads the largest of what is convex in them stands at an instant.
     if (history.is_recorded()) return;
-    for (const auto& [key, at] : highest) refine(key, at.second);
+    // What does not change has its largest anywhere.
+    constexpr double constant = 1e-9;
+    for (const auto& [key, of] : highest)
+      if (of.use - of.lowest > constant * of.use) refine(key, of.at);
   }
 
  private:
-  /// The use of each patch at an instant; the worst is kept.
+  /// The use of each patch at an instant, or of one alone; the worst is kept.
   std::map<BorneKey, double> look_at(Time time, const BeamLoads& loads,
-                                     const CutForceDiagram& diagram) {
+                                     const CutForceDiagram& diagram,
+                                     const BorneKey* only = nullptr) {
     std::map<BorneKey, double> uses;
     note_torque(loads);
     const std::vector<Patch> patches = search_->patches_of(loads, diagram);
     for (const Patch& patch : patches) {
+      if (only != nullptr && BorneKey{patch.key(), only->second} != *only) continue;
       note_on_path(patch);
       std::vector<Borne> ways = search_->worst_of(patch, patches, diagram);
       notes_->take(patch, ways, *run_->situation);
@@ -117,9 +128,9 @@ class PatchRun {
       on_paths_->torque = of;
   }
 
-  std::map<BorneKey, double> look_at(Time time) {
+  std::map<BorneKey, double> look_at(Time time, const BorneKey* only = nullptr) {
     const BeamLoads loads = run_->loads.loads_at(time);
-    return look_at(time, loads, cut_forces_of(loads));
+    return look_at(time, loads, cut_forces_of(loads), only);
   }
 
   static std::vector<Length> places_in(const BeamLoads& loads) {
@@ -174,7 +185,7 @@ class PatchRun {
     constexpr int bits = 14;
     find_maximum(
         [&](double time) {
-          const std::map<BorneKey, double> uses = look_at(si<Time>(time));
+          const std::map<BorneKey, double> uses = look_at(si<Time>(time), &key);
           const auto found = uses.find(key);
           return found == uses.end() ? 0.0 : found->second;
         },

@@ -400,38 +400,56 @@ void PatchSearch::add_groups(std::vector<Patch>& patches) {
   std::stable_sort(patches.begin(), patches.end(),
                    [](const Patch& a, const Patch& b) { return a.s < b.s; });
   const std::size_t singles = patches.size();
-  const auto beside = [&](const Patch& a, const Patch& b) {
+  std::vector<Length> depths;
+  for (const Patch& of : patches) depths.push_back(depth_at(of));
+  const auto beside = [&](std::size_t of, const Patch& b) {
+    const Patch& a = patches[of];
     // What one diaphragm takes, it takes together.
     return a.along_z == b.along_z && a.diaphragm == b.diaphragm &&
-           (a.diaphragm != nullptr || abs(b.s - a.s) <= depth_at(a));
+           (a.diaphragm != nullptr || abs(b.s - a.s) <= depths[of]);
   };
   const auto one_sense = [](const Patch& a, const Patch& b) {
     return (a.force.value() > 0.0) == (b.force.value() > 0.0);
   };
   for (std::size_t i = 0; i < singles; ++i) {
     for (std::size_t j = 0; j < singles; ++j) {
-      if (i != j && beside(patches[i], patches[j]) && !one_sense(patches[i], patches[j]))
+      if (i != j && beside(i, patches[j]) && !one_sense(patches[i], patches[j]))
         patches[i].opposed = true;
     }
   }
+  // Every group of few; of more those of some numbers, each with all its forces on the length of
+  // the smallest group for which it stands, so that none between is used more.
+  constexpr int few = 24, named = 3;
   for (std::size_t i = 0; i < singles; ++i) {
     Patch sum = patches[i];
     const Length first = sum.s;
+    Length length, shortest;
+    int count = 1, kept = 1;
+    const auto keep = [&] {
+      patches.push_back(sum);
+      patches.back().stiff_length = shortest;
+      kept = count;
+    };
+    length = sum.stiff_length;
     for (std::size_t j = i + 1; j < singles; ++j) {
-      const Patch& other = patches[j];
-      if (!beside(patches[i], other) || !one_sense(sum, other)) continue;
-      sum.stiff_length = std::max({Length(other.s - first), sum.stiff_length, other.stiff_length});
+      const Patch other = patches[j];  // of which more are added meanwhile
+      if (!beside(i, other) || !one_sense(sum, other)) continue;
+      length = std::max({Length(other.s - first), length, other.stiff_length});
+      if (++count == kept + 1) shortest = length;
       sum.force += other.force;
       sum.couple += other.couple;
       sum.given = sum.given && other.given;
       sum.opposed = sum.opposed || other.opposed;
       sum.s = 0.5 * (first + other.s);
       sum.together = true;
-      sum.name = sum.name == other.name || sum.name.ends_with(" together")
-                     ? patches[i].name + " together"
-                     : sum.name + " and " + other.name;
-      patches.push_back(sum);
+      if (sum.name == other.name || sum.name.ends_with(" together"))
+        sum.name = patches[i].name + " together";
+      else
+        sum.name = count <= named ? sum.name + " and " + other.name
+                                  : patches[i].name + " to " + other.name;
+      if (count <= few || 2 * count >= 3 * kept) keep();
     }
+    if (count > kept) keep();
   }
 }
 

@@ -236,6 +236,30 @@ TEST_CASE("forces close together are judged together, opposed ones as passing th
         ForceEntry::both_flanges);
 }
 
+TEST_CASE("very many forces close together are judged as soon, no milder than few", "[patch]") {
+  // 480 kN over 0.4 m of an unstiffened web, in 24 forces, of which every group is looked at, and
+  // more, of which groups of some numbers are, each on the length of a smaller one.
+  const auto use_of = [](int count) {
+    std::string loads;
+    for (int i = 0; i < count; ++i)
+      loads += force("f" + std::to_string(i), 4.0 + 0.4 * i / (count - 1), -480.0 / count);
+    const Verification of =
+        verify(parse_project("patch.toml", beam(introduction(stretch(3.0, 6.0), 0.0), loads)));
+    double most = 0.0;
+    for (const CheckResult& result : of.checks)
+      if (result.check.criterion == Criterion::patch_loading)
+        most = std::max(most, result.check.utilisation());
+    return most;
+  };
+  const double exact = use_of(24);
+  REQUIRE(exact > 0.3);
+  for (const int count : {30, 60, 150}) {
+    CAPTURE(count);
+    CHECK(use_of(count) >= 0.98 * exact);
+    CHECK(use_of(count) <= 1.15 * exact);
+  }
+}
+
 TEST_CASE("an eccentric force loads one web more, by the lever between both", "[patch]") {
   // 200 mm from the axis, the webs' middles 296 mm: (296 + 200)/592 of it.
   const auto share = [](const std::string& at, const std::string& force) {
