@@ -279,9 +279,6 @@ std::shared_ptr<const recorded::Channels> working_instants(const Project& projec
   }
 
   std::vector<std::size_t> instants = extreme_instants_of(*channels.record, outer, sums.sums);
-  // Where no sum is largest what joins several may be: of a convex use the worst instant is a
-  // corner of the hull of all, and all that lie far out are looked at.
-  instants.insert(instants.end(), outer.instants.begin(), outer.instants.end());
   // Those that the channels have already, by their times.
   const recorded::Record& record = *channels.record;
   for (const double time : channels.times) {

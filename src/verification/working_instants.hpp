@@ -10,8 +10,7 @@ namespace boxbeam {
 /// smallest: at the ends and in the middle of every stretch between places of the beam and loads,
 /// for each cut force, at each point of the section for direct and shear stress and the parts of
 /// the equivalent stress, for what buckling plates are used by, the bending of the whole
-/// beam, and what acts at each place. Beside those that the channels have already and some ten
-/// thousand that lie farthest out.
+/// beam, and what acts at each place. Beside those that the channels have already.
 std::shared_ptr<const recorded::Channels> working_instants(const Project& project,
                                                            const recorded::ChannelLoads& loads);
 
