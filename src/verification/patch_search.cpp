@@ -419,7 +419,7 @@ void PatchSearch::add_groups(std::vector<Patch>& patches) {
   }
   // Every group of few; of more those of some numbers, each with all its forces on the length of
   // the smallest group for which it stands, so that none between is used more.
-  constexpr int few = 24, named = 3;
+  constexpr int few = 24, few_names = 3;
   for (std::size_t i = 0; i < singles; ++i) {
     Patch sum = patches[i];
     const Length first = sum.s;
@@ -445,8 +445,8 @@ void PatchSearch::add_groups(std::vector<Patch>& patches) {
       if (sum.name == other.name || sum.name.ends_with(" together"))
         sum.name = patches[i].name + " together";
       else
-        sum.name = count <= named ? sum.name + " and " + other.name
-                                  : patches[i].name + " to " + other.name;
+        sum.name = count <= few_names ? sum.name + " and " + other.name
+                                      : patches[i].name + " to " + other.name;
       if (count <= few || 2 * count >= 3 * kept) keep();
     }
     if (count > kept) keep();
