@@ -263,22 +263,27 @@ bool mirrors_twice(const Profile& profile) {
          std::holds_alternative<RoundTube>(profile);
 }
 
-/// The place through which the flows of V_y and V_z pass; of a direction in which walls carry
-/// nothing along themselves, that of the centroid.
-Vector2d centre_of(const ShearFlow& flow, const Eigen::Matrix<double, 3, 6>& carried) {
-  Vector3d material = Vector3d::Zero();
-  for (const Vector3d& of : flow.at.cells.total) material += of;
-  const Vector2d centroid = material.tail<2>() / material[0];
-  Eigen::Matrix2d arms;
-  Vector2d torques;
-  for (const auto& [row, force] : {std::pair{0, cut_force::V_y}, {1, cut_force::V_z}}) {
-    const Vector2d along = carried.col(force).head<2>();
-    arms.row(row) << along.y(), -along.x();
-    torques[row] = carried(2, force) - cross(centroid, along);
+/// Torque, per cut force, of the forces that walls carry by bending across their own thickness: all
+/// that flows along the mid-lines do not carry. Their stress differs across the thickness by
+/// t d(sigma)/dn, so that a stretch ds carries t^3/12 n n^T ds of what is common to all, in its
+/// middle: wherever the origin lies.
+RowVector6d torque_across_walls(const WallGraph& graph, const Eigen::Matrix<double, 2, 6>& forces) {
+  Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();
+  Eigen::RowVector2d turning = Eigen::RowVector2d::Zero();
+  for (const Wall& wall : graph.walls) {
+    if (!wall.solid) continue;
+    const double bending = length_of(wall) * std::pow(wall.thickness, 3) / 12.0;
+    at_gauss_points([&](std::size_t, double f, double weight) {
+      const Vector2d along = direction_on(wall, f);
+      const Vector2d normal(-along.y(), along.x());
+      stiffness += weight * bending * normal * normal.transpose();
+      turning += weight * bending * cross(point_on(wall, f), normal) * normal.transpose();
+    });
   }
+  // Along walls that are all parallel the flows carry everything.
   Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix2d> solver;
-  solver.setThreshold(1e-6);
-  return centroid + solver.compute(arms).solve(torques);
+  solver.setThreshold(1e-9);
+  return turning * solver.compute(stiffness).solve(forces);
 }
 
 /// All that follows from the walls of a flow.
@@ -295,13 +300,10 @@ void complete(ShearFlow& flow, const Section& section) {
   const Eigen::Matrix<double, 3, 6> carried =
       along_walls(flow.at.graph, [&](std::size_t i) -> const WallFlows& { return flows[i]; }) +
       of_inclined_stress(flow);
-  // What walls do not carry along themselves passes where the rest does, wherever the origin is.
-  const Vector2d centre = centre_of(flow, carried);
   Eigen::Matrix<double, 2, 6> missing = -carried.topRows<2>();
   missing(0, cut_force::V_y) += 1.0;
   missing(1, cut_force::V_z) += 1.0;
-  const RowVector6d turned = centre.x() * missing.row(1) - centre.y() * missing.row(0);
-  flow.torque = -(carried.row(2) + turned).transpose();
+  flow.torque = -(carried.row(2) + torque_across_walls(flow.at.graph, missing)).transpose();
   flow.torque[cut_force::T] = 1.0;
 }
 

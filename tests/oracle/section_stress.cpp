@@ -299,6 +299,9 @@ struct Branch {
   }
 };
 
+/// V_y, V_z and T per cut force.
+using Carried = Eigen::Matrix<double, 3, 6>;
+
 /// A closed ring of walls with its branches: a box or a round tube.
 struct Ring {
   std::vector<Piece> pieces;
@@ -466,12 +469,11 @@ class Flow {
   const Ring& ring() const { return ring_; }
   double per_whole_I_T() const { return 1.0 / whole_I_T_; }
 
-  /// Twisting moment, per cut force, that flows without twist and inclined stresses carry.
-  Factors carried() const {
-    Factors sum{};
+  /// V_y, V_z and T, per cut force, that flows without twist and inclined stresses carry.
+  Carried carried() const {
+    Carried sum = Carried::Zero();
     const auto add = [&](const Vector2d& at, const Vector2d& way, const Factors& q) {
-      for (std::size_t k = 0; k < q.size(); ++k)
-        sum[k] += q[k] * (at.x() * way.y() - at.y() * way.x());
+      for (std::size_t k = 0; k < q.size(); ++k) add_force(sum, k, at, q[k] * way);
     };
     for (std::size_t i = 0; i < ring_.pieces.size(); ++i) {
       const Piece& piece = ring_.pieces[i];
@@ -491,6 +493,30 @@ class Flow {
       add(branch.foot, branch.node - branch.foot, in_branch(b, 1.0));
     }
     add_inclined(sum);
+    return sum;
+  }
+
+  /// What walls carry by bending across their thickness: a stretch's share of such a force is
+  /// t^3/12 n (n . force), in its middle. Forces as columns give V_y, V_z and T of a unit share.
+  Eigen::Matrix<double, 3, 2> across() const {
+    Eigen::Matrix<double, 3, 2> sum = Eigen::Matrix<double, 3, 2>::Zero();
+    const auto add = [&](const Vector2d& at, const Vector2d& along, double length, double t) {
+      const Vector2d n(-along.y(), along.x());
+      const Eigen::RowVector2d of = length * t * t * t / 12.0 * n.transpose();
+      sum.topRows<2>() += n * of;
+      sum.row(2) += (at.x() * n.y() - at.y() * n.x()) * of;
+    };
+    for (const Piece& piece : ring_.pieces) {
+      if (!piece.solid) continue;
+      simpson(piece.radius > 0.0 ? 96 : 8, [&](double f, double weight) {
+        add(piece.at(f), piece.along(f), weight * piece.length(), piece.thickness);
+      });
+    }
+    for (const Branch& branch : ring_.branches) {
+      const Vector2d way = branch.foot - branch.free;
+      if (way.norm() == 0.0) continue;
+      add(0.5 * (branch.free + branch.foot), way.normalized(), way.norm(), branch.thickness);
+    }
     return sum;
   }
 
@@ -587,15 +613,19 @@ class Flow {
     for (std::size_t k = 0; k < around.size(); ++k) closing_[k] = -around[k] / per_flow;
   }
 
-  /// Torque of normal stresses that follow the inclined material.
-  void add_inclined(Factors& sum) const {
+  static void add_force(Carried& sum, std::size_t of, const Vector2d& at, const Vector2d& force) {
+    sum.col(static_cast<Eigen::Index>(of)) +=
+        Vector3d(force.x(), force.y(), at.x() * force.y() - at.y() * force.x());
+  }
+
+  /// Normal stresses that follow the inclined material.
+  void add_inclined(Carried& sum) const {
     if (nearby_.empty()) return;
     const auto add = [&](const Vector2d& at, const Vector2d& slope, double area) {
       const Eigen::RowVector3d force = area * Eigen::RowVector3d(1.0, at.x(), at.y()) * plane_;
-      const double arm = at.x() * slope.y() - at.y() * slope.x();
-      sum[cut_force::N] += force[0] * arm;
-      sum[cut_force::M_y] += force[1] * arm;
-      sum[cut_force::M_z] += force[2] * arm;
+      add_force(sum, cut_force::N, at, force[0] * slope);
+      add_force(sum, cut_force::M_y, at, force[1] * slope);
+      add_force(sum, cut_force::M_z, at, force[2] * slope);
     };
     for (std::size_t i = 0; i < ring_.pieces.size(); ++i) {
       const Piece& piece = ring_.pieces[i];
@@ -642,12 +672,7 @@ class Gathering {
     }
     flows_.emplace_back(section, false);
     if (section.here.inner) flows_.emplace_back(section, true);
-    torque_.fill(0.0);
-    for (const Flow& flow : flows_) {
-      const Factors carried = flow.carried();
-      for (std::size_t k = 0; k < torque_.size(); ++k) torque_[k] -= carried[k];
-    }
-    torque_[cut_force::T] = 1.0;
+    set_torque();
     add_walls(false);
     if (section.here.inner) add_walls(true);
   }
@@ -684,6 +709,25 @@ class Gathering {
              const Factors& shear) {
     places.push_back({name, kind, y, z, plate, normal_at(normal_, y, z), shear, "", 0.0});
     return places.back();
+  }
+
+  /// What is left for twist. Forces that do not flow along walls are carried across them.
+  void set_torque() {
+    Carried carried = Carried::Zero();
+    Eigen::Matrix<double, 3, 2> across = Eigen::Matrix<double, 3, 2>::Zero();
+    for (const Flow& flow : flows_) {
+      carried += flow.carried();
+      across += flow.across();
+    }
+    Carried missing = -carried;
+    missing(0, cut_force::V_y) += 1.0;
+    missing(1, cut_force::V_z) += 1.0;
+    missing(2, cut_force::T) += 1.0;
+    const Eigen::Matrix2d forces = across.topRows<2>();
+    const Eigen::RowVector<double, 6> left =
+        missing.row(2) - across.row(2) * forces.inverse() * missing.topRows<2>();
+    for (std::size_t k = 0; k < torque_.size(); ++k)
+      torque_[k] = left[static_cast<Eigen::Index>(k)];
   }
 
   void add_walls(bool inner) {
