@@ -10,6 +10,7 @@
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/section/torsion.hpp"
 #include "boxbeam/strength/weld_throat.hpp"
+#include "boxbeam/verification/patch_checks.hpp"
 #include "boxbeam/verification/plausibility.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
 #include "front_end_text.hpp"
@@ -540,8 +541,7 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
              : std::string()));
   remarks.push_back(
       "not checked here: " + shape_text(project) +
-      (std::any_of(verification.checks.begin(), verification.checks.end(),
-                   [](const CheckResult& of) { return of.patch.has_value(); })
+      (project.given_stresses.empty() && forces_are_looked_at(project)
            ? std::string()
            : fmt::format(", webs{} where forces come in ([[beam.load_introductions]])",
                          has_fillet_seams(project) ? " and their seams" : "")) +

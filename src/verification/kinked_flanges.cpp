@@ -66,7 +66,7 @@ std::vector<FlangeKink> flange_kinks_of(const Project& project) {
     for (const BoxPlate plate : box_plates) {
       const Length step = face_of(behind, plate) - face_of(before, plate);
       const double turn = slope_of_face(next, plate) - slope_of_face(one, plate);
-      // Less than a thickness apart they are one plate.
+      // Less than a thickness apart they are one plate; farther, `flange_steps_of` has them.
       constexpr double straight = 1e-6;
       if (abs(step) > walls->of(plate).thickness || std::abs(turn) < straight) continue;
       FlangeKink& kink = kinks.emplace_back(kink_of(one.to, *walls, plate));
@@ -77,7 +77,33 @@ std::vector<FlangeKink> flange_kinks_of(const Project& project) {
   return kinks;
 }
 
-void PatchSearch::add_kinks(const CutForceDiagram& diagram, std::vector<Patch>& patches) {
+std::vector<FlangeStep> flange_steps_of(const Project& project) {
+  const TaperedBeam& beam = project.beam;
+  std::vector<FlangeStep> steps;
+  for (std::size_t k = 0; k + 1 < beam.segments.size(); ++k) {
+    const Section &before = beam.segments[k].to, &behind = beam.segments[k + 1].from;
+    const auto ends = four_walls_of(before.outer, materials_of(project, k)),
+               begins = four_walls_of(behind.outer, materials_of(project, k + 1));
+    if (!ends || !begins) continue;
+    for (const BoxPlate plate : box_plates) {
+      if (!is_flange(plate) && !project.in_space) continue;
+      const Length by =
+          face_of(extent_of(behind.outer), plate) - face_of(extent_of(before.outer), plate);
+      const Length thin = std::min(ends->of(plate).thickness, begins->of(plate).thickness);
+      if (abs(by) <= thin) continue;
+      for (FlangeKink of : {kink_of(before, *ends, plate), kink_of(behind, *begins, plate)}) {
+        of.s = beam.segments[k].end();
+        of.turn = 1.0;
+        of.name = to_text(plate);
+        steps.push_back({std::move(of), abs(by)});
+      }
+    }
+  }
+  return steps;
+}
+
+std::vector<Patch> PatchSearch::kinks_under(const CutForceDiagram& diagram) const {
+  std::vector<Patch> patches;
   for (const FlangeKink& of : kinks_) {
     if (!of.along_z && !project_->in_space) continue;
     Patch patch;
@@ -86,8 +112,9 @@ void PatchSearch::add_kinks(const CutForceDiagram& diagram, std::vector<Patch>& 
     patch.along_z = of.along_z;
     patch.force = of.force_under(diagram.at({of.s, Side::before}));
     patch.kink = &of;
-    if (!patch.is_none() && say_how_it_comes_in(patch)) patches.push_back(std::move(patch));
+    if (!patch.is_none()) patches.push_back(std::move(patch));
   }
+  return patches;
 }
 
 Stress stress_across_kink(const FlangeKink& kink, Force force) {

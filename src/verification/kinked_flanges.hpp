@@ -31,6 +31,15 @@ struct FlangeKink {
 /// The kinks of a beam's boxes, where their outline goes on without a jump.
 std::vector<FlangeKink> flange_kinks_of(const Project& project);
 
+/// A plate of a box that ends where the next segment's lies elsewhere, by more than it is thick.
+struct FlangeStep {
+  FlangeKink ends;  ///< whose turn is 1: its force is the plate's along the beam
+  Length by;
+};
+
+/// In pairs, the plate before each border of segments and the one behind it.
+std::vector<FlangeStep> flange_steps_of(const Project& project);
+
 /// The largest stress across a plate between the two beside it under a force that is spread over
 /// its width where it turns off, as a strip on simple supports without end.
 ///

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
@@ -91,6 +92,7 @@ class PatchRun {
                                      const BorneKey* only = nullptr) {
     std::map<BorneKey, double> uses;
     note_torque(loads);
+    notes_->take_steps(diagram, run_->situation->load_factor);
     const std::vector<Patch> patches = search_->patches_of(loads, diagram);
     for (const Patch& patch : patches) {
       if (only != nullptr && BorneKey{patch.key(), only->second} != *only) continue;
@@ -218,6 +220,17 @@ std::string borne_text(const Project& project, const Borne& borne) {
          (std::holds_alternative<BearingStiffener>(borne.basis.bears) ? " with diaphragm" : "");
 }
 
+/// Whether stout plates feel so little of what comes in that the checks of their section are worse:
+/// with eta_2 <= 0.6 eta_1 (7.2).
+bool is_hardly_felt(const Project& project, const WorstPatch& worst) {
+  constexpr double little = 0.3;
+  if (!worst.patch.stout) return false;
+  const PatchBasis& basis = worst.borne.basis;
+  if (worst.borne.is_seam()) return worst.use <= little;
+  return project.strength.required * basis.load_factor * basis.share * basis.force <=
+         little * basis.resistance;
+}
+
 Criterion criterion_of(const PatchBasis& basis) {
   if (std::holds_alternative<PatchedSeam>(basis.bears)) return Criterion::weld;
   return std::holds_alternative<ReducedWeb>(basis.bears) ? Criterion::reduced_stress
@@ -322,15 +335,22 @@ void add_gates(const Project& project, const OnPaths& of, std::vector<Gate>& gat
 
 }  // namespace
 
+bool forces_are_looked_at(const Project& project) {
+  const PressedPlatesAlong plates(project);
+  const std::vector<PressedPlates>& all = plates.of_segments();
+  return std::none_of(all.begin(), all.end(), [](const PressedPlates& of) {
+    return std::isinf(of.stout_z.hardly.value());
+  });
+}
+
 PatchChecks check_patches(const Project& project, const std::deque<SituationRun>& runs,
                           const std::vector<BendingZone>& zones) {
   PatchChecks found;
   PatchSearch search(project, zones);
-  if (!search.has_something_to_do()) return found;
-  std::map<BorneKey, WorstPatch> worst;
-  for (const SituationRun& run : runs) search.learn_clamps(run);
-  OnPaths on_paths;
   PatchNotes notes(project);
+  if (!search.has_something_to_do(runs) && !notes.has_steps()) return found;
+  std::map<BorneKey, WorstPatch> worst;
+  OnPaths on_paths;
   for (const SituationRun& run : runs)
     PatchRun(project, search, run, worst, on_paths, notes).look();
   add_gates(project, on_paths, found.gates);
@@ -349,7 +369,7 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
   };
   found.not_judged = not_judged_of_diaphragms(project);
   for (auto& [key, of] : worst) {
-    if (!(of.use > no_use)) continue;
+    if (!(of.use > no_use) || is_hardly_felt(project, of)) continue;
     const auto* const bears = std::get_if<BearingStiffener>(&of.borne.basis.bears);
     // What comes from panels alone asks nothing of the flanges.
     if (bears != nullptr && !bears->ends_clamped && !of.patch.is_none())

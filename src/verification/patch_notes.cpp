@@ -10,9 +10,6 @@
 namespace boxbeam {
 namespace {
 
-/// Less than this part of the yield strength across a flange is none.
-constexpr double hardly_bent = 0.1;
-
 const PatchedWeb* web_in(const Borne& way) {
   if (const auto* const web = std::get_if<PatchedWeb>(&way.basis.bears)) return web;
   const auto* const reduced = std::get_if<ReducedWeb>(&way.basis.bears);
@@ -20,6 +17,18 @@ const PatchedWeb* web_in(const Borne& way) {
 }
 
 }  // namespace
+
+PatchNotes::PatchNotes(const Project& project)
+    : project_(&project), steps_(flange_steps_of(project)), at_steps_(steps_.size()) {}
+
+void PatchNotes::take_steps(const CutForceDiagram& diagram, double load_factor) {
+  for (std::size_t k = 0; k < steps_.size(); ++k) {
+    for (const Side side : {Side::before, Side::behind}) {
+      const double force = steps_[k].ends.force_under(diagram.at({steps_[k].ends.s, side})).value();
+      at_steps_[k] = std::max(at_steps_[k], load_factor * std::abs(force));
+    }
+  }
+}
 
 void PatchNotes::take(const Patch& patch, const std::vector<Borne>& ways,
                       const Situation& situation) {
@@ -45,11 +54,9 @@ void PatchNotes::take_flange(const Patch& patch, const Borne& way, double load_f
     of.beside = patch.along_z ? std::min(beside(left_web), beside(right_web))
                               : std::min(beside(top_flange), beside(bottom_flange));
     if (!(of.beside > Length{})) return;
-    // 0.168 F of a long plate clamped at both edges, F in its middle (Timoshenko,
-    // Woinowsky-Krieger, Theory of Plates and Shells, section 44).
     const double t_f = web.flange_thickness.value();
-    of.use =
-        6.0 * 0.168 * std::abs(patch.force.value()) / (t_f * t_f) / web.flange_strength.value();
+    of.use = 6.0 * bent_by_force * std::abs(patch.force.value()) / (t_f * t_f) /
+             web.flange_strength.value();
   }
   of.use *= load_factor;
   BentFlange& most = bent_[patch.name];
@@ -57,7 +64,9 @@ void PatchNotes::take_flange(const Patch& patch, const Borne& way, double load_f
 }
 
 void PatchNotes::take_cycles(const Patch& patch, const std::vector<Borne>& ways, bool again) {
-  if (!project_->fatigue.asked || !again) return;
+  // Stout webs may have what comes in beside the flanges (bosses, lugs): not so of what rolls
+  // there.
+  if (!project_->fatigue.asked || !again || (patch.stout && !patch.moves)) return;
   double most = 0.0;
   for (const Borne& way : ways) {
     const PatchedWeb* const web = web_in(way);
@@ -99,6 +108,22 @@ std::vector<Gate> PatchNotes::gates() const {
                                  to_text(Station{of.s, Side::both}), words_of(of)),
                      true});
   }
+  for (std::size_t k = 0; k < steps_.size(); ++k) {
+    // Of both that end there the one that bears more.
+    const std::size_t other = k % 2 == 0 ? k + 1 : k - 1;
+    if (at_steps_[other] > at_steps_[k] || (at_steps_[other] == at_steps_[k] && other < k))
+      continue;
+    const FlangeKink& of = steps_[k].ends;
+    if (!(at_steps_[k] > hardly_bent * (of.area * of.yield_strength).value())) continue;
+    const std::size_t segment = segment_at(project_->beam, {of.s, Side::both});
+    found.push_back(
+        {project_->beam.segments[segment].name, "",
+         fmt::format("{} at s = {} m: it ends where the next one lies {:.3g} mm away; how its "
+                     "force, {:.4g} kN, is led on is not judged: a taper between both leads it",
+                     of.name, to_text(Station{of.s, Side::both}), 1e3 * steps_[k].by.value(),
+                     1e-3 * at_steps_[k]),
+         true});
+  }
   return found;
 }
 
@@ -111,14 +136,12 @@ std::vector<NotJudged> PatchNotes::not_judged() const {
          fmt::format("flange under {} at s = {} m", name, to_text(Station{of.s, Side::both})),
          words_of(of)});
   }
-  // The cut-off of category 36 with gamma_Mf = 1.35.
-  constexpr double hardly_changes = 0.405 * 36e6 / 1.35;
   for (const auto& [key, of] : pressed_) {
     // What moves on is gone from a place.
     const bool moves = of.to - of.from > 1e-6 * project_->beam.length().value();
     const double range =
         std::max(of.most, moves ? 0.0 : of.least) - std::min(of.least, moves ? 0.0 : of.most);
-    if (!(range > hardly_changes)) continue;
+    if (!(range > hardly_changes.value())) continue;
     found.push_back(
         {Criterion::patch_loading, fmt::format("web under {}", key.first),
          fmt::format("sigma_z = F/(t (s_s + 2 t_f)), which comes and goes by {:.3g} MPa, and its "

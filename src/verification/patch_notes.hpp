@@ -10,17 +10,30 @@
 
 namespace boxbeam {
 
+/// Less than this part of the yield strength across a flange is none.
+inline constexpr double hardly_bent = 0.1;
+/// The moment of a long plate clamped at both edges at one of them, by a force in its middle.
+/// Source: Timoshenko, Woinowsky-Krieger, Theory of Plates and Shells, section 44.
+inline constexpr double bent_by_force = 0.168;
+/// The cut-off of category 36 with gamma_Mf = 1.35.
+inline constexpr Stress hardly_changes = 0.405 * 36e6 / 1.35 * pascal;
+
 /// What forces that come into webs do beside what is judged: they bend a flange across on which
 /// they stand between webs, or that turns off, and they press webs anew at every cycle.
 class PatchNotes {
  public:
-  explicit PatchNotes(const Project& project) : project_(&project) {}
+  explicit PatchNotes(const Project& project);
+
+  /// Whether a plate ends where another begins elsewhere.
+  bool has_steps() const { return !steps_.empty(); }
+  /// What plates that end have to lead on at an instant.
+  void take_steps(const CutForceDiagram& diagram, double load_factor);
 
   /// How the webs bear a patch at an instant of a situation.
   void take(const Patch& patch, const std::vector<Borne>& ways, const Situation& situation);
 
   std::vector<NotJudged> not_judged() const;
-  /// What bends a flange across by more than its strength.
+  /// What bends a flange across by more than its strength, and where one ends on bare webs.
   std::vector<Gate> gates() const;
 
  private:
@@ -40,6 +53,8 @@ class PatchNotes {
   void take_cycles(const Patch& patch, const std::vector<Borne>& ways, bool again);
 
   const Project* project_;
+  std::vector<FlangeStep> steps_;
+  std::vector<double> at_steps_;                                ///< their largest forces [N]
   std::map<std::string, BentFlange> bent_;                      ///< by the name of the force
   std::map<std::pair<std::string, bool>, PressedWeb> pressed_;  ///< and along z
 };

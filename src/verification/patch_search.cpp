@@ -6,8 +6,6 @@
 #include <span>
 
 #include "boxbeam/project/plate_material.hpp"
-#include "boxbeam/section/torsion.hpp"
-#include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/judged_section.hpp"
 #include "boxbeam/verification/slender_path.hpp"
 #include "plate_panels.hpp"
@@ -18,81 +16,9 @@ namespace {
 /// Diaphragms, introductions and forces so near each other are at one place, by the beam's length.
 constexpr double same_place = 1e-6;
 
-template <class Joints>
-auto named(const Joints& joints, const std::string& name) {
-  return std::find_if(joints.begin(), joints.end(),
-                      [&](const auto& joint) { return joint.name == name; });
-}
-
-bool turns_freely_in(const planar::Mechanism& mechanism, const Project&, const std::string& name) {
-  const auto at = named(mechanism.joints, name);
-  return at != mechanism.joints.end() && (std::holds_alternative<planar::Pin>(at->kind) ||
-                                          std::holds_alternative<planar::PinInSlot>(at->kind) ||
-                                          std::holds_alternative<planar::Distance>(at->kind));
-}
-
-bool turns_freely_in(const frame::Structure& frame, const Project& project,
-                     const std::string& name) {
-  const auto at = named(frame.joints, name);
-  if (at == frame.joints.end()) return false;
-  const Eigen::Matrix3d& beam = frame.members[static_cast<std::size_t>(project.beam_body)].axes;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!(at->stiffness[3 + static_cast<std::size_t>(axis)] > 0.0)) continue;
-    const auto about = [&](int of) {
-      return std::abs(at->axes.col(axis).dot(beam.col(of))) > same_place;
-    };
-    if (about(1) || (project.in_space && about(2))) return false;
-  }
-  return true;
-}
-
-bool turns_freely_in(const flexible::Mechanism& mechanism, const Project&,
-                     const std::string& name) {
-  const auto at = named(mechanism.joints, name);
-  return at != mechanism.joints.end() && at->stiffness[2] == 0.0;
-}
-
-/// A hinge about the beam's y that nothing drives counts as free, whatever it holds about its z:
-/// what comes across is then judged as a force.
-bool turns_freely_in(const spatial::Mechanism& mechanism, const Project& project,
-                     const std::string& name) {
-  if (named(mechanism.springs, name) != mechanism.springs.end()) return true;
-  const spatial::BeamPlacement& placement = project.placement;
-  const auto about_y = [&](const Eigen::Vector3d& axis_in_body) {
-    return std::abs(axis_in_body.dot(placement.axes.col(1))) > 1.0 - same_place;
-  };
-  const auto closing = named(mechanism.closing, name);
-  if (closing != mechanism.closing.end()) {
-    using enum spatial::ClosingKind;
-    const Eigen::Vector3d axis = closing->a.body == placement.body
-                                     ? closing->axis
-                                     : Eigen::Vector3d(closing->turn.transpose() * closing->axis);
-    switch (closing->kind) {
-      case universal:
-      case spherical:
-      case slot:
-      case distance: return true;
-      case revolute:
-      case cylindrical: return about_y(axis);
-      case fixed:
-      case prismatic:
-      case planar: return false;
-    }
-  }
-  const auto at = named(mechanism.joints, name);
-  if (at == mechanism.joints.end() || at->kind != spatial::JointKind::revolute || !at->free)
-    return false;
-  return about_y(at->parent == placement.body ? at->axis
-                                              : Eigen::Vector3d(at->turn.transpose() * at->axis));
-}
-
-bool turns_freely_in(const recorded::Loads&, const Project&, const std::string&) { return false; }
-
-/// Whether a joint of that name is known to let the beam turn: its couple is that of a force with a
-/// lever.
-bool turns_freely(const Project& project, const std::string& name) {
-  return std::visit([&](const auto& of) { return turns_freely_in(of, project, name); },
-                    project.mechanism);
+/// A force alone.
+ForcesAcross alone(Force force, bool along_z) {
+  return {along_z ? force : Force{}, along_z ? Force{} : force, {}, false};
 }
 
 }  // namespace
@@ -110,84 +36,9 @@ PatchSearch::PatchSearch(const Project& project, const std::vector<BendingZone>&
     : project_(&project),
       zones_(&zones),
       pulling_(project, zones),
-      kinks_(flange_kinks_of(project)) {
-  const TaperedBeam& beam = project.beam;
-  for (const Segment& segment : beam.segments) {
-    Slender& of = slender_.emplace_back(slender_at({segment.start, Side::behind}));
-    of.add(slender_at({segment.end(), Side::before}));
-  }
-}
-
-void PatchSearch::Slender::add(const Slender& other) {
-  along_z = along_z || other.along_z;
-  along_y = along_y || other.along_y;
-  path = path || other.path;
-  web_along_z = web_along_z || other.web_along_z;
-  web_along_y = web_along_y || other.web_along_y;
-  none = std::min(none, other.none);
-  depth = std::max(depth, other.depth);
-  closed = closed || other.closed;
-}
-
-PatchSearch::Slender PatchSearch::slender_at(const Station& station) const {
-  Slender of;
-  look_at_plates(station, of);
-  if (const auto walls = deciding_walls_at(*project_, station)) {
-    for (const BoxPlate plate : box_plates) {
-      if (!may_buckle_in_shear(walls->of(plate))) continue;
-      (is_flange(plate) ? of.along_y : of.along_z) = true;
-    }
-  } else {
-    look_at_path(station, of);
-  }
-  return of;
-}
-
-const PatchSearch::Slender& PatchSearch::slender_near(Length s) {
-  const auto known = near_.find(s.value());
-  if (known != near_.end()) return known->second;
-  constexpr std::size_t most = 4096;
-  if (near_.size() >= most) near_.clear();
-  const TaperedBeam& beam = project_->beam;
-  Slender of;
-  const auto look = [&](Length at) {
-    if (at > Length{}) of.add(slender_at({at, Side::before}));
-    if (at < beam.length()) of.add(slender_at({at, Side::behind}));
-  };
-  look(s);
-  // What is no box has its depth by its outline.
-  const Extent extent = extent_of(section_at(beam, {s, Side::both}).outer);
-  const Length reach = of.depth > Length{} ? of.depth : Length(extent.z_high - extent.z_low);
-  const Length from = std::max(Length{}, Length(s - reach));
-  const Length to = std::min(beam.length(), Length(s + reach));
-  look(from);
-  look(to);
-  for (const Segment& segment : beam.segments) {
-    if (segment.start > from && segment.start < to) look(segment.start);
-  }
-  return near_.emplace(s.value(), of).first->second;
-}
-
-void PatchSearch::look_at_plates(const Station& station, Slender& of) const {
-  // Clause 6 bears some 18 t^2 f_y of a force; weight over the depth of a web is far below t^2 f_y.
-  const Section section = judged_section_at(*project_, station);
-  const auto take = [&](Length thickness, Length depth, Stress yield) {
-    of.none = std::min(of.none, Force(thickness * thickness * yield));
-    of.depth = std::max(of.depth, depth);
-  };
-  if (const auto walls = walls_at(station)) {
-    for (const BoxWall& wall : walls->walls)
-      take(wall.thickness, wall.clear(), wall.yield_strength);
-    return;
-  }
-  const auto* const path = std::get_if<ThinWalled>(&section.outer);
-  if (path == nullptr || !slender_path_at(*project_, {}, station)) return;
-  constexpr Stress least_yield = 235e6 * pascal;
-  const Extent extent = extent_of(section.outer);
-  const Length depth = std::max(extent.z_high - extent.z_low, extent.y_high - extent.y_low);
-  for (const ThinWall& wall : path->walls) take(wall.thickness, depth, least_yield);
-  of.closed = of.closed || enclosed_area_of(section.outer).value() > 0.0;
-}
+      kinks_(flange_kinks_of(project)),
+      plates_(project),
+      kinds_(project) {}
 
 const Diaphragm* PatchSearch::diaphragm_at(Length s) const {
   for (const Diaphragm& of : project_->beam.diaphragms)
@@ -210,7 +61,7 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
     // A load goes on beyond the end of a segment, where its weight is another.
     const std::size_t begin = i;
     double most = largest_on(lines[i]);
-    Slender of;
+    PressedPlates of;
     for (; i < lines.size(); ++i) {
       const double here = largest_on(lines[i]);
       const bool alike = here * most > 0.0 && std::abs(here) <= 2.0 * std::abs(most) &&
@@ -218,14 +69,14 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
       if (i > begin && !alike) break;
       if (std::abs(here) > std::abs(most)) most = here;
       const Length centre = lines[i].start + 0.5 * lines[i].length;
-      of.add(slender_[segment_at(project_->beam, {centre, Side::both})]);
+      of.add(plates_.of_segment(segment_at(project_->beam, {centre, Side::both})));
     }
-    if (!(along_z ? of.along_z : of.along_y)) continue;
     const std::span<const LineLoad> alike(lines.data() + begin, i - begin);
     const Length start = alike.front().start, end = alike.back().start + alike.back().length;
     Patch patch;
     patch.stiff_length = std::min(Length(end - start), of.depth);
-    if (!(std::abs(most) * patch.stiff_length.value() > of.none.value())) continue;
+    const Force largest = si<Force>(std::abs(most) * patch.stiff_length.value());
+    if (!(largest > of.none) || !of.meet(along_z, alone(largest, along_z))) continue;
     patch.name = "a load along the beam";
     patch.along_z = along_z;
     const Length half = 0.5 * patch.stiff_length;
@@ -242,54 +93,70 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
           if (reaches && std::abs(there) > std::abs(per_length)) per_length = there;
         }
         patch.force = si<Force>(per_length * patch.stiff_length.value());
-        const Slender& here = slender_near(patch.s);
-        if (abs(patch.force) > of.none && (along_z ? here.along_z : here.along_y))
-          patches.push_back(patch);
+        const bool meets = plates_.near(patch.s).meet(along_z, alone(abs(patch.force), along_z));
+        if (abs(patch.force) > of.none && meets) patches.push_back(patch);
       }
     }
   }
 }
 
-void PatchSearch::learn_clamps(const SituationRun& run) {
-  const LoadHistory& history = run.loads;
-  constexpr std::size_t looked_at = 64;
-  const std::size_t step = std::max<std::size_t>(1, history.instants() / looked_at);
-  std::map<std::string, std::pair<double, double>> largest;  // force, couple
-  for (std::size_t i = 0; i < history.instants(); i += step) {
-    const BeamLoads loads = history.loads_at(history.time_of(i));
-    const std::vector<double> held = run.motion->supports(loads);
-    const auto holds = [&](Length s) {
-      const double near = same_place * project_->beam.length().value();
-      return std::any_of(held.begin(), held.end(),
-                         [&](double at) { return std::abs(at - s.value()) <= near; });
-    };
-    for (const PointLoad& load : loads.points) {
-      // What nothing holds is loaded there: a force with a couple is no clamp.
-      if (!is_at_end(load.s) || !holds(load.s)) continue;
-      auto& [force, couple] = largest[std::string(load.name)];
-      force = std::max(force, load.force.norm());
-      couple = std::max(couple, std::hypot(load.moment.y(), load.moment.z()));
-    }
+bool PatchSearch::has_something_to_do(const std::deque<SituationRun>& runs) {
+  // Where forces come in the cut forces jump, by twice the largest at most; plates that turn off
+  // give some of the normal force. No more than a few are that large.
+  constexpr double together = 4.0;
+  ForcesAcross most;
+  most.moves = true;
+  for (const SituationRun& run : runs) {
+    const Force force = si<Force>(together * run.loads.largest_force());
+    most.along_z = std::max(most.along_z, force);
+    if (!project_->in_space) continue;
+    most.along_y = std::max(most.along_y, force);
+    most.couple = std::max(most.couple, si<Moment>(together * run.loads.largest_moment()));
   }
-  const double half_depth = 0.5 * height_of(project_->beam.segments.front().from.outer).value();
-  for (const auto& [name, of] : largest) {
-    if (of.second > half_depth * of.first && !turns_freely(*project_, name)) clamps_.insert(name);
-  }
-}
-
-bool PatchSearch::has_something_to_do() const {
   // In the plane flanges take forces from diaphragms alone.
   const bool flanges = project_->in_space || !project_->beam.diaphragms.empty();
-  return !project_->beam.introductions.empty() ||
-         std::any_of(slender_.begin(), slender_.end(),
-                     [&](const Slender& of) { return of.along_z || (flanges && of.along_y); });
+  const auto any_meets = [&] {
+    const std::vector<PressedPlates>& all = plates_.of_segments();
+    return !project_->beam.introductions.empty() ||
+           std::any_of(all.begin(), all.end(), [&](const PressedPlates& of) {
+             return of.along_z || (flanges && of.along_y) || of.meet(true, most) ||
+                    (project_->in_space && of.meet(false, most));
+           });
+  };
+  if (!any_meets()) return false;
+  for (const SituationRun& run : runs) kinds_.learn(run);
+  most.moves = kinds_.any_moves();
+  return any_meets();
 }
 
 std::vector<Patch> PatchSearch::patches_of(const BeamLoads& loads, const CutForceDiagram& diagram) {
+  std::vector<Patch> patches = forces_of(loads), kinks = kinks_under(diagram);
+  ForcesAcross all;
+  all.moves = kinds_.any_moves();
+  for (const std::vector<Patch>* const some : {&patches, &kinks}) {
+    for (const Patch& of : *some) {
+      Force& sum = of.along_z ? all.along_z : all.along_y;
+      sum += abs(of.force);
+      all.couple += abs(of.couple);
+    }
+  }
+  const auto say = [&](Patch& of) { return !say_how_it_comes_in(of, all); };
+  std::erase_if(patches, say);
+  std::erase_if(kinks, say);
+  add_groups(patches);
+  patches.insert(patches.end(), std::make_move_iterator(kinks.begin()),
+                 std::make_move_iterator(kinks.end()));
+  add_lines(loads.lines, true, patches);
+  if (project_->in_space) add_lines(loads.lines, false, patches);
+  add_bare_diaphragms(patches);
+  return patches;
+}
+
+std::vector<Patch> PatchSearch::forces_of(const BeamLoads& loads) const {
   const TaperedBeam& beam = project_->beam;
   std::vector<Patch> patches;
   for (const PointLoad& load : loads.points) {
-    if (is_at_end(load.s) && clamps_.count(std::string(load.name)) > 0) continue;
+    if (is_at_end(load.s) && kinds_.clamps(load.name)) continue;
     for (const bool along_z : {true, false}) {
       if (!along_z && !project_->in_space) continue;
       Patch patch;
@@ -299,14 +166,10 @@ std::vector<Patch> PatchSearch::patches_of(const BeamLoads& loads, const CutForc
       patch.s = std::clamp(load.s, Length{}, beam.length());
       patch.along_z = along_z;
       patch.couple = si<Moment>(load.moment.x());
-      if (say_how_it_comes_in(patch)) patches.push_back(std::move(patch));
+      patch.moves = kinds_.moves(load.name);
+      patches.push_back(std::move(patch));
     }
   }
-  add_groups(patches);
-  add_kinks(diagram, patches);
-  add_lines(loads.lines, true, patches);
-  if (project_->in_space) add_lines(loads.lines, false, patches);
-  add_bare_diaphragms(patches);
   return patches;
 }
 
@@ -367,10 +230,7 @@ std::optional<FourWalls> PatchSearch::walls_at(const Station& station) const {
   return judged_walls_at(*project_, station);
 }
 
-bool PatchSearch::is_at_end(Length s) const {
-  const Length length = project_->beam.length(), near = same_place * length;
-  return s <= near || s >= length - near;
-}
+bool PatchSearch::is_at_end(Length s) const { return stands_at_end(project_->beam, s); }
 
 const LoadIntroduction* PatchSearch::introduction_at(Length s) const {
   const Length near = same_place * project_->beam.length();
@@ -382,7 +242,7 @@ const LoadIntroduction* PatchSearch::introduction_at(Length s) const {
   return narrowest;
 }
 
-bool PatchSearch::say_how_it_comes_in(Patch& patch) {
+bool PatchSearch::say_how_it_comes_in(Patch& patch, const ForcesAcross& all) {
   const LoadIntroduction* const by = introduction_at(patch.s);
   if (by != nullptr && !by->stiff_length) return false;
   patch.diaphragm = diaphragm_at(patch.s);
@@ -391,9 +251,9 @@ bool PatchSearch::say_how_it_comes_in(Patch& patch) {
     used_.insert(by);
   }
   patch.given = by != nullptr || patch.diaphragm != nullptr;
-  if (patch.given) return true;
-  const Slender& of = slender_near(patch.s);
-  return patch.along_z ? of.along_z : of.along_y;
+  const PressedPlates& of = plates_.near(patch.s);
+  patch.stout = !patch.given && !(patch.along_z ? of.along_z : of.along_y);
+  return patch.given || of.meet(patch.along_z, all);
 }
 
 void PatchSearch::add_groups(std::vector<Patch>& patches) {

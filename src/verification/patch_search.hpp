@@ -1,7 +1,7 @@
 #pragma once
 
 #include <array>
-#include <limits>
+#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "boxbeam/verification/plate_checks.hpp"
+#include "force_kinds.hpp"
 #include "kinked_flanges.hpp"
+#include "pressed_plates.hpp"
 #include "pulling_panels.hpp"
 
 namespace boxbeam {
@@ -30,6 +32,8 @@ struct Patch {
   bool opposed = false;                  ///< one of the other sense is near
   bool together = false;                 ///< several as one
   const FlangeKink* kink = nullptr;      ///< that it comes from
+  bool moves = false;                    ///< along the beam
+  bool stout = false;  ///< looked at for its size alone: the case does not say how it comes in
 
   /// What of it is none, there is for what panels pull at a diaphragm alone.
   bool is_none() const { return force == Force{}; }
@@ -66,11 +70,8 @@ class PatchSearch {
  public:
   PatchSearch(const Project& project, const std::vector<BendingZone>& zones);
 
-  /// Learns which joints at the ends of the beam clamp it: their couples are those of forces more
-  /// than half its depth away, which friction in a pin never is, and no pin with a lever so long.
-  void learn_clamps(const SituationRun& run);
-
-  bool has_something_to_do() const;
+  /// Learns of what kinds forces are. False where those of no run may be more than plates feel.
+  bool has_something_to_do(const std::deque<SituationRun>& runs);
 
   /// What comes in under these loads.
   std::vector<Patch> patches_of(const BeamLoads& loads, const CutForceDiagram& diagram);
@@ -105,19 +106,6 @@ class PatchSearch {
   std::string obstacle_of(const LoadIntroduction& of);
 
  private:
-  /// What a force meets.
-  struct Slender {
-    bool along_z = false, along_y = false;
-    bool path = false;                              ///< a thin-walled one
-    bool web_along_z = false, web_along_y = false;  ///< of it a web that may buckle in shear
-    /// A force over a plate's depth that is far below what bears it.
-    Force none = si<Force>(std::numeric_limits<double>::infinity());
-    Length depth;         ///< the largest
-    bool closed = false;  ///< a path around cells
-
-    void add(const Slender& other);
-  };
-
   /// The section of a station by its effective widths and, where these do not judge it, by reduced
   /// stresses; with its seams where they are fillets.
   struct JudgedSection {
@@ -135,14 +123,10 @@ class PatchSearch {
   /// By the introduction of the narrowest stretch.
   const LoadIntroduction* introduction_at(Length s) const;
 
-  Slender slender_at(const Station& station) const;
-  /// Anywhere within the depth of the plates on either side of a place, as far as a patch reaches.
-  const Slender& slender_near(Length s);
-  void look_at_plates(const Station& station, Slender& of) const;
-  /// patched_paths.cpp
-  void look_at_path(const Station& station, Slender& of) const;
+  /// Forces and, where something holds the beam, what holds it; no clamps.
+  std::vector<Patch> forces_of(const BeamLoads& loads) const;
   /// What plates that turn off between segments put into those beside them. kinked_flanges.cpp
-  void add_kinks(const CutForceDiagram& diagram, std::vector<Patch>& patches);
+  std::vector<Patch> kinks_under(const CutForceDiagram& diagram) const;
   /// Diaphragms at which no force comes in, for what their panels pull at them.
   void add_bare_diaphragms(std::vector<Patch>& patches);
   /// A diaphragm's part beside a web as what bears a patch, and what each panel there pulls at it.
@@ -163,8 +147,8 @@ class PatchSearch {
   void add_lines(const std::vector<LineLoad>& lines, bool along_z, std::vector<Patch>& patches);
   const Diaphragm* diaphragm_at(Length s) const;
 
-  /// Whether the patch is to be looked at.
-  bool say_how_it_comes_in(Patch& patch);
+  /// Whether the patch is to be looked at, of all that come in at once.
+  bool say_how_it_comes_in(Patch& patch, const ForcesAcross& all);
 
   /// Adds those that stand close together as one, and says which are opposed.
   void add_groups(std::vector<Patch>& patches);
@@ -221,9 +205,8 @@ class PatchSearch {
   const std::vector<BendingZone>* zones_;
   PullingPanels pulling_;
   std::vector<FlangeKink> kinks_;
-  std::vector<Slender> slender_;    ///< by segment, of both its ends
-  std::map<double, Slender> near_;  ///< by place
-  std::set<std::string> clamps_;
+  PressedPlatesAlong plates_;
+  ForceKinds kinds_;
   std::set<const LoadIntroduction*> used_;  ///< by which a force has come in
   std::map<std::pair<double, Side>, JudgedSection> judged_;
 };

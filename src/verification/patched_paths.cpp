@@ -162,14 +162,14 @@ std::optional<PatchSearch::OnPath> PatchSearch::unjudged_on_path(const Patch& pa
   for (const Side side : {Side::before, Side::behind}) {
     if (side == Side::before ? patch.s == Length{} : patch.s == project_->beam.length()) continue;
     const Station station{patch.s, side};
-    const bool slender = slender_near(patch.s).path;
-    const bool asked = patch.given && patch.diaphragm == nullptr;
+    const bool slender = plates_.near(patch.s).path;
     const JudgedSection& judged = judged_at(station);
-    if (!judged.path || !(slender || asked)) continue;
+    if (!judged.path || (!slender && patch.diaphragm != nullptr)) continue;
     const PathWebs of = webs_of_path(judged.path->path(), patch.along_z, patch.force < Force{});
     const std::string why = path_obstacle_of(patch, of);
     if (patch.diaphragm == nullptr) {
-      if (!why.empty()) found = {true, true, why};
+      // Stout walls that do not buckle bear much.
+      if (!why.empty()) found = {true, slender || patch.given, why};
       continue;
     }
     const std::string bears = why.empty() ? bearing_obstacle_of(patch, of, station) : why;
@@ -186,8 +186,11 @@ std::vector<Borne> PatchSearch::path_ways_at(const Patch& patch, const Station& 
   std::vector<Borne> ways;
   const PathWebs of = webs_of_path(judged.path->path(), patch.along_z, patch.force < Force{});
   if (!path_obstacle_of(patch, of).empty()) return ways;
-  const Slender& here = slender_near(patch.s);
-  if (!patch.given && !(patch.along_z ? here.web_along_z : here.web_along_y)) return ways;
+  // Others of a path that may buckle are no reason to look at webs that hardly feel it.
+  const PressedPlates& here = plates_.near(patch.s);
+  if (!patch.given && !(patch.along_z ? here.web_along_z : here.web_along_y) &&
+      !here.stout(patch.along_z).feels(abs(patch.force), abs(patch.couple), patch.moves))
+    return ways;
   Borne borne;
   PatchBasis& basis = borne.basis;
   basis.force = abs(patch.force);
@@ -226,25 +229,13 @@ Length PatchSearch::depth_of_path(const Patch& patch, const JudgedSection& judge
   return webs.empty() ? Length{} : webs.front().bears.depth;
 }
 
-void PatchSearch::look_at_path(const Station& station, Slender& of) const {
-  if (!slender_path_at(*project_, {}, station)) return;
-  of.path = of.along_y = of.along_z = true;
-  const PathSection path = *judged_path_at(*project_, {}, station);
-  const auto slender = [&](bool along_z) {
-    const std::vector<PathWeb> webs = webs_of_path(path, along_z, true).webs;
-    return std::any_of(webs.begin(), webs.end(), [](const PathWeb& web) { return web.slender; });
-  };
-  of.web_along_z = of.web_along_z || slender(true);
-  of.web_along_y = of.web_along_y || slender(false);
-}
-
 PatchSearch::PathTorque PatchSearch::torque_into_path(const BeamLoads& loads) {
   PathTorque most;
   for (const PointLoad& load : loads.points) {
     const Length s = std::clamp(load.s, Length{}, project_->beam.length());
     const Moment torque = si<Moment>(std::abs(load.moment.x()));
     if (!(torque > most.torque) || diaphragm_at(s) != nullptr) continue;
-    if (slender_near(s).closed) most = {s, torque};
+    if (plates_.near(s).closed) most = {s, torque};
   }
   return most;
 }

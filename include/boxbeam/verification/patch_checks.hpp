@@ -20,16 +20,17 @@ struct PatchChecks {
 /// under forces along y.
 ///
 /// Looked at where the case says how a force comes in (`LoadIntroduction`), where a diaphragm takes
-/// it, and, with a stiff length of zero, on webs so slender that shear buckling is judged; there
-/// what does not hold keeps the verdict back until the case says more. Every force is taken to
-/// push. What a web bears of it follows from its eccentricity by the lever between the webs. Forces
-/// of one sense no farther apart than the web is deep are judged one by one and all together
-/// (6.3(3)); with one of the other sense as near, as type b. Near an end of the beam without a
-/// diaphragm the lower one of types a or b and c holds. Beside each other in time: eta_1 of the
-/// same instant. A joint at an end of the beam whose couples are those of forces more than
-/// half its depth away is a clamp, which holds the whole section, and is left out. Looked at are
-/// all instants, both sides of every passage of diaphragms and ends of segments, and the maximum
-/// near the worst instant.
+/// it, and everywhere else with a stiff length of zero; there what does not hold keeps the verdict
+/// back until the case says more. Stout webs are left out while all forces together are hardly felt
+/// by them, and what they bear with eta_2 <= 0.3 is not listed, since 7.2 then asks less than the
+/// section's own checks. Every force is taken to push. What a web bears of it follows from its
+/// eccentricity by the lever between the webs. Forces of one sense no farther apart than the web is
+/// deep are judged one by one and all together (6.3(3)); with one of the other sense as near, as
+/// type b. Near an end of the beam without a diaphragm the lower one of types a or b and c holds.
+/// Beside each other in time: eta_1 of the same instant. A joint at an end of the beam whose
+/// couples are those of forces more than half its depth away is a clamp, which holds the whole
+/// section, and is left out. Looked at are all instants, both sides of every passage of diaphragms
+/// and ends of segments, and the maximum near the worst instant.
 ///
 /// With each web, without a diaphragm, its fillet seams with the flange that is pushed and with the
 /// one that may be pulled: of every force by itself, over s_s + 2 t_f within the ends of the beam,
@@ -39,5 +40,8 @@ struct PatchChecks {
 /// Source: EN 1993-1-5:2006, clause 6, 7.2 and 9.4; EN 1993-1-8:2005, 4.5.3.2.
 PatchChecks check_patches(const Project& project, const std::deque<SituationRun>& runs,
                           const std::vector<BendingZone>& zones);
+
+/// Whether what forces across the beam do where they come in is looked at in all its sections.
+bool forces_are_looked_at(const Project& project);
 
 }  // namespace boxbeam

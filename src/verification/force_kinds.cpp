@@ -1,0 +1,132 @@
+#include "force_kinds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "boxbeam/section/outline.hpp"
+#include "boxbeam/verification/front_end.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// What is so near each other is at one place, by the beam's length.
+constexpr double same_place = 1e-6;
+
+template <class Joints>
+auto named(const Joints& joints, const std::string& name) {
+  return std::find_if(joints.begin(), joints.end(),
+                      [&](const auto& joint) { return joint.name == name; });
+}
+
+bool turns_freely_in(const planar::Mechanism& mechanism, const Project&, const std::string& name) {
+  const auto at = named(mechanism.joints, name);
+  return at != mechanism.joints.end() && (std::holds_alternative<planar::Pin>(at->kind) ||
+                                          std::holds_alternative<planar::PinInSlot>(at->kind) ||
+                                          std::holds_alternative<planar::Distance>(at->kind));
+}
+
+bool turns_freely_in(const frame::Structure& frame, const Project& project,
+                     const std::string& name) {
+  const auto at = named(frame.joints, name);
+  if (at == frame.joints.end()) return false;
+  const Eigen::Matrix3d& beam = frame.members[static_cast<std::size_t>(project.beam_body)].axes;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(at->stiffness[3 + static_cast<std::size_t>(axis)] > 0.0)) continue;
+    const auto about = [&](int of) {
+      return std::abs(at->axes.col(axis).dot(beam.col(of))) > same_place;
+    };
+    if (about(1) || (project.in_space && about(2))) return false;
+  }
+  return true;
+}
+
+bool turns_freely_in(const flexible::Mechanism& mechanism, const Project&,
+                     const std::string& name) {
+  const auto at = named(mechanism.joints, name);
+  return at != mechanism.joints.end() && at->stiffness[2] == 0.0;
+}
+
+/// A hinge about the beam's y that nothing drives counts as free, whatever it holds about its z:
+/// what comes across is then judged as a force.
+bool turns_freely_in(const spatial::Mechanism& mechanism, const Project& project,
+                     const std::string& name) {
+  if (named(mechanism.springs, name) != mechanism.springs.end()) return true;
+  const spatial::BeamPlacement& placement = project.placement;
+  const auto about_y = [&](const Eigen::Vector3d& axis_in_body) {
+    return std::abs(axis_in_body.dot(placement.axes.col(1))) > 1.0 - same_place;
+  };
+  const auto closing = named(mechanism.closing, name);
+  if (closing != mechanism.closing.end()) {
+    using enum spatial::ClosingKind;
+    const Eigen::Vector3d axis = closing->a.body == placement.body
+                                     ? closing->axis
+                                     : Eigen::Vector3d(closing->turn.transpose() * closing->axis);
+    switch (closing->kind) {
+      case universal:
+      case spherical:
+      case slot:
+      case distance: return true;
+      case revolute:
+      case cylindrical: return about_y(axis);
+      case fixed:
+      case prismatic:
+      case planar: return false;
+    }
+  }
+  const auto at = named(mechanism.joints, name);
+  if (at == mechanism.joints.end() || at->kind != spatial::JointKind::revolute || !at->free)
+    return false;
+  return about_y(at->parent == placement.body ? at->axis
+                                              : Eigen::Vector3d(at->turn.transpose() * at->axis));
+}
+
+bool turns_freely_in(const recorded::Loads&, const Project&, const std::string&) { return false; }
+
+/// Whether a joint of that name is known to let the beam turn: its couple is that of a force with a
+/// lever.
+bool turns_freely(const Project& project, const std::string& name) {
+  return std::visit([&](const auto& of) { return turns_freely_in(of, project, name); },
+                    project.mechanism);
+}
+
+}  // namespace
+
+bool stands_at_end(const TaperedBeam& beam, Length s) {
+  const Length length = beam.length(), near = same_place * length;
+  return s <= near || s >= length - near;
+}
+
+void ForceKinds::learn(const SituationRun& run) {
+  const LoadHistory& history = run.loads;
+  constexpr std::size_t looked_at = 64;
+  const std::size_t step = std::max<std::size_t>(1, history.instants() / looked_at);
+  std::map<std::string, std::pair<double, double>> largest;  // force, couple
+  std::map<std::string, Length> places;
+  for (std::size_t i = 0; i < history.instants(); i += step) {
+    const BeamLoads loads = history.loads_at(history.time_of(i));
+    const std::vector<double> held = run.motion->supports(loads);
+    const auto holds = [&](Length s) {
+      const double near = same_place * project_->beam.length().value();
+      return std::any_of(held.begin(), held.end(),
+                         [&](double at) { return std::abs(at - s.value()) <= near; });
+    };
+    for (const PointLoad& load : loads.points) {
+      const auto at = places.try_emplace(std::string(load.name), load.s).first;
+      if (abs(load.s - at->second) > same_place * project_->beam.length())
+        moving_.insert(at->first);
+      // What nothing holds is loaded there: a force with a couple is no clamp.
+      if (!stands_at_end(project_->beam, load.s) || !holds(load.s)) continue;
+      auto& [force, couple] = largest[std::string(load.name)];
+      force = std::max(force, load.force.norm());
+      couple = std::max(couple, std::hypot(load.moment.y(), load.moment.z()));
+    }
+  }
+  const double half_depth = 0.5 * height_of(project_->beam.segments.front().from.outer).value();
+  for (const auto& [name, of] : largest) {
+    if (of.second > half_depth * of.first && !turns_freely(*project_, name)) clamps_.insert(name);
+  }
+}
+
+}  // namespace boxbeam

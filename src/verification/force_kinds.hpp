@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "boxbeam/project/project.hpp"
+#include "boxbeam/verification/situation_run.hpp"
+
+namespace boxbeam {
+
+/// Whether a place is one of the ends of the beam.
+bool stands_at_end(const TaperedBeam& beam, Length s);
+
+/// What is to be known of the forces on a beam before they are looked at one by one.
+class ForceKinds {
+ public:
+  explicit ForceKinds(const Project& project) : project_(&project) {}
+
+  void learn(const SituationRun& run);
+
+  /// Whether a joint at an end of the beam clamps it: its couple is that of a force more than half
+  /// the beam's depth away, which friction in a pin never is, and no pin with a lever so long.
+  bool clamps(std::string_view name) const { return clamps_.count(name) > 0; }
+  /// Whether one moves along the beam.
+  bool moves(std::string_view name) const { return moving_.count(name) > 0; }
+  bool any_moves() const { return !moving_.empty(); }
+
+ private:
+  const Project* project_;
+  std::set<std::string, std::less<>> clamps_, moving_;
+};
+
+}  // namespace boxbeam
