@@ -91,6 +91,16 @@ bool turns_freely(const Project& project, const std::string& name) {
                     project.mechanism);
 }
 
+/// Whether a joint of a frame holds the turning of the beam rigidly: a clamp, however small its
+/// couple.
+bool clamps_rigidly(const Project& project, const std::string& name) {
+  const auto* const frame = std::get_if<frame::Structure>(&project.mechanism);
+  if (frame == nullptr) return false;
+  const auto at = named(frame->joints, name);
+  return at != frame->joints.end() && std::all_of(at->stiffness.begin() + 3, at->stiffness.end(),
+                                                  [](double k) { return std::isinf(k); });
+}
+
 }  // namespace
 
 bool stands_at_end(const TaperedBeam& beam, Length s) {
@@ -125,7 +135,8 @@ void ForceKinds::learn(const SituationRun& run) {
   }
   const double half_depth = 0.5 * height_of(project_->beam.segments.front().from.outer).value();
   for (const auto& [name, of] : largest) {
-    if (of.second > half_depth * of.first && !turns_freely(*project_, name)) clamps_.insert(name);
+    const bool far = of.second > half_depth * of.first && !turns_freely(*project_, name);
+    if (far || clamps_rigidly(*project_, name)) clamps_.insert(name);
   }
 }
 

@@ -252,7 +252,9 @@ bool PatchSearch::say_how_it_comes_in(Patch& patch, const ForcesAcross& all) {
   }
   patch.given = by != nullptr || patch.diaphragm != nullptr;
   const PressedPlates& of = plates_.near(patch.s);
-  patch.stout = !patch.given && !(patch.along_z ? of.along_z : of.along_y);
+  const bool slender = patch.along_z ? (of.path ? of.web_along_z : of.along_z)
+                                     : (of.path ? of.web_along_y : of.along_y);
+  patch.stout = !patch.given && !slender;
   return patch.given || of.meet(patch.along_z, all);
 }
 

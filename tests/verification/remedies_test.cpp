@@ -220,6 +220,8 @@ TEST_CASE("a seam that fails passes with the throat that is said, which its plac
   text.replace(text.find("S235"), 4, "S355");
   text.replace(text.find("length = \"2 m\""), 14, "length = \"20 mm\"");
   text.replace(text.find("at = \"2 m\""), 10, "at = \"20 mm\"");
+  text.insert(text.find("[supports"),
+              "[[beam.load_introductions]]\nstation = \"20 mm\"\ninto = \"webs\"\n");
   const Judged of = judged(text);
   REQUIRE(of.verification.verdict == Verdict::fail);
   const CheckResult& seam = of.verification.checks.front();

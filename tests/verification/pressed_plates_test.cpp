@@ -1,0 +1,198 @@
+// Stout webs under forces of which the case does not say how they come in: nothing that a check
+// with a stiff length of zero would find is left out.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "boxbeam/verification/patch_checks.hpp"
+#include "boxbeam/verification/verify.hpp"
+#include "catch.hpp"
+
+namespace pressed_plates_test {
+
+using namespace boxbeam;
+
+namespace {
+
+struct Sizes {
+  double width, height, flange, web, throat;
+
+  std::string text(const std::string& name, double other_height = 0.0) const {
+    return fmt::format(
+        "[sections.{}]\nkind = \"box\"\nwidth = \"{} mm\"\nheight = \"{} mm\"\nflange = \"{} "
+        "mm\"\nweb = \"{} mm\"\n{}",
+        name, width, other_height > 0.0 ? other_height : height, flange, web,
+        throat > 0.0 ? fmt::format("seam_throat = \"{} mm\"\n", throat) : "");
+  }
+};
+
+std::string force(const std::string& name, double at, double kN) {
+  return fmt::format("[loads.{}]\nkind = \"force\"\nat = \"{} m\"\nforce = [\"0 kN\", \"{} kN\"]\n",
+                     name, at, kN);
+}
+
+std::string on_an_edge(double at) {
+  return fmt::format("[[beam.load_introductions]]\nstation = \"{} m\"\nstiff_length = \"0 mm\"\n",
+                     at);
+}
+
+std::string plain_segment(double length) {
+  return fmt::format("[[beam.segments]]\nlength = \"{} m\"\nsection = \"a\"\n", length);
+}
+
+/// A weightless beam on two supports.
+std::string beam(double length, const std::string& sections, const std::string& segments,
+                 const std::string& more) {
+  return "[case]\nname = \"pressed\"\nkind = \"static\"\n[frame]\n"
+         "gravity = [\"0 m/s^2\", \"0 m/s^2\"]\n" +
+         sections + "[beam]\ndensity = \"7850 kg/m^3\"\n" + segments + more +
+         fmt::format(
+             "[supports.left]\nkind = \"pinned\"\nat = \"0 m\"\n"
+             "[supports.right]\nkind = \"roller\"\nat = \"{} m\"\n",
+             length) +
+         "[material]\nsteel = \"S355\"\nfy_source = \"EN 1993-1-1\"\n[strength]\nrequired = 1.0\n";
+}
+
+Verification verified(const std::string& text) {
+  return verify(parse_project("pressed.toml", text));
+}
+
+const CheckResult* under(const Verification& of, const std::string& name, bool seam) {
+  for (const CheckResult& result : of.checks) {
+    if (result.patch && (result.check.criterion == Criterion::weld) == seam &&
+        result.check.point.ends_with(" under " + name))
+      return &result;
+  }
+  return nullptr;
+}
+
+bool stops(const Verification& of, const std::string& part) {
+  return std::any_of(of.gates.begin(), of.gates.end(), [&](const Gate& gate) {
+    return gate.blocks && (gate.plate + " " + gate.finding).find(part) != std::string::npos;
+  });
+}
+
+}  // namespace
+
+TEST_CASE("a stout web under a force: resistance by hand, no verdict where it does not hold",
+          "[patch]") {
+  // 300 x 480, flanges 12, webs 10: h_w/t = 45.6. A force in the middle of 1.2 m.
+  const Sizes box{300, 480, 12, 10, 0};
+  const auto of = [&](double kN) {
+    return verified(beam(1.2, box.text("a"), plain_segment(1.2), force("f", 0.6, -kN)));
+  };
+  // Type a far from diaphragms: k_F = 6, F_cr = 0.9 6 210e3 10^3/456 = 2487 kN; b_f half the clear
+  // flange (140 < 15 0.814 12 = 146) and the web: m_1 = 150/10, m_2 = 0.02 (456/12)^2 = 28.9; l_y =
+  // 2 12 (1 + sqrt(43.9)) = 183 mm; lambda_F = sqrt(183 10 355/2487e3) = 0.511.
+  const double l_y = 24.0 * (1.0 + std::sqrt(15.0 + 0.02 * 38.0 * 38.0));
+  const double F_cr = 0.9 * 6.0 * 210.0 * 1000.0 / 456.0, F_y = 0.355 * 10.0 * l_y;
+  const double F_Rd = 0.5 / std::sqrt(F_y / F_cr) * F_y;
+  const CheckResult* const held = under(of(0.5 * 2.0 * F_Rd), "f", false);
+  REQUIRE(held != nullptr);
+  CHECK(held->patch->resistance.value() == Approx(1e3 * F_Rd).epsilon(1e-9));
+  CHECK(stops(of(1.01 * 2.0 * F_Rd), "\"f\""));
+  CHECK_FALSE(stops(of(0.99 * 2.0 * F_Rd), "\"f\""));
+  // A small force is not listed, nor anything not said of it.
+  const Verification small = of(0.1 * 2.0 * F_Rd);
+  CHECK(under(small, "f", false) == nullptr);
+  CHECK(small.not_judged.empty());
+}
+
+TEST_CASE("random stout boxes: a force of which nothing is said is judged as on an edge",
+          "[patch]") {
+  std::mt19937 numbers(20);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution(low, high)(numbers);
+  };
+  int listed = 0, stopped = 0, silent = 0;
+  for (int i = 0; i < 150; ++i) {
+    Sizes box{};
+    box.flange = std::round(between(6.0, 40.0));
+    box.web = std::round(between(6.0, 30.0));
+    // Both kinds of plates below 33 eps and 40 eps of their thickness.
+    box.width = std::round(2.0 * box.web + between(10.0, 26.0) * box.flange);
+    box.height = std::round(2.0 * box.flange + between(10.0, 38.0) * box.web);
+    box.throat = i % 3 == 0 ? 0.0 : std::round(between(3.0, 0.7 * box.web + 3.0));
+    const double at = between(0.2, 3.0);
+    const double kN = std::pow(10.0, between(0.3, 3.2));
+    const std::string load = force("f", at, i % 2 == 0 ? kN : -kN);
+    const Verification asked =
+        verified(beam(6.0, box.text("a"), plain_segment(6.0), load + on_an_edge(at)));
+    const Verification plain = verified(beam(6.0, box.text("a"), plain_segment(6.0), load));
+    for (const bool seam : {false, true}) {
+      const CheckResult* const right = under(asked, "f", seam);
+      if (right == nullptr) continue;
+      CAPTURE(i, kN, at, seam, right->check.utilisation());
+      const CheckResult* const found = under(plain, "f", seam);
+      if (right->check.utilisation() > 1.0) {
+        CHECK(stops(plain, "\"f\""));
+        ++stopped;
+      } else if (found != nullptr) {
+        CHECK(found->check.utilisation() == Approx(right->check.utilisation()).epsilon(1e-9));
+        ++listed;
+      } else {
+        // What is left out asks less than another check of the same verdict.
+        const PatchBasis& basis = *&*right->patch;
+        if (seam)
+          CHECK(right->check.utilisation() <= 0.3);
+        else
+          CHECK(basis.share * basis.force <= 0.3 * basis.resistance);
+        ++silent;
+      }
+    }
+  }
+  CHECK(listed > 20);
+  CHECK(stopped > 20);
+  CHECK(silent > 20);
+}
+
+TEST_CASE("the kink of a stout box presses its webs", "[patch]") {
+  // 400 x 600 to 400 x 300 in 0.8 m between two straight parts, flanges 20, webs 20.
+  const Sizes box{400, 600, 20, 20, 0};
+  const std::string segments =
+      "[[beam.segments]]\nlength = \"2 m\"\nsection = \"a\"\n"
+      "[[beam.segments]]\nlength = \"0.8 m\"\nfrom = \"a\"\nto = \"b\"\n"
+      "[[beam.segments]]\nlength = \"2 m\"\nsection = \"b\"\n";
+  const auto of = [&](double kN) {
+    return verified(
+        beam(4.8, box.text("a") + box.text("b", 300.0), segments, force("f", 2.4, -kN)));
+  };
+  // At s = 2.8 m M = R 2 with R = F/2; sigma in the middle of the flange by the shallow section.
+  const double I = (400.0 * std::pow(300.0, 3) - 360.0 * std::pow(260.0, 3)) / 12.0;
+  const double kN = 400.0, M = 0.5 * kN * 1e3 * 2000.0;
+  const double N_f = M * 140.0 / I * 400.0 * 20.0, turn = 150.0 / 800.0;
+  const Verification found = of(kN);
+  double most = 0.0;
+  for (const CheckResult& result : found.checks) {
+    if (result.patch && result.check.point.find("the kink of the") != std::string::npos &&
+        std::abs(result.check.station.s.value() - 2.8) < 1e-9)
+      most = std::max(most, result.patch->force.value());
+  }
+  for (const Gate& gate : found.gates) {
+    if (gate.finding.find("kink") != std::string::npos) most = std::max(most, 1.0);
+  }
+  CHECK(most > 0.0);
+  if (most > 1.0) CHECK(most == Approx(N_f * turn).epsilon(1e-3));
+  // Ten times the load is more than webs and flange bear.
+  CHECK(stops(of(10.0 * kN), "kink"));
+}
+
+TEST_CASE("where a flange ends and the next one lies elsewhere there is no verdict", "[patch]") {
+  const Sizes box{400, 600, 20, 20, 0};
+  const auto of = [&](double height, double kN) {
+    return verified(beam(4.0, box.text("a") + box.text("b", height),
+                         "[[beam.segments]]\nlength = \"2 m\"\nsection = \"a\"\n"
+                         "[[beam.segments]]\nlength = \"2 m\"\nsection = \"b\"\n",
+                         force("f", 2.0, -kN)));
+  };
+  CHECK(stops(of(400.0, 500.0), "it ends where the next one lies 100 mm away"));
+  // Within its thickness a plate goes on; next to nothing asks nothing.
+  CHECK_FALSE(stops(of(570.0, 500.0), "it ends where"));
+  CHECK_FALSE(stops(of(400.0, 20.0), "it ends where"));
+}
+
+}  // namespace pressed_plates_test
