@@ -21,6 +21,11 @@ struct Beside {
   }
 };
 
+bool judges_plates(Criterion criterion) {
+  return criterion == Criterion::effective_section || criterion == Criterion::shear_buckling ||
+         criterion == Criterion::interaction || criterion == Criterion::reduced_stress;
+}
+
 Beside beside(const Project& project, const DistortionEstimate& of,
               const std::vector<CheckResult>& checks) {
   constexpr double edge_of_hole = 3.0;  // of a round hole in a plate under tension
@@ -34,6 +39,10 @@ Beside beside(const Project& project, const DistortionEstimate& of,
       found.add("the buckling of the beam", used + distorted);
     } else if (check.criterion == Criterion::patch_loading || result.patch) {
       if (lies_in(check.station.s)) found.add("forces that come into webs", used + distorted);
+    } else if (judges_plates(check.criterion)) {
+      if (lies_in(check.station.s))
+        found.add("plates that may buckle",
+                  used + project.strength.required * of.used_where_slender);
     } else if (result.basis && lies_in(check.station.s)) {
       const bool strength =
           check.criterion == Criterion::yield || check.criterion == Criterion::weld;
@@ -91,12 +100,14 @@ std::vector<Gate> distortion_gates_of(const Project& project,
                                       const std::vector<DistortionEstimate>& estimates,
                                       const std::vector<CheckResult>& checks) {
   constexpr double disregarded = 0.1, next_to_nothing = 0.01, worth_saying = 1e-3;
+  // What bends slender plates across makes them bow: more than a bow that tolerances allow is no
+  // matter of adding up.
+  constexpr double most_where_slender = 0.1;
   // Category 36 at 1e8 cycles: (2/5)^(1/3) (5/100)^(1/5) of it. Source: EN 1993-1-9, 7.1(2), (3).
   const FatigueDemand& demand = project.fatigue.demand;
   const double cut_off = 36e6 * std::cbrt(0.4) * std::pow(0.05, 0.2) / demand.gamma_Mf;
   std::vector<Gate> gates;
   for (const DistortionEstimate& of : estimates) {
-    const bool small = std::max(of.along, of.across, std::less<>()) <= disregarded * of.bending;
     const auto slight = [&](double used) {
       return project.strength.required * used <= next_to_nothing;
     };
@@ -108,12 +119,13 @@ std::vector<Gate> distortion_gates_of(const Project& project,
                                                          small_range(of.across_range, 1.0));
     const Beside without = beside(project, of, checks);
     std::vector<std::string> reasons;
-    if (!small && !slight(of.used_where_slender))
-      reasons.push_back(fmt::format(
-          "plates that may buckle bear more than 10 % of bending (EN 1993-2, 6.2.7), {:.3g} of "
-          "their strength, without being judged for both",
-          project.strength.required * of.used_where_slender));
-    if (!small && !slight(of.used) && without.used > 1.0)
+    if (project.strength.required * of.used_where_slender > most_where_slender)
+      reasons.push_back(
+          fmt::format("plates that may buckle bear {:.3g} of their strength by it, more than the "
+                      "{:.2g} that is "
+                      "added to their checks",
+                      project.strength.required * of.used_where_slender, most_where_slender));
+    if (!slight(of.used) && without.used > 1.0)
       reasons.push_back(fmt::format("it is in no check of {}, which with it would use {:.3g}",
                                     without.names, without.used));
     if (!small_ranges && !of.ranges_judged)

@@ -193,11 +193,16 @@ TEST_CASE("what stands beside the checks of distortion stops a verdict", "[disto
   };
   DistortionEstimate of = estimates.front();
   CHECK(blocks_beside(of, Criterion::yield, 0.1));
-  // But not what is next to nothing.
-  of.used_where_slender = 0.009;
-  CHECK_FALSE(blocks_beside(of, Criterion::yield, 0.1));
-  of.used_where_slender = 0.011;
+  // But not up to a tenth of the strength, which is added to the checks of plates.
+  of.used_where_slender = 0.101;
   CHECK(blocks_beside(of, Criterion::yield, 0.1));
+  of.used_where_slender = 0.099;
+  CHECK_FALSE(blocks_beside(of, Criterion::yield, 0.1));
+  for (const Criterion criterion : {Criterion::effective_section, Criterion::shear_buckling,
+                                    Criterion::interaction, Criterion::reduced_stress}) {
+    CHECK(blocks_beside(of, criterion, 0.902));
+    CHECK_FALSE(blocks_beside(of, criterion, 0.9));
+  }
   // 0.31 of the strength by distortion: 34 + 77 MPa of 355, beside forces in webs and buckling.
   of.used_where_slender = 0.0;
   for (const Criterion criterion : {Criterion::patch_loading, Criterion::member}) {
