@@ -54,13 +54,20 @@ void PatchNotes::take_flange(const Patch& patch, const Borne& way, double load_f
     of.beside = patch.along_z ? std::min(beside(left_web), beside(right_web))
                               : std::min(beside(top_flange), beside(bottom_flange));
     if (!(of.beside > Length{})) return;
+    const auto [webs_high, webs_low] =
+        patch.along_z ? std::pair{left_web, right_web} : std::pair{top_flange, bottom_flange};
+    const bool between =
+        place_of(patch) < walls.of(webs_high).middle && place_of(patch) > walls.of(webs_low).middle;
     const double t_f = web.flange_thickness.value();
-    of.use = 6.0 * bent_by_force * std::abs(patch.force.value()) / (t_f * t_f) /
-             web.flange_strength.value();
+    of.use = 6.0 * (between ? bent_between : bent_outside) * std::abs(patch.force.value()) /
+             (t_f * t_f) / web.flange_strength.value();
   }
   of.use *= load_factor;
+  const double own = load_factor * project_->strength.gamma_M0 * way.basis.corner.use;
+  of.with_own = std::sqrt(of.use * of.use + own * own + of.use * own);
+  if (!(of.use > hardly_bent)) return;
   BentFlange& most = bent_[patch.name];
-  if (of.use > most.use) most = of;
+  if (of.with_own > most.with_own) most = of;
 }
 
 void PatchNotes::take_cycles(const Patch& patch, const std::vector<Borne>& ways, bool again) {
@@ -101,7 +108,7 @@ std::string PatchNotes::words_of(const BentFlange& of) {
 std::vector<Gate> PatchNotes::gates() const {
   std::vector<Gate> found;
   for (const auto& [name, of] : bent_) {
-    if (!(of.use > 1.0)) continue;
+    if (!(of.with_own > 1.0)) continue;
     const std::size_t segment = segment_at(project_->beam, {of.s, Side::both});
     found.push_back({project_->beam.segments[segment].name, "",
                      fmt::format("flange under {} at s = {} m: {}", name,
@@ -130,7 +137,7 @@ std::vector<Gate> PatchNotes::gates() const {
 std::vector<NotJudged> PatchNotes::not_judged() const {
   std::vector<NotJudged> found;
   for (const auto& [name, of] : bent_) {
-    if (!(of.use > hardly_bent) || of.use > 1.0) continue;
+    if (of.with_own > 1.0) continue;
     found.push_back(
         {Criterion::patch_loading,
          fmt::format("flange under {} at s = {} m", name, to_text(Station{of.s, Side::both})),

@@ -12,9 +12,13 @@ namespace boxbeam {
 
 /// Less than this part of the yield strength across a flange is none.
 inline constexpr double hardly_bent = 0.1;
-/// The moment of a long plate clamped at both edges at one of them, by a force in its middle.
-/// Source: Timoshenko, Woinowsky-Krieger, Theory of Plates and Shells, section 44.
-inline constexpr double bent_by_force = 0.168;
+/// The largest moment at the edge of a plate by a force on it: clamped along that edge it is F/pi
+/// wherever the force stands, by w = F x^2 xi^2/(2 pi D (xi^2 + y^2)) beside it (Michell's
+/// solution; a second clamped edge lessens it, to 0.168 F in the middle of a strip), and half as
+/// much again (0.509 F) where the force stands on the free edge of a strip. Sources: Timoshenko,
+/// Woinowsky-Krieger, Theory of Plates and Shells, sections 44 and 50; Jaramillo, J. Appl. Mech. 17
+/// (1950), for the cantilever.
+inline constexpr double bent_between = 0.3183, bent_outside = 0.509;
 /// The cut-off of category 36 with gamma_Mf = 1.35.
 inline constexpr Stress hardly_changes = 0.405 * 36e6 / 1.35 * pascal;
 
@@ -33,14 +37,17 @@ class PatchNotes {
   void take(const Patch& patch, const std::vector<Borne>& ways, const Situation& situation);
 
   std::vector<NotJudged> not_judged() const;
-  /// What bends a flange across by more than its strength, and where one ends on bare webs.
+  /// What bends a flange across by more than its strength beside the beam's own stress, and where
+  /// one ends on bare webs.
   std::vector<Gate> gates() const;
 
  private:
-  /// A flange under a force: the stress across it, over its strength, where that is largest.
+  /// A flange under a force: the stress across it, over its strength, where that with the beam's
+  /// own makes it yield most.
   struct BentFlange {
     Length s, beside;
     double use = 0.0;
+    double with_own = 0.0;  ///< sqrt(u^2 + eta_1^2 + u eta_1): on the face where signs are unlike
   };
   /// Of a web under a force over time, tension positive [Pa]; places [m].
   struct PressedWeb {

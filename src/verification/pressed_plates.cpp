@@ -22,7 +22,7 @@ Force hardly_felt(const Project& project, PatchedWeb web, Length throat) {
   Force least = 0.3 * patch_resistance_of(web, project.strength.gamma_M1).resistance;
   const Length t_f = web.flange_thickness;
   least =
-      std::min(least, Force(hardly_bent / (6.0 * bent_by_force) * t_f * t_f * web.flange_strength));
+      std::min(least, Force(hardly_bent / (6.0 * bent_outside) * t_f * t_f * web.flange_strength));
   // f_vw of EN 1993-1-8, 4.5.3.3, is above f_y/2, spread over 2 t_f.
   if (throat > Length{})
     least = std::min(least, Force(0.03 * 0.5 * web.yield_strength * throat * 2.0 * t_f));
