@@ -94,12 +94,8 @@ AlikeBoxes alike_boxes_of(const Project& project, std::size_t segment) {
   return alike;
 }
 
-BeamLists beam_lists_of(const Project& project) {
-  const CaseDocument document = document_of(project);
-  const std::string beam = key_of_beam(document.root, project);
-  const std::string own = beam + ".fatigue.details";
-  const bool of_beam = !project.beam_names.empty() || find_at(document.root, own) != nullptr;
-  return {beam + ".diaphragms", of_beam ? own : "fatigue.details"};
+std::string diaphragms_key_of(const Project& project) {
+  return key_of_beam(document_of(project).root, project) + ".diaphragms";
 }
 
 std::vector<std::string> added_to(const Project& project, const std::string& key,

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "boxbeam/fatigue/hot_spot.hpp"
+#include "boxbeam/project/attachment_welds.hpp"
 #include "boxbeam/project/detail_catalogue.hpp"
 #include "boxbeam/project/detail_reader.hpp"
 #include "boxbeam/project/sn_catalogue.hpp"
@@ -68,24 +69,45 @@ std::vector<std::string> read_codes(TableReader& table) {
   return codes;
 }
 
-/// A detail for plates of boxes bent across in their corners under its key, or the least.
-Detail read_corner_detail(TableReader& table) {
-  const Key key{"corner", "of plates of boxes bent across by distortion, at the seams in corners"};
-  if (!table.has(key)) {
-    Detail detail;
-    detail.name = "seam in a corner bent across (36* as its root, 8.5/3, not confirmed)";
-    detail.curve = en_1993_1_9_direct(36.0);
-    detail.unconfirmed = true;
-    return detail;
-  }
+/// A detail for direct stress under a key, where it is there.
+std::optional<Detail> read_direct_detail(TableReader& table, const Key& key, const char* hint) {
+  if (!table.has(key)) return std::nullopt;
   TableReader given = table.table(key);
   Detail detail = read_detail(given);
   if (given.problems().empty() && detail.curve.kind == StressKind::shear) {
-    given.problem("", "\"corner\" wants a detail for direct stress",
-                  "write category = 71, or a row of table 8.5");
+    given.problem("", fmt::format("\"{}\" wants a detail for direct stress", key.name), hint);
   }
   given.finish();
   return detail;
+}
+
+/// A detail for plates of boxes bent across in their corners under its key, or the least.
+Detail read_corner_detail(TableReader& table) {
+  const Key key{"corner", "of plates of boxes bent across by distortion, at the seams in corners"};
+  if (auto given = read_direct_detail(table, key, "write category = 71, or a row of table 8.5"))
+    return *std::move(given);
+  Detail detail;
+  detail.name = "seam in a corner bent across (36* as its root, 8.5/3, not confirmed)";
+  detail.curve = en_1993_1_9_direct(36.0);
+  detail.unconfirmed = true;
+  return detail;
+}
+
+AttachmentDetails read_attachment_details(TableReader& table) {
+  AttachmentDetails given;
+  given.diaphragms = read_direct_detail(
+      table,
+      {"diaphragms",
+       "of their welds; where not said row 8.4/8 with legs as long as they are thick"},
+      "write category = 80, or a row of table 8.4");
+  given.flats = read_direct_detail(
+      table, {"flats", "of the welds along stiffeners; where not said row 8.2/5, category 100"},
+      "write category = 100, or a row of table 8.2");
+  given.flat_ends = read_direct_detail(
+      table,
+      {"flat_ends", "of stiffeners within the beam; where not said row 8.4/1 by their length"},
+      "write category = 56, or a row of table 8.4");
+  return given;
 }
 
 /// A detail for shear stress under a key, or a category of it that is there by default.
@@ -228,6 +250,8 @@ FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam) {
        table.tables({"details", "of stretches of the beam, where they are not as the rest"})) {
     input.details.push_back(read_beam_detail(detail, beam));
   }
+  const AttachmentDetails given = read_attachment_details(table);
+  if (table.problems().empty()) input.attachments = attachment_welds_of(beam, input.beam, given);
   table.finish();
   return input;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "attachment_places.hpp"
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/section/torsion.hpp"
@@ -67,6 +68,7 @@ void add_details(const Project& project, std::vector<std::string>& remarks) {
   };
   add(fatigue.beam, "the whole beam");
   for (const BeamDetail& detail : fatigue.details) add(detail, place(detail));
+  for (const report::AlikeWelds& of : report::alike_welds_of(fatigue)) add(*of.detail, of.where);
   for (const BeamHole& at : project.holes) {
     if (at.detail) add(*at.detail, "hole " + at.hole.name);
   }

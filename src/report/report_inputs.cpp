@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "attachment_places.hpp"
 #include "blocks.hpp"
 #include "boxbeam/project/detail_catalogue.hpp"
 #include "front_end_text.hpp"
@@ -172,6 +173,8 @@ void add_fatigue(const Project& project, Entries& entries) {
   for (const BeamDetail& detail : fatigue.details) {
     entries.emplace_back("detail", detail_text(detail, place_text(detail)));
   }
+  for (const AlikeWelds& of : alike_welds_of(fatigue))
+    entries.emplace_back("detail", detail_text(*of.detail, of.where));
   for (const BeamHole& at : project.holes) {
     if (at.detail) entries.emplace_back("detail", detail_text(*at.detail, "hole " + at.hole.name));
   }

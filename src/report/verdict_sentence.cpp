@@ -25,10 +25,11 @@ std::string place_of(const CheckResult& result) {
                           result.basis->point.detail != nullptr &&
                           check.criterion != Criterion::shear_fatigue;
   if (!has_detail) return place;
-  const std::string& name = result.basis->point.detail->detail.name;
+  const BeamDetail& detail = *result.basis->point.detail;
+  const std::string& name = detail.detail.name;
   // One that is called after its category says nothing of the place.
   if (name.empty() || name.starts_with("category")) return place;
-  return fmt::format("{} ({})", place, name);
+  return fmt::format("{} ({}{})", place, name, detail.assumed.empty() ? "" : ", assumed");
 }
 
 /// "fatigue at 4.2 m, fibre +z, 165 % used, under "running"".

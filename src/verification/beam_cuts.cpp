@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "boxbeam/project/attachment_welds.hpp"
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/verification/judged_section.hpp"
 #include "boxbeam/verification/slender_path.hpp"
@@ -260,6 +261,10 @@ std::vector<BeamCut> beam_cuts_of(const Project& project, const std::deque<Situa
   for (const BeamDetail& stretch : project.fatigue.details) {
     cuts.add(stretch.from, true, true);
     cuts.add(stretch.to, true, true);
+  }
+  for (const AttachmentWeld& weld : project.fatigue.attachments) {
+    const bool at_a_place = weld.detail.from == weld.detail.to;
+    if (at_a_place && may_govern(project.fatigue, weld)) cuts.add(weld.detail.from, true, true);
   }
   for (const SituationRun& run : runs) add_loads(run, beam.length(), cuts);
   for (const BendingZone& zone : zones) {

@@ -96,7 +96,6 @@ struct Division {
 struct AddedDiaphragms {
   std::vector<Length> places;
   std::vector<std::string> set;
-  const char* note = "";  ///< on their welds
 };
 
 bool stands_at(const TaperedBeam& beam, Length s) {
@@ -139,22 +138,11 @@ AddedDiaphragms diaphragms_of(const RemedySearch& search, const Division& divisi
   std::sort(added.places.begin(), added.places.end());
 
   std::vector<std::string> tables;
-  WeldTables welds;
-  // Between the toes of fillets with legs as long as it is thick. EN 1993-1-9, table 8.4, row 8.
-  const double between_toes = std::min(3.0 * thickness.value(), 80e-3);
-  const double category = between_toes <= 50e-3 ? 80.0 : 71.0;
   for (const Length& s : added.places) {
     tables.push_back(fmt::format("{{station = \"{:.12g} m\", thickness = \"{:.6g} mm\"}}",
                                  s.value(), 1e3 * thickness.value()));
-    welds.add(search.project,
-              {fmt::format("diaphragm at {:.4g} m", s.value()), "8.4/8", category, s, s, "section",
-               fmt::format("attachment_length = \"{:.6g} mm\"", 1e3 * between_toes)});
   }
-  const BeamLists lists = beam_lists_of(search.project);
-  added.set = added_to(search.project, lists.diaphragms, tables);
-  for (std::string& key : added_to(search.project, lists.details, welds.tables))
-    added.set.push_back(std::move(key));
-  added.note = welds.note();
+  added.set = added_to(search.project, diaphragms_key_of(search.project), tables);
   return added;
 }
 
@@ -168,7 +156,7 @@ std::string name_of(const TaperedBeam& beam, const Division& division, const Add
   if (added.places.size() <= few) {
     std::vector<std::string> at;
     for (const Length& s : added.places) at.push_back(fmt::format("{:.4g} m", s.value() + 0.0));
-    return name + fmt::format("at {}{}", fmt::join(at, " and "), added.note);
+    return name + fmt::format("at {}", fmt::join(at, " and "));
   }
   name += fmt::format("every {:.4g} m", division.apart().value());
   if (division.from > Length{} || division.to < beam.length())
@@ -179,7 +167,7 @@ std::string name_of(const TaperedBeam& beam, const Division& division, const Add
     if (std::abs(panels - std::round(panels)) > 1e-6)
       name += fmt::format(" and at {:.4g} m", governing->value());
   }
-  return name + added.note;
+  return name;
 }
 
 /// From few to many, no closer than half the depth of the beam; whether some do.
@@ -235,7 +223,7 @@ void look_at_diaphragm(RemedySearch& search) {
   if (there == diaphragms.end()) return;
   const ThickerPlates plates({{"", there->thickness}});
   const auto set = [&](std::size_t number, std::size_t i) {
-    return fmt::format("{}.{}.thickness={} mm", beam_lists_of(search.project).diaphragms, number,
+    return fmt::format("{}.{}.thickness={} mm", diaphragms_key_of(search.project), number,
                        plates.thickest(i));
   };
   // The case has them in an order of its own.

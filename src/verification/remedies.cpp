@@ -32,21 +32,34 @@ double work_of(const Verification& verification) {
   return instants * static_cast<double>(verification.search.evaluations);
 }
 
-/// The same detail in a copy of the case; nullptr where it belongs to no stretch and no hole.
-BeamDetail* same_in(Project& copy, const Project& project, const BeamDetail& detail) {
+/// What a case says of the welds of attachments it says of all of a kind.
+bool are_of_a_kind(const AttachmentWeld& a, const AttachmentWeld& b) {
+  const auto is_end = [](const AttachmentWeld& of) { return of.detail.from == of.detail.to; };
+  return a.flat.has_value() == b.flat.has_value() && is_end(a) == is_end(b);
+}
+
+/// The same detail in a copy of the case; none where it belongs to no stretch and no hole.
+std::vector<BeamDetail*> same_in(Project& copy, const Project& project, const BeamDetail& detail) {
   const auto same = [&](const BeamDetail& other) {
     return &other == &detail ||
            (other.detail.name == detail.detail.name && other.from == detail.from &&
             other.to == detail.to && other.on == detail.on);
   };
-  if (same(project.fatigue.beam)) return &copy.fatigue.beam;
+  if (same(project.fatigue.beam)) return {&copy.fatigue.beam};
   for (std::size_t i = 0; i < project.fatigue.details.size(); ++i) {
-    if (same(project.fatigue.details[i])) return &copy.fatigue.details[i];
+    if (same(project.fatigue.details[i])) return {&copy.fatigue.details[i]};
   }
   for (std::size_t i = 0; i < project.holes.size(); ++i) {
-    if (project.holes[i].detail && same(*project.holes[i].detail)) return &*copy.holes[i].detail;
+    if (project.holes[i].detail && same(*project.holes[i].detail)) return {&*copy.holes[i].detail};
   }
-  return nullptr;
+  for (const AttachmentWeld& weld : project.fatigue.attachments) {
+    if (!same(weld.detail)) continue;
+    std::vector<BeamDetail*> all;
+    for (AttachmentWeld& other : copy.fatigue.attachments)
+      if (are_of_a_kind(weld, other)) all.push_back(&other.detail);
+    return all;
+  }
+  return {};
 }
 
 /// As a case has it that writes category = so many.
@@ -206,8 +219,8 @@ class Search {
     const SnCurve curve = curve_of(point.detail->detail);
     const SnCurve standard = en_1993_1_9_direct(100.0);
     Project copy = project_;
-    BeamDetail* const detail = same_in(copy, project_, *point.detail);
-    if (detail == nullptr || curve.code != standard.code) return;
+    const std::vector<BeamDetail*> details = same_in(copy, project_, *point.detail);
+    if (details.empty() || curve.code != standard.code) return;
     // Direct stress alone is used in inverse proportion to the strength: less need not be tried.
     const double now = curve.reference.value();
     const double least = governing_.check.criterion == Criterion::fatigue
@@ -220,7 +233,7 @@ class Search {
         better.push_back(category);
     }
     const auto passing = first_passing(better.size(), [&](std::size_t i) {
-      give_category(detail->detail, better[i]);
+      for (BeamDetail* const detail : details) give_category(detail->detail, better[i]);
       return search_.judged(copy);
     });
     if (passing) {

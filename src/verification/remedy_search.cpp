@@ -1,7 +1,5 @@
 #include "remedy_search.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "boxbeam/core/error.hpp"
@@ -33,18 +31,6 @@ class LentRuns {
 Outcome outcome_of(const Verification& verification) {
   if (verification.verdict != Verdict::pass) return std::nullopt;
   return verification.checks.front().check.utilisation();
-}
-
-/// Whether a curve is below another one at any number of cycles, limits included.
-bool is_below(const SnCurve& a, const SnCurve& b) {
-  constexpr double round_off = 1e-9;
-  for (const double cycles : {1e4, 2e6, 1e7, 1e8, 1e12}) {
-    for (const Loading loading : {Loading::spectrum, Loading::constant_amplitude}) {
-      if (strength_at(a, cycles, loading) < (1.0 - round_off) * strength_at(b, cycles, loading))
-        return true;
-    }
-  }
-  return false;
 }
 
 }  // namespace
@@ -97,28 +83,5 @@ Outcome RemedySearch::verified(const Project& changed) {
     return std::nullopt;
   }
 }
-
-void WeldTables::add(const Project& project, const NewWeld& weld) {
-  const BeamDetail& own = project.fatigue.beam;
-  if (!project.fatigue.asked) return;
-  const SnCurve curve = en_1993_1_9_direct(weld.category), of_beam = curve_of(own.detail);
-  if (!is_below(curve, of_beam)) {
-    // Where its compression counts less, a weld as strong may be used more.
-    left_out = left_out || own.detail.compression_reduced;
-    return;
-  }
-  // One that is stronger at some life would hide it there.
-  if (is_below(of_beam, curve) || own.detail.in_plates) {
-    left_out = true;
-    return;
-  }
-  tables.push_back(fmt::format(
-      "{{name = \"{}\", from = \"{:.12g} m\", to = \"{:.12g} m\", on = \"{}\", row = \"{}\"{}{}}}",
-      weld.name, weld.from.value(), weld.to.value(), weld.on, weld.row,
-      weld.facts.empty() ? "" : fmt::format(", facts = {{{}}}", weld.facts),
-      own.stress_factor == 1.0 ? "" : fmt::format(", stress_factor = {:.12g}", own.stress_factor)));
-}
-
-const char* WeldTables::note() const { return left_out ? " (welds left out in fatigue)" : ""; }
 
 }  // namespace boxbeam

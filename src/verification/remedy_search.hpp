@@ -50,27 +50,6 @@ struct RemedySearch {
   static Outcome verified(const Project& changed);
 };
 
-/// A weld that a change brings, as fatigue looks at it.
-struct NewWeld {
-  std::string name;
-  const char* row = "";
-  double category = 0.0;  ///< of that row with these facts, EN 1993-1-9
-  Length from, to;
-  const char* on = "section";
-  std::string facts;
-};
-
-/// Welds as tables of [[fatigue.details]], which take the place of the whole beam's own detail:
-/// only those that are weaker than it.
-struct WeldTables {
-  std::vector<std::string> tables;
-  bool left_out = false;  ///< some could not be compared with it, and are not looked at
-
-  void add(const Project& project, const NewWeld& weld);
-  /// " (welds left out in fatigue)", or "".
-  const char* note() const;
-};
-
 /// Thicker plates of the governing segment.
 void look_at_plates(RemedySearch& search, PlateGroup group);
 

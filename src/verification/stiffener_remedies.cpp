@@ -164,30 +164,6 @@ std::vector<std::string> keys_of(const RemedySearch& search, const AlikeBoxes& a
   return set;
 }
 
-/// Along the flats a fillet weld by hand, row 5 of table 8.2; where they end within the beam, row
-/// 1 of table 8.4. At the ends of the beam its plates end as well.
-WeldTables welds_of(const Project& project, const AlikeBoxes& alike, const Plan& plan) {
-  const char* const on = is_flange(plan.plates.front()) ? "fibres" : "webs";
-  const std::vector<Segment>& segments = project.beam.segments;
-  WeldTables welds;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    if (!alike.segments[i]) continue;
-    std::size_t last = i;
-    while (last + 1 < segments.size() && alike.segments[last + 1]) ++last;
-    const Length from = segments[i].start, to = segments[last].end();
-    welds.add(project,
-              {fmt::format("flats along {}", plan.word), "8.2/5", 100.0, from, to, on, ""});
-    for (const Length& s : {from, to}) {
-      if (s == Length{} || s == project.beam.length()) continue;
-      welds.add(project, {fmt::format("end of flats along {}", plan.word), "8.4/1", 56.0, s, s, on,
-                          fmt::format("attachment_length = \"{:.6g} m\", transition = \"none\"",
-                                      std::max(to - from, si<Length>(0.101)).value())});
-    }
-    i = last;
-  }
-  return welds;
-}
-
 /// Whether a case has stiffeners that twist or do not divide their plate: it cannot pass.
 bool has_poor_stiffeners(const Project& changed) {
   return std::any_of(
@@ -209,14 +185,10 @@ std::string size_of(const Flat& flat, const Plan& plan) {
 void look_at_plan(RemedySearch& search, const AlikeBoxes& alike, const Plan& plan,
                   const std::vector<Flat>& flats) {
   const bool exchanges = plan.layouts.front().at.empty();
-  const WeldTables welds = exchanges ? WeldTables{} : welds_of(search.project, alike, plan);
-  const std::vector<std::string> details =
-      added_to(search.project, beam_lists_of(search.project).details, welds.tables);
   bool fits = false;
   for (const Flat& flat : flats) {
     for (const Layout& layout : plan.layouts) {
       std::vector<std::string> set = keys_of(search, alike, plan, layout, flat);
-      set.insert(set.end(), details.begin(), details.end());
       const auto changed = search.changed_by(set);
       if (!changed) continue;
       fits = true;
@@ -225,15 +197,14 @@ void look_at_plan(RemedySearch& search, const AlikeBoxes& alike, const Plan& pla
       if (!outcome) continue;
       const bool one = plan.plates.size() * layout.at.size() == 1;
       search.remedies.found.push_back({Remedy::What::stiffeners,
-                                       fmt::format("{} of {} ({}){}", one ? "a flat" : "flats",
-                                                   size_of(flat, plan), layout.where, welds.note()),
+                                       fmt::format("{} of {} ({})", one ? "a flat" : "flats",
+                                                   size_of(flat, plan), layout.where),
                                        flat.thickness.value(), *outcome, std::move(set)});
       return;
     }
   }
   if (fits)
-    search.remedies.in_vain.push_back(
-        fmt::format("flats up to {}{}", size_of(flats.back(), plan), welds.note()));
+    search.remedies.in_vain.push_back(fmt::format("flats up to {}", size_of(flats.back(), plan)));
   else
     search.remedies.not_searched.push_back(fmt::format(
         "flats along {} ({})", plan.word, exchanges ? "no larger ones fit" : "none fits"));

@@ -91,6 +91,40 @@ class StressPoints {
       if (place.throat) add_throat(place);
     }
     add_stretches();
+    for (const AttachmentWeld& weld : fatigue.attachments) {
+      if (weld.flat && lies_in(weld.detail, station_.s)) add_flat(weld);
+    }
+  }
+
+  /// On the plate, outside of it, in the section on either side of where it ends.
+  void add_flat(const AttachmentWeld& weld) {
+    const auto& [name, plate, from, to] = *weld.flat;
+    const BeamDetail& along = weld.detail;
+    const bool ends = along.from == along.to;
+    // Where it runs up to a border, it is there on one side.
+    const bool at_tip = station_.side == Side::both && station_.s == project_->beam.length();
+    if (!ends && !at_tip && !goes_on(along, station_)) return;
+    if (!std::holds_alternative<Box>(field_.section.outer)) return;
+    const Length at =
+        ends ? from : from + (station_.s - along.from) / (along.to - along.from) * (to - from);
+    const bool left = plate == BoxPlate::left_web;
+    std::vector<SectionPoint> places;
+    if (!left && plate != BoxPlate::right_web) {
+      const double up = plate == BoxPlate::top_flange ? 1.0 : -1.0;
+      places = {point_on_flange(field_, name, at, up)};
+    } else if (at > clear_bottom_of(field_.section.outer) &&
+               at < clear_top_of(field_.section.outer)) {
+      places = points_at_level(field_, name, at, PointSet::in_space);
+      if (places.size() == 2) places.erase(left ? places.begin() + 1 : places.begin());
+    }
+    for (SectionPoint& place : places) {
+      place.name = name;
+      StressPoint& point = add(place);
+      const DetailPlace on =
+          place.part == SectionPart::web ? DetailPlace::webs : DetailPlace::fibres;
+      take(detail_at(project_->fatigue, station_, on, point.plate, &along), point);
+      point.shear_detail = if_asked(project_->fatigue.shear);
+    }
   }
 
   void add_throats() {
@@ -229,7 +263,10 @@ class StressPoints {
   /// Of a case that asks for no fatigue nothing resists it.
   void resist(StressPoint& point) {
     if (!project_->fatigue.asked) return;
-    const ResistingDetail& detail = details_.at(point.part, point.plate);
+    take(details_.at(point.part, point.plate), point);
+  }
+
+  static void take(const ResistingDetail& detail, StressPoint& point) {
     point.detail = detail.detail;
     point.in_plate = detail.in_plate;
     point.compression_reduced = detail.compression_reduced;
@@ -336,7 +373,7 @@ class StressPoints {
 }  // namespace
 
 ResistingDetail detail_at(const FatigueInput& fatigue, const Station& station, DetailPlace on,
-                          Length plate) {
+                          Length plate, const BeamDetail* flat) {
   const auto strength_of = [](const BeamDetail& of) {
     return strength_at(curve_of(of.detail), 2e6, Loading::spectrum).value() / of.stress_factor;
   };
@@ -370,6 +407,10 @@ ResistingDetail detail_at(const FatigueInput& fatigue, const Station& station, D
   }
   // Just behind the end of a stretch the beam's own detail holds again.
   if (!inside) look_at(fatigue.beam);
+  for (const AttachmentWeld& weld : fatigue.attachments) {
+    if (!weld.flat && lies_in(weld.detail, station.s)) look_at(weld.detail);
+  }
+  if (flat != nullptr) look_at(*flat);
   weakest.compression_reduced = reduced;
   weakest.range_factor = range_factor;
   return weakest;

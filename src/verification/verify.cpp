@@ -1,7 +1,5 @@
 #include "boxbeam/verification/verify.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -47,40 +45,6 @@ std::vector<Gate> all_gates(std::vector<Gate> of_beam, std::vector<Gate> of_neig
   return of_beam;
 }
 
-/// Diaphragms whose fillets no detail of the case stands for: none there is as weak.
-std::optional<NotJudged> fillets_not_judged(const Project& project) {
-  std::vector<std::string> places;
-  double weakest = 0.0;
-  for (const Diaphragm& of : project.beam.diaphragms) {
-    // At the ends of the beam are the details of what holds it there.
-    if (of.s == Length{} || of.s == project.beam.length()) continue;
-    // Between the toes of fillets with legs as long as it is thick: EN 1993-1-9, table 8.4, row 8.
-    const double category = of.thickness.value() <= 50e-3 / 3.0 ? 80e6 : 71e6;
-    const auto stands_for = [&](const BeamDetail& detail) {
-      constexpr double reference = 2e6;
-      const Stress strength =
-          strength_at(curve_of(detail.detail), reference, project.fatigue.demand.loading);
-      return strength.value() / detail.stress_factor <= category * (1.0 + 1e-9);
-    };
-    const std::vector<BeamDetail>& details = project.fatigue.details;
-    const bool known =
-        stands_for(project.fatigue.beam) ||
-        std::any_of(details.begin(), details.end(), [&](const BeamDetail& detail) {
-          const Length near = 1e-6 * project.beam.length();
-          return of.s >= detail.from - near && of.s <= detail.to + near && stands_for(detail);
-        });
-    if (known) continue;
-    places.push_back(to_text(Station{of.s, Side::both}));
-    weakest = std::max(weakest, category);
-  }
-  if (places.empty()) return std::nullopt;
-  return NotJudged{Criterion::weld,
-                   fmt::format("fillets of diaphragms at s = {} m", fmt::join(places, ", ")),
-                   fmt::format("no detail there is as weak as category {:.0f} (EN 1993-1-9, row "
-                               "8.4/8): [[fatigue.details]] say them",
-                               1e-6 * weakest)};
-}
-
 /// What was asked for and has no check.
 std::vector<NotJudged> not_judged_in(const Project& project, const std::vector<CheckResult>& checks,
                                      std::vector<NotJudged> neighbours) {
@@ -92,9 +56,6 @@ std::vector<NotJudged> not_judged_in(const Project& project, const std::vector<C
                           is_checked(Criterion::combined_fatigue);
   if (project.fatigue.asked && !by_fatigue)
     not_judged.push_back({Criterion::fatigue, "fatigue", "no stress range"});
-  if (project.fatigue.asked && by_fatigue) {
-    if (auto fillets = fillets_not_judged(project)) not_judged.push_back(*std::move(fillets));
-  }
   append(std::move(neighbours), not_judged);
   if (project.deflection && !is_checked(Criterion::deflection))
     not_judged.push_back({Criterion::deflection, "deflection", "the beam never bends"});

@@ -358,10 +358,11 @@ class Search {
   /// Many places of a station share kind and plate.
   const Resisting& detail_here(const Place& place) {
     for (const Known& known : known_) {
-      if (known.kind == place.kind && known.plate == place.plate) return known.resisting;
+      if (known.kind == place.kind && known.plate == place.plate && known.at_flat == place.at_flat)
+        return known.resisting;
     }
-    known_.push_back(
-        {place.kind, place.plate, rules_.detail_at(station_, place.kind, place.plate)});
+    known_.push_back({place.kind, place.plate, place.at_flat,
+                      rules_.detail_at(station_, place.kind, place.plate, place.at_flat)});
     return known_.back().resisting;
   }
 
@@ -788,6 +789,7 @@ class Search {
   struct Known {
     PlaceKind kind;
     double plate;
+    bool at_flat;
     Resisting resisting;
   };
   std::vector<Known> known_;                   ///< details of the station looked at

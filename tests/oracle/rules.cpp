@@ -8,7 +8,15 @@ namespace oracle {
 
 using namespace boxbeam;
 
-Resisting Rules::detail_at(const Station& station, PlaceKind kind, double plate) {
+Rules::Rules(const Project& project) : project_(&project) {
+  const BeamDetail& beam = project.fatigue.beam;
+  along_flat_.detail.curve = en_1993_1_9_direct(100.0);
+  const bool nominal =
+      beam.detail.where == StressPlace::gross || beam.detail.where == StressPlace::net;
+  if (nominal) along_flat_.stress_factor = std::max(1.0, beam.stress_factor);
+}
+
+Resisting Rules::detail_at(const Station& station, PlaceKind kind, double plate, bool at_flat) {
   const FatigueInput& fatigue = project_->fatigue;
   const double s = station.s.value();
   Resisting weakest;
@@ -36,6 +44,7 @@ Resisting Rules::detail_at(const Station& station, PlaceKind kind, double plate)
     if (station.side == Side::before ? before : behind) beside = false;
   }
   if (beside) look_at(fatigue.beam);
+  if (at_flat) look_at(along_flat_);
   weakest.compression_reduced = reduced;
   weakest.range_factor = largest;
   return weakest;

@@ -23,10 +23,11 @@ struct Resisting {
 
 class Rules {
  public:
-  explicit Rules(const boxbeam::Project& project) : project_(&project) {}
+  explicit Rules(const boxbeam::Project& project);
 
-  /// `plate` decides the size effect of the details that compete.
-  Resisting detail_at(const boxbeam::Station& station, PlaceKind kind, double plate);
+  /// `plate` decides the size effect of the details that compete; along a flat its weld is one of
+  /// them, by hand, category 100 (EN 1993-1-9, row 8.2/5).
+  Resisting detail_at(const boxbeam::Station& station, PlaceKind kind, double plate, bool at_flat);
 
   /// The curve of a detail in a plate: (25 mm/t)^0.2 where its row has the size effect of a
   /// transverse butt weld (EN 1993-1-9, 7.2.2), and as the case has it elsewhere.
@@ -42,6 +43,7 @@ class Rules {
 
  private:
   const boxbeam::Project* project_;
+  boxbeam::BeamDetail along_flat_;
   std::map<std::pair<const boxbeam::Detail*, double>, boxbeam::SnCurve> curves_;
   std::map<std::tuple<const boxbeam::Detail*, double, double>, double> strengths_;
 };

@@ -259,6 +259,7 @@ struct Piece {
   bool solid = true;
   double radius = 0.0, angle = 0.0, sweep = 0.0;  ///< rounds
   Vector3d lump = Vector3d::Zero();
+  bool bar = false;  ///< one stands at its end
 
   double length() const { return radius > 0.0 ? radius * std::abs(sweep) : (to - from).norm(); }
   Vector2d at(double f) const {
@@ -356,6 +357,7 @@ void add_plate(Ring& ring, const std::string& name, Vector2d from, Vector2d to, 
     hanging.setZero();
     if (const Bar* bar = cuts[i].second) {
       const Branch branch{bar->tip, bar->root, bar->foot_mid, bar->thickness};
+      piece.bar = true;
       hanging = branch.material(1.0);
       ring.branches.push_back(branch);
     }
@@ -781,7 +783,8 @@ class Gathering {
           y = piece.name == "left" ? 0.5 * s.W : -0.5 * s.W;
         const PlaceKind kind = !web ? PlaceKind::fibre : (end ? PlaceKind::seam : PlaceKind::web);
         add(fmt::format("{}{} {:.3f} m", before, piece.name, web ? z : y), kind, y, z,
-            piece.thickness, shear_at(inner, i, f));
+            piece.thickness, shear_at(inner, i, f))
+            .at_flat = piece.bar && k == steps;
         if (!end || welded == nullptr) continue;
         const double a = box.seam_throat.value() > 0.0 ? box.seam_throat.value() : piece.thickness;
         Factors tau = flow_at(inner, i, f);

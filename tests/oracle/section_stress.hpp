@@ -32,8 +32,9 @@ struct Place {
   double y = 0.0, z = 0.0;
   double plate = 0.0;  ///< thickness [m]; of a throat, of the web
   Factors normal{}, shear{};
-  std::string hole;     ///< on the edge of this one
-  double joined = 0.0;  ///< of a throat: the thicker of the plates that it joins
+  std::string hole;      ///< on the edge of this one
+  double joined = 0.0;   ///< of a throat: the thicker of the plates that it joins
+  bool at_flat = false;  ///< a stiffener is welded on there
 };
 
 /// A section seen from one side of a station, with two more of its segment for derivatives.

@@ -130,6 +130,12 @@ TEST_CASE("details of the wrong kind of stress are refused") {
         case_with("category = 71\n" + key + " = { category = 80 } # here\n" + factors), "# here",
         "\"" + key + "\" wants a detail for shear stress", "kind = \"shear\"");
   }
+  for (const std::string key : {"diaphragms", "flats", "flat_ends"}) {
+    test::check_refused(case_with("category = 71\n" + key +
+                                  " = { kind = \"shear\", category = 80 } # here\n" + factors),
+                        "# here", "\"" + key + "\" wants a detail for direct stress",
+                        "or a row of table 8.");
+  }
   test::check_refused(
       case_with("category = 71\n" + factors +
                 "[[fatigue.details]]\nname = \"rib\"\nfrom = \"0 m\"\nto = \"1 m\"\n"

@@ -267,30 +267,6 @@ TEST_CASE("a flat that ends inside a panel holds nothing of it: no verdict", "[p
   CHECK_FALSE(has_gate(with({0.0, 2.0, 6.0}), "inside its panel"));
 }
 
-TEST_CASE("fillets of diaphragms that no detail stands for are said", "[plates]") {
-  // Row 8.4/8: 80 where at most 50 mm lie between the toes, plates up to 16.7 mm; else 71.
-  const auto says = [](double category, double thickness, const std::string& detail = "") {
-    const Verification of = verified(cantilever(
-        box("a", 300.0, 600.0, 20.0, 12.0), segment(6.0, "a") + diaphragms({3.0}, thickness),
-        "[loads.move]\nkind = \"wheels\"\nwheels = [{ force = [\"0 kN\", \"-50 kN\"] }]\n"
-        "from = \"1 m\"\nto = \"5 m\"\nspeed = \"1 m/s\"\n" +
-            fmt::format("[fatigue]\ncategory = {}\ncycles = 1000\nloading = \"spectrum\"\n"
-                        "gamma_Mf = 1.0\nrequired = 1.0\n",
-                        category) +
-            detail));
-    return std::any_of(of.not_judged.begin(), of.not_judged.end(), [](const NotJudged& at) {
-      return at.what == "fillets of diaphragms at s = 3 m";
-    });
-  };
-  CHECK(says(100.0, 10.0));
-  CHECK_FALSE(says(80.0, 10.0));
-  CHECK(says(80.0, 20.0));
-  CHECK_FALSE(says(71.0, 20.0));
-  const std::string detail =
-      "[[fatigue.details]]\nname = \"diaphragm\"\nfrom = \"3 m\"\nto = \"3 m\"\ncategory = 80\n";
-  CHECK_FALSE(says(100.0, 10.0, detail));
-}
-
 TEST_CASE("diaphragms make panels of a web, and two at each end rigid end posts", "[plates]") {
   const auto resistance = [](const std::vector<double>& at, double thickness, double opening) {
     return shear_resistance_in(verified(

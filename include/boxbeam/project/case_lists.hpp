@@ -23,12 +23,8 @@ struct AlikeBoxes {
 /// where one of them is no box that the case writes under a name that --set reaches.
 AlikeBoxes alike_boxes_of(const Project& project, std::size_t segment);
 
-/// The keys of lists that belong to a beam, as --set takes them.
-struct BeamLists {
-  std::string diaphragms;  ///< "beam.diaphragms", "beam.1.diaphragms"
-  std::string details;     ///< "fatigue.details", "beam.1.fatigue.details"
-};
-BeamLists beam_lists_of(const Project& project);
+/// The key of a beam's diaphragms as --set takes it: "beam.diaphragms", "beam.1.diaphragms".
+std::string diaphragms_key_of(const Project& project);
 
 /// Tables added to a list of a case, as --set takes them: "KEY=[..]" where the case has no such
 /// list, else "KEY.3={..}" for each.

@@ -76,6 +76,20 @@ struct BeamDetail {
   std::string assumed;  ///< why it is taken so, where nobody classified it
 };
 
+/// The line of a flat along a plate of a box.
+struct FlatLine {
+  std::string name;  ///< "stiffener 1 weld", "stiffener 1 end", as a point of the section
+  BoxPlate plate = BoxPlate::top_flange;
+  Length from, to;  ///< where on the plate it stands, at both ends of the stretch
+};
+
+/// A weld of what is attached to the beam: it is looked at beside the details that the case has
+/// there, not in their place.
+struct AttachmentWeld {
+  BeamDetail detail;
+  std::optional<FlatLine> flat;  ///< nothing: around the section, of a diaphragm
+};
+
 /// What resists a range: the detail's curve with its size effect.
 SnCurve curve_of(const Detail& detail);
 
@@ -112,7 +126,8 @@ struct FatigueInput {
   std::string gamma_Mf_source;  ///< "safe life, high consequence" where table 3.1 gave it
   double required = 1.0;
   std::vector<BeamDetail> details;
-  std::vector<std::string> codes;  ///< families of curves to be shown beside
+  std::vector<AttachmentWeld> attachments;  ///< of its diaphragms and flats
+  std::vector<std::string> codes;           ///< families of curves to be shown beside
 };
 
 /// A hole of the beam and how the stress at it is verified. Its material is missing from the stress

@@ -66,10 +66,8 @@ struct Remedies {
 /// Flats have usual thicknesses and the depth that does not twist; of a web they stand in its
 /// middle or its thirds, against bending a fifth of its depth from the compressed edge. Diaphragms
 /// stand at equal distances, of the thickness of those that are there, else of the plate, as few as
-/// will do: between those beside the governing place, else all along the beam. Welds that flats and
-/// diaphragms bring are looked at in fatigue, rows 8.2/5, 8.4/1 and 8.4/8, where they are weaker
-/// than the detail of the beam; where this is by other curves, so that they cannot be compared, the
-/// remedy says that they are left out.
+/// will do: between those beside the governing place, else all along the beam. They bring their
+/// welds along, as every case does.
 ///
 /// Each is the least of its kind and passes as a whole case; of thicknesses and diaphragms found by
 /// bisection. Nothing where the case does not fail. With another category or steel, and with

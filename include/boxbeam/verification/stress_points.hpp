@@ -80,10 +80,11 @@ struct ResistingDetail {
 
 /// The weakest detail of the stretches that a station lies in, each with the strength that it has
 /// in a plate of this thickness, or that of the whole beam. The end of a stretch belongs to it on
-/// both sides, and on the side where none goes on, that of the whole beam counts as well.
+/// both sides, and on the side where none goes on, that of the whole beam counts as well. Beside
+/// them the weld of a diaphragm that stands there, and that of a flat at the place, if any.
 /// Compression counts 60 % only where none of them is welded as it is.
 ResistingDetail detail_at(const FatigueInput& fatigue, const Station& station, DetailPlace on,
-                          Length plate);
+                          Length plate, const BeamDetail* flat = nullptr);
 
 /// The throat of the seam that a point on it has: of a seam that penetrates fully the web's
 /// thickness. Precondition: on_throat.
@@ -104,7 +105,8 @@ class StressFields {
 };
 
 /// Extreme fibres, ends of the webs, neutral axis, fibres of an inner profile, hole edges and the
-/// web beside them, throats of seams, and the user's own points in the section at a station. In
+/// web beside them, welds of flats on plates, throats of seams, and the user's own points in the
+/// section at a station. In
 /// space corners, faces, seams on both webs. The stretches of wall and of solids between them; in
 /// the plane of a section that mirrors itself those of its left half.
 /// Throws AnalysisError where in space the stress of a shape or of a hole is not known.

@@ -1,0 +1,165 @@
+#include "boxbeam/project/attachment_welds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "boxbeam/project/detail_catalogue.hpp"
+#include "boxbeam/project/plate_detail.hpp"
+#include "boxbeam/strength/effective_box.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// The part of a row for an attachment of this length along the stress.
+Detail detail_of_row(std::string_view row, std::string name, std::optional<Length> length = {}) {
+  std::vector<DetailRow> rows;
+  std::copy_if(detail_rows().begin(), detail_rows().end(), std::back_inserter(rows),
+               [&](const DetailRow& of) { return of.id == row; });
+  Facts facts;
+  if (length) facts.emplace("attachment_length", length->value());
+  Detail detail;
+  detail.name = std::move(name);
+  take_governing(detail, assess(rows, StressKind::direct, facts), facts,
+                 {facts, rows, false, false, true});
+  return detail;
+}
+
+/// Beside the nominal stress: a structural one, or that in a throat, is of the beam's own detail.
+double own_concentration_of(const BeamDetail& of_beam) {
+  const bool nominal =
+      of_beam.detail.where == StressPlace::gross || of_beam.detail.where == StressPlace::net;
+  return nominal ? std::max(1.0, of_beam.stress_factor) : 1.0;
+}
+
+class Attachments {
+ public:
+  Attachments(const TaperedBeam& beam, const BeamDetail& of_beam, const AttachmentDetails& given)
+      : beam_(&beam), given_(&given), concentration_(own_concentration_of(of_beam)) {
+    for (const Diaphragm& of : beam.diaphragms) add_diaphragm(of);
+    for (std::size_t i = 0; i < beam.segments.size(); ++i) add_flats(i);
+  }
+
+  std::vector<AttachmentWeld> welds;
+
+ private:
+  AttachmentWeld& add(Length from, Length to, const std::optional<Detail>& given, Detail by_row,
+                      std::string assumed) {
+    AttachmentWeld& weld = welds.emplace_back();
+    weld.detail.from = from;
+    weld.detail.to = to;
+    weld.detail.stress_factor = concentration_;
+    weld.detail.detail = given ? *given : std::move(by_row);
+    if (!given) weld.detail.assumed = std::move(assumed);
+    return weld;
+  }
+
+  void add_diaphragm(const Diaphragm& of) {
+    const Length longest = si<Length>(80e-3);
+    const Length between_toes = std::min(3.0 * of.thickness, longest);
+    const bool path = std::holds_alternative<ThinWalled>(section_at(*beam_, {of.s}).outer);
+    add(of.s, of.s, given_->diaphragms,
+        detail_of_row(path ? "8.4/7" : "8.4/8", "weld of a diaphragm", between_toes),
+        fmt::format("fillets with legs as long as it is thick, {:.6g} mm between their toes",
+                    1e3 * between_toes.value()));
+  }
+
+  static const std::vector<Stiffener>& flats_of(const Section& section) {
+    static const std::vector<Stiffener> none;
+    const auto* const box = std::get_if<Box>(&section.outer);
+    return box == nullptr ? none : box->stiffeners;
+  }
+
+  /// The flat of a section that goes on from one on the other side of the border of two segments.
+  static const Stiffener* same_in(const Section& section, const Stiffener& bar) {
+    const std::vector<Stiffener>& flats = flats_of(section);
+    const auto found = std::find_if(flats.begin(), flats.end(), [&](const Stiffener& other) {
+      return other.plate == bar.plate && abs(other.place - bar.place) <= bar.thickness;
+    });
+    return found == flats.end() ? nullptr : &*found;
+  }
+
+  /// Where a flat that leaves a segment backwards or forwards ends.
+  Length end_of(std::size_t segment, const Stiffener& bar, bool forwards) const {
+    const Stiffener* at = &bar;
+    for (std::size_t i = segment;;) {
+      const bool last = forwards ? i + 1 == beam_->segments.size() : i == 0;
+      const Segment& here = beam_->segments[i];
+      const Length border = forwards ? here.end() : here.start;
+      if (last) return border;
+      i = forwards ? i + 1 : i - 1;
+      const Segment& next = beam_->segments[i];
+      const Section& near = forwards ? next.from : next.to;
+      const Stiffener* const on = same_in(near, *at);
+      if (on == nullptr) return border;
+      // The same flat at the far end of that segment.
+      const auto number = on - flats_of(near).data();
+      at = &flats_of(forwards ? next.to : next.from)[static_cast<std::size_t>(number)];
+    }
+  }
+
+  void add_flats(std::size_t i) {
+    const Segment& segment = beam_->segments[i];
+    const std::vector<Stiffener>&from = flats_of(segment.from), &to = flats_of(segment.to);
+    for (std::size_t k = 0; k < from.size(); ++k) {
+      const BoxPlate plate = from[k].plate;
+      AttachmentWeld& along =
+          add(segment.start, segment.end(), given_->flats,
+              detail_of_row("8.2/5", fmt::format("weld along a flat on the {}", to_text(plate))),
+              "continuous fillets by hand");
+      const std::string name = fmt::format("stiffener {}", k + 1);
+      along.flat = FlatLine{name + " weld", plate, from[k].place, to[k].place};
+      const Length first = end_of(i, from[k], false), last = end_of(i, to[k], true);
+      if (first == segment.start)
+        add_end({name + " start", plate, from[k].place, from[k].place}, first, last - first);
+      if (last == segment.end())
+        add_end({name + " end", plate, to[k].place, to[k].place}, last, last - first);
+    }
+  }
+
+  void add_end(FlatLine flat, Length s, Length length) {
+    // The plates of the beam end there as well.
+    if (s == Length{} || s == beam_->length()) return;
+    AttachmentWeld& end = add(
+        s, s, given_->flat_ends,
+        detail_of_row("8.4/1", fmt::format("end of a flat on the {}", to_text(flat.plate)), length),
+        "cut off square");
+    end.flat = std::move(flat);
+  }
+
+  const TaperedBeam* beam_;
+  const AttachmentDetails* given_;
+  double concentration_;
+};
+
+/// As the search for the weakest detail of a place compares them.
+double strength_of(const BeamDetail& of) {
+  return strength_at(curve_of(of.detail), 2e6, Loading::spectrum).value() / of.stress_factor;
+}
+
+}  // namespace
+
+std::vector<AttachmentWeld> attachment_welds_of(const TaperedBeam& beam, const BeamDetail& of_beam,
+                                                const AttachmentDetails& given) {
+  if (beam.segments.empty()) return {};
+  return Attachments(beam, of_beam, given).welds;
+}
+
+bool may_govern(const FatigueInput& fatigue, const AttachmentWeld& weld) {
+  const double strength = strength_of(weld.detail);
+  const auto is_as_weak = [&](const BeamDetail& of) {
+    const bool counts_as_much =
+        !of.detail.compression_reduced || weld.detail.detail.compression_reduced;
+    return !of.detail.in_plates && counts_as_much && strength_of(of) <= strength;
+  };
+  bool elsewhere = false;  // some place there has a detail of its own
+  for (const BeamDetail& of : fatigue.details) {
+    if (of.to < weld.detail.from || of.from > weld.detail.to) continue;
+    const bool all_of_it = of.from <= weld.detail.from && of.to >= weld.detail.to;
+    if (all_of_it && of.on == DetailPlace::section && is_as_weak(of)) return false;
+    elsewhere = true;
+  }
+  return elsewhere || !is_as_weak(fatigue.beam);
+}
+
+}  // namespace boxbeam
