@@ -27,7 +27,7 @@ void PatchNotes::take(const Patch& patch, const std::vector<Borne>& ways,
   for (const Borne& way : ways) {
     if (web_in(way) != nullptr) take_flange(patch, way, situation.load_factor);
   }
-  take_cycles(patch, ways, situation.cycles > 0.0);
+  if (has_cycles(*project_, situation)) take_cycles(patch, ways);
 }
 
 void PatchNotes::take_flange(const Patch& patch, const Borne& way, double load_factor) {
@@ -56,12 +56,13 @@ void PatchNotes::take_flange(const Patch& patch, const Borne& way, double load_f
   if (of.use > most.use) most = of;
 }
 
-void PatchNotes::take_cycles(const Patch& patch, const std::vector<Borne>& ways, bool again) {
-  if (!project_->fatigue.asked || !again) return;
+void PatchNotes::take_cycles(const Patch& patch, const std::vector<Borne>& ways) {
+  if (!project_->fatigue.asked) return;
   double most = 0.0;
   for (const Borne& way : ways) {
     const PatchedWeb* const web = web_in(way);
     if (web == nullptr) continue;
+    if (counted_ != nullptr && way.basis.box && PressedWebs::counts(patch)) continue;
     const double stress = (way.basis.share * way.basis.force).value() /
                           (web->thickness * loaded_length_of(*web)).value();
     most = std::max(most, stress);

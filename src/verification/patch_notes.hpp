@@ -7,6 +7,7 @@
 
 #include "boxbeam/verification/gates.hpp"
 #include "patch_search.hpp"
+#include "pressed_webs.hpp"
 
 namespace boxbeam {
 
@@ -14,7 +15,9 @@ namespace boxbeam {
 /// they stand between webs, or that turns off, and they press webs anew at every cycle.
 class PatchNotes {
  public:
-  explicit PatchNotes(const Project& project) : project_(&project) {}
+  /// `counted`: by which what presses webs is judged in fatigue, or nothing.
+  PatchNotes(const Project& project, const PressedWebs* counted)
+      : project_(&project), counted_(counted) {}
 
   /// How the webs bear a patch at an instant of a situation.
   void take(const Patch& patch, const std::vector<Borne>& ways, const Situation& situation);
@@ -37,9 +40,10 @@ class PatchNotes {
 
   static std::string words_of(const BentFlange& of);
   void take_flange(const Patch& patch, const Borne& way, double load_factor);
-  void take_cycles(const Patch& patch, const std::vector<Borne>& ways, bool again);
+  void take_cycles(const Patch& patch, const std::vector<Borne>& ways);
 
   const Project* project_;
+  const PressedWebs* counted_;
   std::map<std::string, BentFlange> bent_;                      ///< by the name of the force
   std::map<std::pair<std::string, bool>, PressedWeb> pressed_;  ///< and along z
 };

@@ -288,7 +288,9 @@ bool PatchSearch::has_something_to_do() const {
 std::vector<Patch> PatchSearch::patches_of(const BeamLoads& loads, const CutForceDiagram& diagram) {
   const TaperedBeam& beam = project_->beam;
   std::vector<Patch> patches;
+  std::map<std::string_view, std::size_t> of_name;
   for (const PointLoad& load : loads.points) {
+    const std::size_t number = of_name[load.name]++;
     if (is_at_end(load.s) && clamps_.count(std::string(load.name)) > 0) continue;
     for (const bool along_z : {true, false}) {
       if (!along_z && !project_->in_space) continue;
@@ -299,6 +301,7 @@ std::vector<Patch> PatchSearch::patches_of(const BeamLoads& loads, const CutForc
       patch.s = std::clamp(load.s, Length{}, beam.length());
       patch.along_z = along_z;
       patch.couple = si<Moment>(load.moment.x());
+      patch.load = number;
       if (say_how_it_comes_in(patch)) patches.push_back(std::move(patch));
     }
   }

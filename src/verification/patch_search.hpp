@@ -30,6 +30,7 @@ struct Patch {
   bool opposed = false;                  ///< one of the other sense is near
   bool together = false;                 ///< several as one
   const FlangeKink* kink = nullptr;      ///< that it comes from
+  std::optional<std::size_t> load = {};  ///< the point load that it is, among those of its name
 
   /// What of it is none, there is for what panels pull at a diaphragm alone.
   bool is_none() const { return force == Force{}; }
@@ -52,6 +53,13 @@ struct Borne {
   std::string wall = {};  ///< of a path, in its place
 
   bool is_seam() const { return std::holds_alternative<PatchedSeam>(basis.bears); }
+};
+
+/// A web that a patch presses through its edge.
+struct PressedWeb {
+  BoxPlate plate = BoxPlate::left_web;
+  Stress stress;          ///< F/(t l), as the force has its sign
+  Length before, behind;  ///< of the force: what of the web it loads
 };
 
 struct PathWeb;
@@ -79,6 +87,12 @@ class PatchSearch {
   /// used most of both; none of what is not judged.
   std::vector<Borne> worst_of(const Patch& patch, const std::vector<Patch>& all,
                               const CutForceDiagram& diagram);
+
+  /// Whether the case says how forces come in there.
+  bool is_given_at(Length s) const { return introduction_at(s) != nullptr; }
+
+  /// The webs of a box that a patch presses where no diaphragm takes it, the worse of both sides.
+  std::vector<PressedWeb> pressed_by(const Patch& patch);
 
   /// Torque that comes into a slender path around cells where no diaphragm stands: the largest of
   /// these loads.
