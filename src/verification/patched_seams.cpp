@@ -41,7 +41,11 @@ std::vector<PressedWeb> PatchSearch::pressed_by(const Patch& patch) {
       // It may push at the one flange or pull at the other.
       for (const BoxPlate flange : flanges_of(patch)) {
         const PatchedWeb web = web_of(judged, webs[k], flange, patch);
-        const Spread spread = spread_of(patch, web);
+        Spread spread = spread_of(patch, web);
+        // A diaphragm at an end takes what would lie beyond it.
+        const Length half = 0.5 * loaded_length_of(web);
+        if (diaphragm_at(Length{}) != nullptr) spread.from = patch.s - half;
+        if (diaphragm_at(project_->beam.length()) != nullptr) spread.to = patch.s + half;
         const PressedWeb of{webs[k],
                             shares[k] * patch.force / (web.thickness * (spread.to - spread.from)),
                             patch.s - spread.from, spread.to - patch.s};

@@ -120,15 +120,18 @@ void PressedWebs::add_passages(const Place& place, const Instant& before, const 
                                    [&](const Pressing& at) { return at.force == of.force; });
     if (!acts(place, of.force) || same == behind.forces.end()) continue;
     if (std::abs(same->s - of.s) <= near) continue;
-    // Where it stands on a diaphragm it presses no web.
-    std::vector<PressedWeb> webs = of.webs;
-    webs.insert(webs.end(), same->webs.begin(), same->webs.end());
-    const PressedWeb* most = nullptr;
-    for (const PressedWeb& web : webs) {
-      const bool larger = most == nullptr || abs(web.stress) > abs(most->stress);
-      if (web.plate == place.web && larger) most = &web;
+    // The larger stress over all that it loads at either instant: on a diaphragm it presses no web.
+    std::optional<PressedWeb> most;
+    for (const std::vector<PressedWeb>* const webs : {&of.webs, &same->webs}) {
+      for (const PressedWeb& web : *webs) {
+        if (web.plate != place.web) continue;
+        if (!most) most = web;
+        if (abs(web.stress) > abs(most->stress)) most->stress = web.stress;
+        most->before = std::max(most->before, web.before);
+        most->behind = std::max(most->behind, web.behind);
+      }
     }
-    if (most == nullptr) continue;
+    if (!most) continue;
     moving.push_back({of.s, same->s, *most});
     for (const double edge : {place.s + most->before.value(), place.s - most->behind.value()})
       parts.push_back((edge - of.s) / (same->s - of.s));

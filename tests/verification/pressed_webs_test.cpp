@@ -140,6 +140,19 @@ TEST_CASE("wheels one behind the other press twice, those within their length to
   CHECK(with(0.12) == Approx(use_of(2.0 * sigma_z, 1e6, 71.0, 1.35)).epsilon(1e-6));
 }
 
+TEST_CASE("a wheel at an end of the beam loads half as much of the web, but over a diaphragm",
+          "[pressed]") {
+  std::string held = beam(box(), wheels(wheel(-200.0), 1.0, 9.0), fatigue("1e6"));
+  for (const auto& [of, to] :
+       {std::pair{"from = \"0.5 m\"", "from = \"0 m\""}, {"to = \"8.5 m\"", "to = \"9 m\""}})
+    held.replace(held.find(of), std::string(of).size(), to);
+  CHECK(use_in(held) == Approx(use_of(sigma_z, 1e6, 71.0, 1.35)).epsilon(1e-6));
+  std::string open = held;
+  const std::string last = slender_cases::diaphragms({9.0});
+  open.replace(open.find(last), last.size(), "");
+  CHECK(use_in(open) == Approx(use_of(2.0 * sigma_z, 1e6, 71.0, 1.35)).epsilon(1e-6));
+}
+
 TEST_CASE("a force that stands still: its range between situations, with its sign", "[pressed]") {
   const auto with = [](double empty, const std::string& place) {
     return verified(beam(
