@@ -4,26 +4,11 @@
 
 #include <algorithm>
 
-#include "boxbeam/project/detail_catalogue.hpp"
 #include "boxbeam/project/plate_detail.hpp"
 #include "boxbeam/strength/effective_box.hpp"
 
 namespace boxbeam {
 namespace {
-
-/// The part of a row for an attachment of this length along the stress.
-Detail detail_of_row(std::string_view row, std::string name, std::optional<Length> length = {}) {
-  std::vector<DetailRow> rows;
-  std::copy_if(detail_rows().begin(), detail_rows().end(), std::back_inserter(rows),
-               [&](const DetailRow& of) { return of.id == row; });
-  Facts facts;
-  if (length) facts.emplace("attachment_length", length->value());
-  Detail detail;
-  detail.name = std::move(name);
-  take_governing(detail, assess(rows, StressKind::direct, facts), facts,
-                 {facts, rows, false, false, true});
-  return detail;
-}
 
 /// Beside the nominal stress: a structural one, or that in a throat, is of the beam's own detail.
 double own_concentration_of(const BeamDetail& of_beam) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "boxbeam/project/detail_catalogue.hpp"
@@ -25,6 +26,19 @@ void take_governing(Detail& detail, const DetailAssessment& assessment, const Fa
   detail.unconfirmed = row.unconfirmed || detail.curve.unconfirmed;
   detail.candidates = assessment.candidates;
   detail.deciding = assessment.deciding;
+}
+
+Detail detail_of_row(std::string_view row, std::string name, std::optional<Length> length) {
+  std::vector<DetailRow> rows;
+  std::copy_if(detail_rows().begin(), detail_rows().end(), std::back_inserter(rows),
+               [&](const DetailRow& of) { return of.id == row; });
+  Facts facts;
+  if (length) facts.emplace("attachment_length", length->value());
+  Detail detail;
+  detail.name = std::move(name);
+  take_governing(detail, assess(rows, StressKind::direct, facts), facts,
+                 {facts, rows, false, false, true});
+  return detail;
 }
 
 std::optional<Detail> in_plate(const Detail& detail, Length plate) {

@@ -12,6 +12,9 @@ Steps plate_steps(const Project& project, const CheckResult& result);
 /// Sheet of a force that comes into a web, or into a diaphragm there.
 Steps patch_steps(const Project& project, const CheckResult& result);
 
+/// A web that forces press anew at every cycle. pressed_steps.cpp
+Steps pressed_steps(const Project& project, const CheckResult& result);
+
 /// Sheet of the beam as a member.
 Steps member_steps(const Project& project, const CheckResult& result);
 

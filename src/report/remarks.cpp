@@ -84,6 +84,22 @@ void add_details(const Project& project, std::vector<std::string>& remarks) {
   }
 }
 
+/// Rows that judge what forces press into webs.
+void add_pressed(const Verification& verification, std::vector<std::string>& remarks) {
+  for (const CheckResult& result : verification.checks) {
+    if (!result.pressed) continue;
+    const Detail& detail = result.pressed->life.point.detail->detail;
+    if (!detail.unconfirmed) continue;
+    std::string remark = fmt::format(
+        "unconfirmed: the figures of row {} (category {}) for the {} under forces are recalled, "
+        "not "
+        "read in the code",
+        detail.row, detail.curve.name, detail.name);
+    if (std::find(remarks.begin(), remarks.end(), remark) == remarks.end())
+      remarks.push_back(std::move(remark));
+  }
+}
+
 /// Plates of pins of which the case does not say what their fatigue asks for.
 void add_lugs(const Project& project, std::vector<std::string>& remarks) {
   if (!project.fatigue.asked) return;
@@ -493,6 +509,7 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
   }
   std::vector<std::string> remarks;
   add_details(project, remarks);
+  add_pressed(verification, remarks);
   report::front_end_text_of(project)->add_remarks(remarks);
   for (const MotionSummary& motion : verification.motions) {
     const std::size_t before = remarks.size();

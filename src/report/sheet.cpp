@@ -274,6 +274,7 @@ Steps steps_of_check(const Project& project, const Verification& verification,
     case Criterion::reduced_stress:
       return result.patch ? patch_steps(project, result) : plate_steps(project, result);
     case Criterion::patch_loading: return patch_steps(project, result);
+    case Criterion::patch_fatigue: return pressed_steps(project, result);
     case Criterion::distortion:
     case Criterion::distortion_fatigue: return distortion_steps(project, result);
     case Criterion::member: return member_steps(project, result);

@@ -13,7 +13,7 @@ namespace {
 bool is_by_fatigue(Criterion criterion) {
   return criterion == Criterion::fatigue || criterion == Criterion::shear_fatigue ||
          criterion == Criterion::combined_fatigue || criterion == Criterion::distortion_fatigue ||
-         criterion == Criterion::lug_fatigue;
+         criterion == Criterion::patch_fatigue || criterion == Criterion::lug_fatigue;
 }
 
 /// "at 4.2 m, fibre +z (transverse weld)", "of rod hanger".

@@ -17,6 +17,7 @@ const char* to_text(Criterion criterion) {
     case Criterion::interaction: return "interaction";
     case Criterion::reduced_stress: return "reduced stress";
     case Criterion::patch_loading: return "patch loading";
+    case Criterion::patch_fatigue: return "patch fatigue";
     case Criterion::distortion: return "distortion";
     case Criterion::distortion_fatigue: return "distortion fatigue";
     case Criterion::member: return "member buckling";

@@ -188,6 +188,7 @@ Judges judges(Criterion criterion) {
     case Criterion::shear_fatigue:
     case Criterion::combined_fatigue:
     case Criterion::stress_range: return Judges::range;
+    case Criterion::patch_fatigue:
     case Criterion::distortion:
     case Criterion::distortion_fatigue:
     case Criterion::member:

@@ -47,13 +47,15 @@ struct OnPaths {
 class PatchRun {
  public:
   PatchRun(const Project& project, PatchSearch& search, const SituationRun& run,
-           std::map<BorneKey, WorstPatch>& worst, OnPaths& on_paths, PatchNotes& notes)
+           std::map<BorneKey, WorstPatch>& worst, OnPaths& on_paths, PatchNotes& notes,
+           PressedWebs* pressed)
       : project_(&project),
         search_(&search),
         run_(&run),
         worst_(&worst),
         on_paths_(&on_paths),
-        notes_(&notes) {}
+        notes_(&notes),
+        pressed_(pressed) {}
 
   void look() {
     const LoadHistory& history = run_->loads;
@@ -64,10 +66,15 @@ class PatchRun {
     };
     std::map<BorneKey, Highest> highest;
     std::vector<Length> before;
+    if (pressed_ != nullptr) pressed_->begin(*run_);
     for (std::size_t i = 0; i < history.instants(); ++i) {
       const Time time = history.time_of(i);
       const BeamLoads loads = history.loads_at(time);
-      for (const auto& [key, use] : look_at(time, loads, history.diagram(i))) {
+      const CutForceDiagram& diagram = history.diagram(i);
+      const std::vector<Patch> patches = search_->patches_of(loads, diagram);
+      if (pressed_ != nullptr) pressed_->take(time, i > 0 && !history.begins_piece(i), patches);
+      note_torque(loads);
+      for (const auto& [key, use] : look_at(time, patches, diagram)) {
         Highest& known = highest.try_emplace(key, Highest{use, i, use}).first->second;
         known.lowest = std::min(known.lowest, use);
         if (use > known.use) known = {use, i, known.lowest};
@@ -77,6 +84,7 @@ class PatchRun {
         look_at_passages(history.time_of(i - 1), time, before, places);
       before = std::move(places);
     }
+    if (pressed_ != nullptr) pressed_->end(history.period());
     // Of recorded loads the largest of what is convex in them stands at an instant.
     if (history.is_recorded()) return;
     // What does not change has its largest anywhere.
@@ -87,13 +95,11 @@ class PatchRun {
 
  private:
   /// The use of each patch at an instant, or of one alone; the worst is kept.
-  std::map<BorneKey, double> look_at(Time time, const BeamLoads& loads,
+  std::map<BorneKey, double> look_at(Time time, const std::vector<Patch>& patches,
                                      const CutForceDiagram& diagram,
                                      const BorneKey* only = nullptr) {
     std::map<BorneKey, double> uses;
-    note_torque(loads);
     notes_->take_steps(diagram, run_->situation->load_factor);
-    const std::vector<Patch> patches = search_->patches_of(loads, diagram);
     for (const Patch& patch : patches) {
       if (only != nullptr && BorneKey{patch.key(), only->second} != *only) continue;
       note_on_path(patch);
@@ -132,7 +138,9 @@ class PatchRun {
 
   std::map<BorneKey, double> look_at(Time time, const BorneKey* only = nullptr) {
     const BeamLoads loads = run_->loads.loads_at(time);
-    return look_at(time, loads, cut_forces_of(loads), only);
+    const CutForceDiagram diagram = cut_forces_of(loads);
+    note_torque(loads);
+    return look_at(time, search_->patches_of(loads, diagram), diagram, only);
   }
 
   static std::vector<Length> places_in(const BeamLoads& loads) {
@@ -200,6 +208,7 @@ class PatchRun {
   std::map<BorneKey, WorstPatch>* worst_;
   OnPaths* on_paths_;
   PatchNotes* notes_;
+  PressedWebs* pressed_;  ///< nothing where no cycles are counted
 };
 
 std::string plate_text(const Project& project, const Borne& borne) {
@@ -300,6 +309,17 @@ Gate gate_of(const Project& project, const WorstPatch& worst) {
           true};
 }
 
+Gate gate_of(const Project& project, const CheckResult& pressed) {
+  const Check& check = pressed.check;
+  const std::size_t segment = segment_at(project.beam, check.station);
+  return {project.beam.segments[segment].name, "",
+          fmt::format("{} at s = {} m is used by {:.3g} in fatigue under an edge (stiff length 0): "
+                      "[[beam.diaphragms]] take the force, or [[beam.load_introductions]] say how "
+                      "it comes in",
+                      check.point, to_text(check.station), check.utilisation()),
+          true};
+}
+
 Gate gate_of(const Project& project, const std::string& name, bool open, bool blocks,
              const PathForce& of) {
   const std::size_t segment = segment_at(project.beam, {of.s, Side::both});
@@ -347,12 +367,16 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
                           const std::vector<BendingZone>& zones) {
   PatchChecks found;
   PatchSearch search(project, zones);
-  PatchNotes notes(project);
-  if (!search.has_something_to_do(runs) && !notes.has_steps()) return found;
+  std::vector<FlangeStep> steps = flange_steps_of(project);
+  if (!search.has_something_to_do(runs) && steps.empty()) return found;
   std::map<BorneKey, WorstPatch> worst;
   OnPaths on_paths;
+  PressedWebs pressed(project, search);
+  // Of long records not all instants are looked at.
+  const bool counted = project.fatigue.asked && whole_life_of(runs) == nullptr;
+  PatchNotes notes(project, std::move(steps), counted ? &pressed : nullptr);
   for (const SituationRun& run : runs)
-    PatchRun(project, search, run, worst, on_paths, notes).look();
+    PatchRun(project, search, run, worst, on_paths, notes, counted ? &pressed : nullptr).look();
   add_gates(project, on_paths, found.gates);
   // A use this small is none, as stress is (`no_stress_at`).
   constexpr double no_use = 1e-6;
@@ -378,6 +402,12 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
       found.gates.push_back(gate_of(project, of));
     else
       add(check_of(project, search, std::move(of)));
+  }
+  for (PressedWebs::Found& of : pressed.checks()) {
+    if (!of.given && !of.result.check.passes())
+      found.gates.push_back(gate_of(project, of.result));
+    else
+      found.checks.push_back(std::move(of.result));
   }
   if (!sideways.empty())
     found.not_judged.push_back(

@@ -18,8 +18,9 @@ const PatchedWeb* web_in(const Borne& way) {
 
 }  // namespace
 
-PatchNotes::PatchNotes(const Project& project)
-    : project_(&project), steps_(flange_steps_of(project)), at_steps_(steps_.size()) {}
+PatchNotes::PatchNotes(const Project& project, std::vector<FlangeStep> steps,
+                       const PressedWebs* counted)
+    : project_(&project), counted_(counted), steps_(std::move(steps)), at_steps_(steps_.size()) {}
 
 void PatchNotes::take_steps(const CutForceDiagram& diagram, double load_factor) {
   for (std::size_t k = 0; k < steps_.size(); ++k) {
@@ -36,7 +37,7 @@ void PatchNotes::take(const Patch& patch, const std::vector<Borne>& ways,
   for (const Borne& way : ways) {
     if (web_in(way) != nullptr) take_flange(patch, way, situation.load_factor);
   }
-  take_cycles(patch, ways, situation.cycles > 0.0);
+  if (has_cycles(*project_, situation)) take_cycles(patch, ways);
 }
 
 void PatchNotes::take_flange(const Patch& patch, const Borne& way, double load_factor) {
@@ -70,14 +71,13 @@ void PatchNotes::take_flange(const Patch& patch, const Borne& way, double load_f
   if (of.with_own > most.with_own) most = of;
 }
 
-void PatchNotes::take_cycles(const Patch& patch, const std::vector<Borne>& ways, bool again) {
-  // Stout webs may have what comes in beside the flanges (bosses, lugs): not so of what rolls
-  // there.
-  if (!project_->fatigue.asked || !again || (patch.stout && !patch.moves)) return;
+void PatchNotes::take_cycles(const Patch& patch, const std::vector<Borne>& ways) {
+  if (!project_->fatigue.asked || patch.may_come_beside_flanges()) return;
   double most = 0.0;
   for (const Borne& way : ways) {
     const PatchedWeb* const web = web_in(way);
     if (web == nullptr) continue;
+    if (counted_ != nullptr && way.basis.box && PressedWebs::counts(patch)) continue;
     const double stress = (way.basis.share * way.basis.force).value() /
                           (web->thickness * loaded_length_of(*web)).value();
     most = std::max(most, stress);

@@ -7,6 +7,7 @@
 
 #include "boxbeam/verification/gates.hpp"
 #include "patch_search.hpp"
+#include "pressed_webs.hpp"
 
 namespace boxbeam {
 
@@ -26,10 +27,9 @@ inline constexpr Stress hardly_changes = 0.405 * 36e6 / 1.35 * pascal;
 /// they stand between webs, or that turns off, and they press webs anew at every cycle.
 class PatchNotes {
  public:
-  explicit PatchNotes(const Project& project);
+  /// `steps`: of the beam; `counted`: by which what presses webs is judged in fatigue, or nothing.
+  PatchNotes(const Project& project, std::vector<FlangeStep> steps, const PressedWebs* counted);
 
-  /// Whether a plate ends where another begins elsewhere.
-  bool has_steps() const { return !steps_.empty(); }
   /// What plates that end have to lead on at an instant.
   void take_steps(const CutForceDiagram& diagram, double load_factor);
 
@@ -57,9 +57,10 @@ class PatchNotes {
 
   static std::string words_of(const BentFlange& of);
   void take_flange(const Patch& patch, const Borne& way, double load_factor);
-  void take_cycles(const Patch& patch, const std::vector<Borne>& ways, bool again);
+  void take_cycles(const Patch& patch, const std::vector<Borne>& ways);
 
   const Project* project_;
+  const PressedWebs* counted_;
   std::vector<FlangeStep> steps_;
   std::vector<double> at_steps_;                                ///< their largest forces [N]
   std::map<std::string, BentFlange> bent_;                      ///< by the name of the force

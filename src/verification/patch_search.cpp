@@ -155,7 +155,9 @@ std::vector<Patch> PatchSearch::patches_of(const BeamLoads& loads, const CutForc
 std::vector<Patch> PatchSearch::forces_of(const BeamLoads& loads) const {
   const TaperedBeam& beam = project_->beam;
   std::vector<Patch> patches;
+  std::map<std::string_view, std::size_t> of_name;
   for (const PointLoad& load : loads.points) {
+    const std::size_t number = of_name[load.name]++;
     if (is_at_end(load.s) && kinds_.clamps(load.name)) continue;
     for (const bool along_z : {true, false}) {
       if (!along_z && !project_->in_space) continue;
@@ -167,6 +169,7 @@ std::vector<Patch> PatchSearch::forces_of(const BeamLoads& loads) const {
       patch.along_z = along_z;
       patch.couple = si<Moment>(load.moment.x());
       patch.moves = kinds_.moves(load.name);
+      patch.load = number;
       patches.push_back(std::move(patch));
     }
   }

@@ -34,9 +34,12 @@ struct Patch {
   const FlangeKink* kink = nullptr;      ///< that it comes from
   bool moves = false;                    ///< along the beam
   bool stout = false;  ///< looked at for its size alone: the case does not say how it comes in
+  std::optional<std::size_t> load = {};  ///< the point load that it is, among those of its name
 
   /// What of it is none, there is for what panels pull at a diaphragm alone.
   bool is_none() const { return force == Force{}; }
+  /// Of stout webs: by a lug or boss, as what rolls along the beam or the case speaks of does not.
+  bool may_come_beside_flanges() const { return stout && !moves; }
 
   /// The same from instant to instant.
   auto key() const {
@@ -56,6 +59,13 @@ struct Borne {
   std::string wall = {};  ///< of a path, in its place
 
   bool is_seam() const { return std::holds_alternative<PatchedSeam>(basis.bears); }
+};
+
+/// A web that a patch presses through its edge.
+struct PressedWeb {
+  BoxPlate plate = BoxPlate::left_web;
+  Stress stress;          ///< F/(t l), as the force has its sign
+  Length before, behind;  ///< of the force: what of the web it loads
 };
 
 struct PathWeb;
@@ -80,6 +90,12 @@ class PatchSearch {
   /// used most of both; none of what is not judged.
   std::vector<Borne> worst_of(const Patch& patch, const std::vector<Patch>& all,
                               const CutForceDiagram& diagram);
+
+  /// Whether the case says how forces come in there.
+  bool is_given_at(Length s) const { return introduction_at(s) != nullptr; }
+
+  /// The webs of a box that a patch presses where no diaphragm takes it, the worse of both sides.
+  std::vector<PressedWeb> pressed_by(const Patch& patch);
 
   /// Torque that comes into a slender path around cells where no diaphragm stands: the largest of
   /// these loads.

@@ -29,6 +29,39 @@ PatchSearch::Spread PatchSearch::spread_of(const Patch& patch, const PatchedWeb&
           std::min(project_->beam.length(), Length(patch.s + half))};
 }
 
+std::vector<PressedWeb> PatchSearch::pressed_by(const Patch& patch) {
+  std::vector<PressedWeb> pressed;
+  if (patch.diaphragm != nullptr) return pressed;
+  for (const Side side : {Side::before, Side::behind}) {
+    if (side == Side::before ? patch.s == Length{} : patch.s == project_->beam.length()) continue;
+    const JudgedSection& judged = judged_at({patch.s, side});
+    if (!judged.box) continue;
+    const auto [webs, shares] = shared_by_webs(patch, judged.box->box());
+    for (const std::size_t k : {0U, 1U}) {
+      // It may push at the one flange or pull at the other.
+      for (const BoxPlate flange : flanges_of(patch)) {
+        const PatchedWeb web = web_of(judged, webs[k], flange, patch);
+        Spread spread = spread_of(patch, web);
+        // A diaphragm at an end takes what would lie beyond it.
+        const Length half = 0.5 * loaded_length_of(web);
+        if (diaphragm_at(Length{}) != nullptr) spread.from = patch.s - half;
+        if (diaphragm_at(project_->beam.length()) != nullptr) spread.to = patch.s + half;
+        const PressedWeb of{webs[k],
+                            shares[k] * patch.force / (web.thickness * (spread.to - spread.from)),
+                            patch.s - spread.from, spread.to - patch.s};
+        const auto same =
+            std::find_if(pressed.begin(), pressed.end(),
+                         [&](const PressedWeb& other) { return other.plate == of.plate; });
+        if (same == pressed.end())
+          pressed.push_back(of);
+        else if (abs(of.stress) > abs(same->stress))
+          *same = of;
+      }
+    }
+  }
+  return pressed;
+}
+
 std::vector<Borne> PatchSearch::seams_at(const Patch& patch, const std::vector<Patch>& all,
                                          const JudgedSection& judged, const CutForces& cut) const {
   // What a diaphragm takes goes through its own welds; several are judged where they meet.

@@ -438,6 +438,7 @@ TEST_CASE("What acts and what resists stands in the sheet as in the table of che
       case Criterion::interaction: ends_with("factor", check.safety_factor); break;
       case Criterion::reduced_stress: ends_with("factor", check.safety_factor); break;
       case Criterion::patch_loading: ends_with("factor", check.safety_factor); break;
+      case Criterion::patch_fatigue: ends_with("d_sigma", check.acting); break;
       case Criterion::distortion: ends_with("sigma_v", check.acting); break;
       case Criterion::distortion_fatigue: ends_with("D", check.acting); break;
       case Criterion::member: ends_with("use", check.acting); break;

@@ -197,27 +197,6 @@ TEST_CASE("a long bearing at a free end has its one hinge all the same: type c",
   CHECK(resistance(801.0) == Approx(resistance(799.0)).epsilon(2e-3));
 }
 
-TEST_CASE("what comes and goes in webs and is not counted in fatigue is said", "[patch]") {
-  const auto says = [](const std::string& more, double kN) {
-    const std::string wheels = fmt::format(
-        "[loads.crab]\nkind = \"wheels\"\nwheels = [{{ force = [\"0 kN\", \"{} kN\"] }}]\n"
-        "from = \"1 m\"\nto = \"8 m\"\nspeed = \"1 m/s\"\n",
-        kN);
-    const Verification of =
-        verify(project_of(beam(ends + introduction(stretch(0.5, 8.5), 100.0), wheels) + more));
-    return std::any_of(of.not_judged.begin(), of.not_judged.end(), [](const NotJudged& at) {
-      return at.reason.find("table 8.10") != std::string::npos;
-    });
-  };
-  const std::string fatigue =
-      "[fatigue]\ncycles = 1000000\ncategory = 71\nloading = \"spectrum\"\ngamma_Mf = 1.35\n"
-      "required = 1.0\n";
-  // 100 kN in each web: 100e3/(8 x 124) = 101 MPa, from nothing and back.
-  CHECK(says(fatigue, -200.0));
-  CHECK_FALSE(says("", -200.0));
-  CHECK_FALSE(says(fatigue, -10.0));
-}
-
 TEST_CASE("forces close together are judged together, opposed ones as passing through", "[patch]") {
   const Verification of = verify(
       project_of(beam(ends + introduction(stretch(1.0, 8.0), 100.0),

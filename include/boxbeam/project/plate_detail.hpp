@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "boxbeam/fatigue/detail.hpp"
@@ -11,6 +13,9 @@ namespace boxbeam {
 /// whether compression counts 60 %. Precondition: there are candidates.
 void take_governing(Detail& detail, const DetailAssessment& assessment, const Facts& facts,
                     const DetailInPlates& known);
+
+/// A detail by a row, of an attachment by the part of it for so long a one along the stress.
+Detail detail_of_row(std::string_view row, std::string name, std::optional<Length> length = {});
 
 /// A detail in the plate in which a point lies, where that plate gives its thickness: the row that
 /// governs there, with its size effect; nothing where it is the same as the detail stands. In a

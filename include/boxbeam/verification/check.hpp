@@ -44,6 +44,7 @@ enum class Criterion {
   interaction,         ///< of both
   reduced_stress,      ///< all stresses of a plate together, as it buckles
   patch_loading,       ///< of a web, by a force that a flange leads into it
+  patch_fatigue,       ///< ranges of what forces press into webs
   distortion,          ///< a box that is racked: its plates stretched along and bent across
   distortion_fatigue,  ///< ranges of the same
   member,              ///< flexural or lateral torsional buckling of the whole beam
@@ -66,6 +67,7 @@ inline constexpr std::array criteria{Criterion::yield,
                                      Criterion::interaction,
                                      Criterion::reduced_stress,
                                      Criterion::patch_loading,
+                                     Criterion::patch_fatigue,
                                      Criterion::distortion,
                                      Criterion::distortion_fatigue,
                                      Criterion::member,

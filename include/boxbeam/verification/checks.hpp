@@ -139,6 +139,15 @@ struct PatchBasis {
   double load_factor = 1.0;
 };
 
+/// What the check of a web that forces press anew at every cycle rests on.
+struct PressedBasis {
+  CheckBasis life;   ///< its cycles and what resists them
+  Length thickness;  ///< of the web
+  Force force;       ///< of those that press the place the largest on this web
+  Length loaded;     ///< by it: s_s + 2 t_f, within the ends of the beam
+  Length throat;     ///< of its fillet seam, where that is judged
+};
+
 /// What the check of a box that is distorted rests on.
 struct DistortionBasis {
   /// Of the point without distortion; in fatigue the cycles with it, and what resists them.
@@ -183,6 +192,7 @@ struct CheckResult {
   KeptApart<PlateBasis> plates;
   KeptApart<PathBasis> path;
   KeptApart<PatchBasis> patch;
+  KeptApart<PressedBasis> pressed;
   KeptApart<DistortionBasis> distortion;
   KeptApart<MemberBasis> member;
   /// Of a throat: the least with which all checks of its weld, of a seam those of its place, pass;

@@ -35,9 +35,11 @@ struct PatchChecks {
 /// With each web, without a diaphragm, its fillet seams with the flange that is pushed and with the
 /// one that may be pulled: of every force by itself, over s_s + 2 t_f within the ends of the beam,
 /// what other forces of its sense load of the same piece added, with V and T on either side of it.
-/// What fully penetrates has no throat.
+/// What fully penetrates has no throat. What presses a web or its seam anew at every cycle is
+/// judged in fatigue (`PressedWebs`).
 ///
-/// Source: EN 1993-1-5:2006, clause 6, 7.2 and 9.4; EN 1993-1-8:2005, 4.5.3.2.
+/// Source: EN 1993-1-5:2006, clause 6, 7.2 and 9.4; EN 1993-1-8:2005, 4.5.3.2; EN 1993-1-9:2005,
+/// table 8.10.
 PatchChecks check_patches(const Project& project, const std::deque<SituationRun>& runs,
                           const std::vector<BendingZone>& zones);
 

@@ -1,0 +1,38 @@
+#include <fmt/format.h>
+
+#include "boxbeam/report/format.hpp"
+#include "curve_steps.hpp"
+#include "derivation_text.hpp"
+#include "fatigue_steps.hpp"
+#include "plate_steps.hpp"
+
+namespace boxbeam::report {
+
+Steps pressed_steps(const Project& project, const CheckResult& result) {
+  const PressedBasis& basis = *result.pressed;
+  const CheckBasis& life = basis.life;
+  Derivation steps;
+  const Traced t = steps.given("t", basis.thickness, "of the web");
+  const Traced F = steps.given("F", basis.force, "the largest force into this web there");
+  const Traced l = steps.given("l", basis.loaded, "s_s + 2 t_f, within the ends of the beam");
+  steps.define("sigma_z", F / (t * l));
+  const auto extreme = [&](const char* symbol, const Extreme& at) {
+    return steps.given(
+        symbol, si<Stress>(at.value / life.stress_factor),
+        fmt::format("of all that reach the place, at t = {}", text::seconds(at.time.value())));
+  };
+  const Traced highest = extreme("sigma_z,max", life.highest);
+  const Traced range = highest - extreme("sigma_z,min", life.lowest);
+  if (basis.throat > Length{}) {
+    const Traced a = steps.given("a", basis.throat, "all throats of the seam");
+    steps.define("d_sigma", t / a * range, "range of sigma_w in the throat");
+  } else {
+    steps.define("d_sigma", range, "range of sigma_z in the web");
+  }
+  for (const SnCurve& curve : life.curves) derive_curve(steps, curve, life.point.detail);
+  Steps all = steps_of(steps);
+  append(all, life_steps(project, result.check, life));
+  return all;
+}
+
+}  // namespace boxbeam::report

@@ -1,0 +1,349 @@
+#include "pressed_webs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "boxbeam/project/plate_detail.hpp"
+#include "boxbeam/verification/judged_section.hpp"
+#include "boxbeam/verification/turning_samples.hpp"
+#include "channel_life.hpp"
+#include "plate_panels.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// Forces whose places are so near each other, by the beam's length, stand at one.
+constexpr double at_one_place = 1e-6;
+
+bool reaches(const PressedWeb& web, double s, double at) {
+  return at >= s - web.before.value() && at <= s + web.behind.value();
+}
+
+}  // namespace
+
+struct PressedWebs::Resisting {
+  std::shared_ptr<const BeamDetail> detail;
+  Length thickness, throat;  ///< no throat: the web
+};
+
+bool has_cycles(const Project& project, const Situation& situation) {
+  const std::size_t index = index_of(project, situation);
+  const auto has = [&](const Situation& of) {
+    const auto& parts = of.between;
+    return of.cycles > 0.0 &&
+           (&of == &situation || std::find(parts.begin(), parts.end(), index) != parts.end());
+  };
+  return std::any_of(project.situations.begin(), project.situations.end(), has);
+}
+
+bool PressedWebs::counts(const Patch& patch) {
+  return !patch.together && !patch.is_none() && !patch.may_come_beside_flanges() &&
+         (patch.load || patch.kink != nullptr);
+}
+
+void PressedWebs::begin(const SituationRun& run) {
+  Run& of = runs_.emplace_back();
+  of.situation = index_of(*project_, *run.situation);
+  of.counted = has_cycles(*project_, *run.situation);
+  of.closed = run.loads.closed();
+}
+
+void PressedWebs::take(Time time, bool goes_on, const std::vector<Patch>& patches) {
+  Instant& instant = runs_.back().instants.emplace_back();
+  instant.time = time;
+  instant.goes_on = goes_on;
+  for (const Patch& patch : patches) {
+    if (!counts(patch)) continue;
+    // What a kink turns off stands still.
+    const double place = std::round(patch.s.value() / at_one_place);
+    const std::tuple key(patch.name, patch.along_z, patch.load ? 0.0 : place,
+                         patch.load.value_or(0));
+    const auto [found, is_new] = numbers_.try_emplace(key, sources_.size());
+    if (is_new) sources_.emplace_back().name = patch.name;
+    Source& source = sources_[found->second];
+    Pressing pressing{found->second, patch.s.value(), search_->pressed_by(patch)};
+    if (source.presses.empty()) source.from = source.to = pressing.s;
+    source.from = std::min(source.from, pressing.s);
+    source.to = std::max(source.to, pressing.s);
+    for (const PressedWeb& web : pressing.webs) {
+      auto& [least, most] = source.presses[web.plate];
+      least = std::min(least, web.stress.value());
+      most = std::max(most, web.stress.value());
+    }
+    instant.forces.push_back(std::move(pressing));
+  }
+}
+
+void PressedWebs::end(Time period) {
+  Run& of = runs_.back();
+  if (!of.closed || of.instants.empty()) return;
+  of.instants.push_back(of.instants.front());
+  of.instants.back().time = period;
+  of.instants.back().goes_on = true;
+}
+
+bool PressedWebs::acts(const Place& place, std::size_t force) const {
+  const auto presses = sources_[force].presses.find(place.web);
+  if (presses == sources_[force].presses.end()) return false;
+  const auto& [least, most] = presses->second;
+  return place.sense > 0.0 ? most > 0.0 : least < 0.0;
+}
+
+double PressedWebs::stress_at(const Place& place, const std::vector<Pressing>& forces) const {
+  double stress = 0.0;
+  for (const Pressing& of : forces) {
+    if (!acts(place, of.force)) continue;
+    for (const PressedWeb& web : of.webs)
+      if (web.plate == place.web && reaches(web, of.s, place.s)) stress += web.stress.value();
+  }
+  return stress;
+}
+
+/// Between two instants the stress changes where a loaded length begins or ends to reach the place:
+/// it is looked at just beside all of these.
+void PressedWebs::add_passages(const Place& place, const Instant& before, const Instant& behind,
+                               Series& series) const {
+  struct Moving {
+    double from, to;  // [m]
+    PressedWeb web;   // the one pressed more
+  };
+  std::vector<Moving> moving;
+  std::vector<Pressing> still;
+  std::vector<double> parts;
+  const double near = at_one_place * project_->beam.length().value();
+  for (const Pressing& of : before.forces) {
+    const auto same = std::find_if(behind.forces.begin(), behind.forces.end(),
+                                   [&](const Pressing& at) { return at.force == of.force; });
+    if (!acts(place, of.force) || same == behind.forces.end()) continue;
+    if (std::abs(same->s - of.s) <= near) continue;
+    // The larger stress over all that it loads at either instant: on a diaphragm it presses no web.
+    std::optional<PressedWeb> most;
+    for (const std::vector<PressedWeb>* const webs : {&of.webs, &same->webs}) {
+      for (const PressedWeb& web : *webs) {
+        if (web.plate != place.web) continue;
+        if (!most) most = web;
+        if (abs(web.stress) > abs(most->stress)) most->stress = web.stress;
+        most->before = std::max(most->before, web.before);
+        most->behind = std::max(most->behind, web.behind);
+      }
+    }
+    if (!most) continue;
+    moving.push_back({of.s, same->s, *most});
+    for (const double edge : {place.s + most->before.value(), place.s - most->behind.value()})
+      parts.push_back((edge - of.s) / (same->s - of.s));
+  }
+  std::sort(parts.begin(), parts.end());
+  constexpr double aside = 1e-9;
+  for (const double edge : parts) {
+    for (const double part : {edge - aside, edge + aside}) {
+      if (!(part > 0.0 && part < 1.0)) continue;
+      // What does not move is as before.
+      double stress = 0.0;
+      for (const Pressing& of : before.forces) {
+        const bool moves =
+            std::any_of(behind.forces.begin(), behind.forces.end(), [&](const Pressing& at) {
+              return at.force == of.force && std::abs(at.s - of.s) > near;
+            });
+        if (!moves) stress += stress_at(place, {of});
+      }
+      for (const Moving& of : moving) {
+        if (reaches(of.web, of.from + part * (of.to - of.from), place.s))
+          stress += of.web.stress.value();
+      }
+      series.times.push_back((before.time + part * (behind.time - before.time)).value());
+      series.values.push_back(stress);
+    }
+  }
+}
+
+PressedWebs::Series PressedWebs::series_at(const Place& place, const Run& run) const {
+  Series series;
+  for (std::size_t i = 0; i < run.instants.size(); ++i) {
+    const Instant& instant = run.instants[i];
+    if (instant.goes_on) add_passages(place, run.instants[i - 1], instant, series);
+    series.times.push_back(instant.time.value());
+    series.values.push_back(stress_at(place, instant.forces));
+  }
+  return series;
+}
+
+/// Where forces stand, and along the ways of those that move some places.
+std::vector<double> PressedWebs::places_of(BoxPlate web) const {
+  constexpr int along = 60;
+  const double near = at_one_place * project_->beam.length().value();
+  std::vector<double> places;
+  for (const Source& of : sources_) {
+    if (of.presses.find(web) == of.presses.end()) continue;
+    const bool moves = of.to - of.from > near;
+    for (int i = 0; i <= (moves ? along : 0); ++i)
+      places.push_back(of.from + static_cast<double>(i) / along * (of.to - of.from));
+  }
+  std::sort(places.begin(), places.end());
+  places.erase(
+      std::unique(places.begin(), places.end(), [&](double a, double b) { return b - a <= near; }),
+      places.end());
+  return places;
+}
+
+PressedWebs::Resisting PressedWebs::resisting_at(const Place& place) const {
+  const Station at{si<Length>(place.s), Side::both};
+  const Section section = section_at(project_->beam, at);
+  const auto walls = judged_walls_at(*project_, at);
+  Resisting of;
+  if (walls) of.thickness = walls->of(place.web).thickness;
+  auto detail = std::make_shared<BeamDetail>();
+  const auto* const box = std::get_if<Box>(&section.outer);
+  const auto take = [&](const char* row, const char* name) {
+    detail->detail = detail_of_row(row, name);
+  };
+  if (box == nullptr) {
+    take("8.10/1", "web without a seam");
+  } else {
+    take("8.10/2", "web at its seam");
+    const double web = detail->detail.curve.reference.value();
+    if (box->seam_throat > Length{}) {
+      const double over = of.thickness / box->seam_throat;
+      const Detail root = detail_of_row("8.10/4", "throat of a seam");
+      if (root.curve.reference.value() / over < web) {
+        detail->detail = root;
+        detail->stress_factor = over;
+        of.throat = box->seam_throat;
+      }
+    }
+  }
+  of.detail = std::move(detail);
+  return of;
+}
+
+template <class Look>
+void PressedWebs::for_all_at(const Place& place, const Look& look) const {
+  for (const Run& run : runs_) {
+    if (!run.counted) continue;
+    for (const Instant& at : run.instants) {
+      for (const Pressing& of : at.forces) {
+        const Source& source = sources_[of.force];
+        for (const PressedWeb& web : of.webs) {
+          const bool there = place.s >= source.from - web.before.value() &&
+                             place.s <= source.to + web.behind.value();
+          if (web.plate == place.web && there && acts(place, of.force)) look(source, web);
+        }
+      }
+    }
+  }
+}
+
+void PressedWebs::name(const Place& place, CheckResult& result) const {
+  std::vector<std::string> names;
+  const PressedWeb* most = nullptr;
+  for_all_at(place, [&](const Source& source, const PressedWeb& web) {
+    if (std::find(names.begin(), names.end(), source.name) == names.end())
+      names.push_back(source.name);
+    if (most == nullptr || abs(web.stress) > abs(most->stress)) most = &web;
+  });
+  constexpr std::size_t few = 3;
+  const std::string all = names.size() > few ? names.front() + " to " + names.back()
+                                             : fmt::format("{}", fmt::join(names, " and "));
+  Check& check = result.check;
+  PressedBasis& basis = *result.pressed;
+  const std::string web = project_->in_space || is_flange(place.web) ? to_text(place.web) : "web";
+  check.point = fmt::format("{}{} under {}", basis.throat > Length{} ? "seam of " : "", web, all);
+  check.id = id_of(check.criterion, check.station, check.point);
+  basis.loaded = most->before + most->behind;
+  basis.force = abs(most->stress) * basis.thickness * basis.loaded;
+}
+
+std::optional<CheckResult> PressedWebs::check_at(const Place& place) const {
+  const Resisting resisting = resisting_at(place);
+  const double factor = resisting.detail->stress_factor;
+  Turns turns(project_->situations.size());
+  TurningSamples samples;
+  for (const Run& run : runs_) {
+    const Series series = series_at(place, run);
+    SituationTurns& of = turns[run.situation];
+    of.begin = factor * series.values.front();
+    of.end = run.closed ? of.begin : factor * series.values.back();
+    find_turning_samples(series.values, samples);
+    const auto add = [&](std::size_t i, bool maximum) {
+      of.turns.push_back({si<Time>(series.times[i]), factor * series.values[i], maximum});
+    };
+    if (samples.turns.empty()) add(samples.highest, true);
+    for (const auto& [i, maximum] : samples.turns) add(i, maximum);
+  }
+  LifeChannel channel{{}, curve_of(resisting.detail->detail)};
+  double largest = 0.0;
+  for (const SituationCycles& of : life_cycles_of(*project_, turns, false)) {
+    for (SpectrumRow& row :
+         rows_of(project_->situations[of.situation].name, StressKind::direct, of.cycles)) {
+      largest = std::max(largest, row.cycle.range.value());
+      channel.spectrum.push_back(std::move(row));
+    }
+  }
+  // As small as no stress is one (`no_stress_at`), of mild steel.
+  constexpr double no_stress = 235.0;
+  if (largest < no_stress) return std::nullopt;
+  const ChannelLife life = life_of(*project_, {channel});
+  const auto [highest, lowest] = extremes_in(*project_, life.governing, turns);
+  const Extreme& larger = std::abs(highest.value) >= std::abs(lowest.value) ? highest : lowest;
+  CheckResult result;
+  Check& check = result.check;
+  check.criterion = Criterion::patch_fatigue;
+  check.station = {si<Length>(place.s), Side::both};
+  check.situation = project_->situations[life.governing].name;
+  check.time = larger.time;
+  PressedBasis& basis = result.pressed.emplace();
+  basis.thickness = resisting.thickness;
+  basis.throat = resisting.throat;
+  basis.life.point.in_plate = resisting.detail;
+  basis.life.point.detail = resisting.detail.get();
+  basis.life.stress_factor = factor;
+  basis.life.highest = highest;
+  basis.life.lowest = lowest;
+  take_life(*project_, {channel}, life, check, basis.life);
+  const Stress range = si<Stress>(highest.value - lowest.value);
+  check.acting = range;
+  check.resisting = Stress(check.safety_factor * range);
+  return result;
+}
+
+std::vector<PressedWebs::Found> PressedWebs::checks() const {
+  std::vector<Found> found;
+  if (std::none_of(runs_.begin(), runs_.end(), [](const Run& of) { return of.counted; }))
+    return found;
+  const auto take = [&](Found more) {
+    // Forces that push to and fro are of both senses.
+    const auto same = std::find_if(found.begin(), found.end(), [&](const Found& of) {
+      return of.given == more.given && of.result.check.id == more.result.check.id;
+    });
+    if (same == found.end())
+      found.push_back(std::move(more));
+    else if (more.result.check.utilisation() > same->result.check.utilisation())
+      *same = std::move(more);
+  };
+  for (const BoxPlate web : box_plates) {
+    const std::vector<double> places = places_of(web);
+    for (const double sense : {1.0, -1.0}) {
+      std::array<std::optional<CheckResult>, 2> worst;
+      for (const double s : places) {
+        const Place place{web, s, sense};
+        std::optional<CheckResult>& known = worst[search_->is_given_at(si<Length>(s)) ? 1 : 0];
+        auto at = check_at(place);
+        if (at && (!known || at->check.utilisation() > known->check.utilisation()))
+          known = std::move(at);
+      }
+      for (const bool given : {true, false}) {
+        std::optional<CheckResult>& of = worst[given ? 1 : 0];
+        if (!of) continue;
+        name({web, of->check.station.s.value(), sense}, *of);
+        take({*std::move(of), given});
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "patch_search.hpp"
+
+namespace boxbeam {
+
+/// Whether a situation has cycles, or is part of one that has.
+bool has_cycles(const Project& project, const Situation& situation);
+
+/// Webs of boxes and rectangular tubes that forces press anew at every cycle, in fatigue.
+///
+///     sigma_z = F/(t (s_s + 2 t_f))   in the web, category 71 (row 8.10/2), rolled 160 (8.10/1)
+///     sigma_w = sigma_z t/a           in the throats a of a fillet seam together, 36 (row 8.10/4)
+///
+/// At a place it is that of all forces whose loaded length reaches it: of those that push down at
+/// some time, and of those that push up, each with its signs, for both may come by unlike flanges.
+/// What moves on loads a place from none to all of it and back at every passage, however far it
+/// gets between two instants; beside that the instants count. Not with stresses along the beam.
+/// Source: EN 1993-1-9:2005+AC:2009, table 8.10; loaded length EN 1993-1-5:2006, 6.3.
+class PressedWebs {
+ public:
+  PressedWebs(const Project& project, PatchSearch& search) : project_(&project), search_(&search) {}
+
+  /// Whether a patch is one of those: not loads along the beam, whose places are none of their own.
+  static bool counts(const Patch& patch);
+
+  /// Learns what the forces of a run press, from instant to instant; `goes_on`: from the one
+  /// before.
+  void begin(const SituationRun& run);
+  void take(Time time, bool goes_on, const std::vector<Patch>& patches);
+  void end(Time period);
+
+  /// A check, and whether the case says how forces come in there.
+  struct Found {
+    CheckResult result;
+    bool given = true;
+  };
+  /// Of every web the place that is used most, of each sense, of those where the case says that and
+  /// of the others.
+  std::vector<Found> checks() const;
+
+ private:
+  /// A force at an instant.
+  struct Pressing {
+    std::size_t force = 0;  ///< its number
+    double s = 0.0;         ///< [m]
+    std::vector<PressedWeb> webs;
+  };
+  struct Instant {
+    Time time;
+    bool goes_on = false;  ///< from the one before
+    std::vector<Pressing> forces;
+  };
+  struct Run {
+    std::size_t situation = 0;
+    bool counted = false;
+    bool closed = true;
+    std::vector<Instant> instants;
+  };
+  /// One force of all runs.
+  struct Source {
+    std::string name;
+    double from = 0.0, to = 0.0;                            ///< its way [m]
+    std::map<BoxPlate, std::pair<double, double>> presses;  ///< least and most of each web [Pa]
+  };
+  /// A place of a web, and the sense of what is looked at.
+  struct Place {
+    BoxPlate web;
+    double s = 0.0;
+    double sense = 1.0;
+  };
+  struct Series {
+    std::vector<double> times, values;
+  };
+  struct Resisting;
+
+  bool acts(const Place& place, std::size_t force) const;
+  /// The stress of a place under some loads.
+  double stress_at(const Place& place, const std::vector<Pressing>& forces) const;
+  Series series_at(const Place& place, const Run& run) const;
+  void add_passages(const Place& place, const Instant& before, const Instant& behind,
+                    Series& series) const;
+  std::vector<double> places_of(BoxPlate web) const;
+  Resisting resisting_at(const Place& place) const;
+  template <class Look>
+  void for_all_at(const Place& place, const Look& look) const;
+  std::optional<CheckResult> check_at(const Place& place) const;
+  void name(const Place& place, CheckResult& result) const;
+
+  const Project* project_;
+  PatchSearch* search_;
+  std::vector<Run> runs_;
+  std::vector<Source> sources_;
+  std::map<std::tuple<std::string, bool, double, std::size_t>, std::size_t> numbers_;
+};
+
+}  // namespace boxbeam
