@@ -129,11 +129,12 @@ void read_from_tables(TableReader& table, StressKind kind, bool raise_asterisk,
   if (facts.at("stress") == FactValue(local_stress)) {
     const std::vector<DetailRow> local = assess(rows, kind, facts).candidates;
     const std::string id = local.empty() ? "8.10/2" : local.front().id;
-    table.problem(key,
-                  "what wheels press into a web or a deck, what a stud shears and what there is "
-                  "beside a cut-out are no stresses of the beam's sections, and no case has them",
-                  fmt::format("judge its history by itself: boxbeam fatigue HISTORY.csv --{} {}",
-                              kind == StressKind::shear ? "shear-detail" : "detail", id));
+    table.problem(
+        key,
+        "what wheels press into a web or a deck, what a stud shears and what there is "
+        "beside a cut-out are no stresses of the beam's sections, which its details are for",
+        fmt::format("judge its history by itself: boxbeam fatigue HISTORY.csv --{} {}",
+                    kind == StressKind::shear ? "shear-detail" : "detail", id));
   }
   if (table.problems().size() != before) return;
   DetailInPlates known{facts, assess(rows, kind, facts).candidates, raise_asterisk,

@@ -66,6 +66,7 @@ struct PressedWeb {
   BoxPlate plate = BoxPlate::left_web;
   Stress stress;          ///< F/(t l), as the force has its sign
   Length before, behind;  ///< of the force: what of the web it loads
+  Length stiff_length;
 };
 
 struct PathWeb;

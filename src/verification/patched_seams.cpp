@@ -48,7 +48,7 @@ std::vector<PressedWeb> PatchSearch::pressed_by(const Patch& patch) {
         if (diaphragm_at(project_->beam.length()) != nullptr) spread.to = patch.s + half;
         const PressedWeb of{webs[k],
                             shares[k] * patch.force / (web.thickness * (spread.to - spread.from)),
-                            patch.s - spread.from, spread.to - patch.s};
+                            patch.s - spread.from, spread.to - patch.s, patch.stiff_length};
         const auto same =
             std::find_if(pressed.begin(), pressed.end(),
                          [&](const PressedWeb& other) { return other.plate == of.plate; });

@@ -121,12 +121,16 @@ void PressedWebs::add_passages(const Place& place, const Instant& before, const 
                                    [&](const Pressing& at) { return at.force == of.force; });
     if (!acts(place, of.force) || same == behind.forces.end()) continue;
     if (std::abs(same->s - of.s) <= near) continue;
-    // The larger stress over all that it loads at either instant: on a diaphragm it presses no web.
+    // The larger stress over all that it loads at either instant; where it comes in otherwise at
+    // both, that of the nearer one. On a diaphragm it presses no web.
+    const bool later = std::abs(same->s - place.s) < std::abs(of.s - place.s);
     std::optional<PressedWeb> most;
-    for (const std::vector<PressedWeb>* const webs : {&of.webs, &same->webs}) {
+    for (const std::vector<PressedWeb>* const webs :
+         {later ? &same->webs : &of.webs, later ? &of.webs : &same->webs}) {
       for (const PressedWeb& web : *webs) {
         if (web.plate != place.web) continue;
         if (!most) most = web;
+        if (web.stiff_length != most->stiff_length) continue;
         if (abs(web.stress) > abs(most->stress)) most->stress = web.stress;
         most->before = std::max(most->before, web.before);
         most->behind = std::max(most->behind, web.behind);
@@ -172,16 +176,24 @@ PressedWebs::Series PressedWebs::series_at(const Place& place, const Run& run) c
   return series;
 }
 
-/// Where forces stand, and along the ways of those that move some places.
+/// Where forces stand, and some along the ways of those that move, of all of a name together.
 std::vector<double> PressedWebs::places_of(BoxPlate web) const {
   constexpr int along = 60;
   const double near = at_one_place * project_->beam.length().value();
   std::vector<double> places;
+  std::map<std::string, std::pair<double, double>> ways;
   for (const Source& of : sources_) {
     if (of.presses.find(web) == of.presses.end()) continue;
-    const bool moves = of.to - of.from > near;
-    for (int i = 0; i <= (moves ? along : 0); ++i)
-      places.push_back(of.from + static_cast<double>(i) / along * (of.to - of.from));
+    places.push_back(of.from);
+    if (of.to - of.from <= near) continue;
+    places.push_back(of.to);
+    auto& [from, to] = ways.try_emplace(of.name, of.from, of.to).first->second;
+    from = std::min(from, of.from);
+    to = std::max(to, of.to);
+  }
+  for (const auto& [name, way] : ways) {
+    for (int i = 1; i < along; ++i)
+      places.push_back(way.first + static_cast<double>(i) / along * (way.second - way.first));
   }
   std::sort(places.begin(), places.end());
   places.erase(

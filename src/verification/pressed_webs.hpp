@@ -21,7 +21,8 @@ bool has_cycles(const Project& project, const Situation& situation);
 /// At a place it is that of all forces whose loaded length reaches it: of those that push down at
 /// some time, and of those that push up, each with its signs, for both may come by unlike flanges.
 /// What moves on loads a place from none to all of it and back at every passage, however far it
-/// gets between two instants; beside that the instants count. Not with stresses along the beam.
+/// gets between two instants; beside that the instants count. Not with stresses along the beam. At
+/// an end of the beam it loads the web as far as that goes, but where a diaphragm stands there.
 /// Source: EN 1993-1-9:2005+AC:2009, table 8.10; loaded length EN 1993-1-5:2006, 6.3.
 class PressedWebs {
  public:

@@ -137,6 +137,8 @@ TEST_CASE("wheels one behind the other press twice, those within their length to
   };
   CHECK(with(1.0) == Approx(use_of(sigma_z, 2e6, 71.0, 1.35)).epsilon(1e-6));
   CHECK(with(0.13) == Approx(use_of(sigma_z, 2e6, 71.0, 1.35)).epsilon(1e-6));
+  // A hundredth of a millimetre of the web is under both, between two instants.
+  CHECK(with(0.12399) == Approx(use_of(2.0 * sigma_z, 1e6, 71.0, 1.35)).epsilon(1e-6));
   CHECK(with(0.12) == Approx(use_of(2.0 * sigma_z, 1e6, 71.0, 1.35)).epsilon(1e-6));
 }
 
