@@ -20,9 +20,9 @@ class ForceKinds {
 
   void learn(const SituationRun& run);
 
-  /// Whether a joint at an end of the beam clamps it: it holds its turning rigidly, or its couple is
-  /// that of a force more than half the beam's depth away, which friction in a pin never is, and no
-  /// pin with a lever so long.
+  /// Whether a joint at an end of the beam clamps it: it holds its turning rigidly, or its couple
+  /// is that of a force more than half the beam's depth away, which friction in a pin never is, and
+  /// no pin with a lever so long.
   bool clamps(std::string_view name) const { return clamps_.count(name) > 0; }
   /// Whether one moves along the beam.
   bool moves(std::string_view name) const { return moving_.count(name) > 0; }
