@@ -28,13 +28,13 @@ class Attachments {
   std::vector<AttachmentWeld> welds;
 
  private:
-  AttachmentWeld& add(Length from, Length to, const std::optional<Detail>& given, Detail by_row,
-                      std::string assumed) {
+  AttachmentWeld& add(Length from, Length to, const std::optional<Detail>& given,
+                      const Detail& by_row, std::string assumed) {
     AttachmentWeld& weld = welds.emplace_back();
     weld.detail.from = from;
     weld.detail.to = to;
     weld.detail.stress_factor = concentration_;
-    weld.detail.detail = given ? *given : std::move(by_row);
+    weld.detail.detail = given ? *given : by_row;
     if (!given) weld.detail.assumed = std::move(assumed);
     return weld;
   }
