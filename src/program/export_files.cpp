@@ -36,12 +36,25 @@ std::vector<std::string> earlier_files(const Project& project, const std::string
   return names;
 }
 
+/// The worst check of a criterion but of what forces do where they come in: cut forces do not say
+/// how and where between their stations that is.
+const CheckResult* worst_in_sections(const Verification& of, Criterion criterion) {
+  const CheckResult* worst = nullptr;
+  for (const CheckResult& result : of.checks) {
+    if (result.check.criterion != criterion || result.patch || result.pressed) continue;
+    if (worst == nullptr || result.check.utilisation() > worst->check.utilisation())
+      worst = &result;
+  }
+  return worst;
+}
+
 /// The largest relative difference of the governing factors of two verifications; infinite where
 /// one of them judges what the other does not.
 double difference_of(const Verification& a, const Verification& b) {
   double largest = 0.0;
   for (const Criterion criterion : criteria) {
-    const CheckResult *const of = a.governing(criterion), *const other = b.governing(criterion);
+    const CheckResult *const of = worst_in_sections(a, criterion), *const other = worst_in_sections(
+                                                                       b, criterion);
     if (of == nullptr && other == nullptr) continue;
     if (of == nullptr || other == nullptr) return INFINITY;
     largest = std::max(largest, std::abs(other->check.safety_factor / of->check.safety_factor - 1));

@@ -84,7 +84,8 @@ def check_loads(program, export, said, results, limit):
     again = json.loads(text)
     check(again["verdict"] == results["verdict"], f"another verdict: {again['verdict']}")
     largest, judged = 0.0, 0
-    for criterion in sorted({of["criterion"] for of in results["checks"]}):
+    # Cut forces do not say how forces come in.
+    for criterion in sorted({of["criterion"] for of in results["checks"]} - {"patch loading", "patch fatigue"}):
         mine = next(of for of in results["checks"] if of["criterion"] == criterion)
         other = next((of for of in again["checks"] if of["criterion"] == criterion), None)
         check(other is not None, f"{criterion} is not judged")
