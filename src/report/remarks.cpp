@@ -92,8 +92,7 @@ void add_pressed(const Verification& verification, std::vector<std::string>& rem
     if (!detail.unconfirmed) continue;
     std::string remark = fmt::format(
         "unconfirmed: the figures of row {} (category {}) for the {} under forces are recalled, "
-        "not "
-        "read in the code",
+        "not read in the code",
         detail.row, detail.curve.name, detail.name);
     if (std::find(remarks.begin(), remarks.end(), remark) == remarks.end())
       remarks.push_back(std::move(remark));

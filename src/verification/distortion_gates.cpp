@@ -122,8 +122,7 @@ std::vector<Gate> distortion_gates_of(const Project& project,
     if (project.strength.required * of.used_where_slender > most_where_slender)
       reasons.push_back(
           fmt::format("plates that may buckle bear {:.3g} of their strength by it, more than the "
-                      "{:.2g} that is "
-                      "added to their checks",
+                      "{:.2g} that is added to their checks",
                       project.strength.required * of.used_where_slender, most_where_slender));
     if (!slight(of.used) && without.used > 1.0)
       reasons.push_back(fmt::format("it is in no check of {}, which with it would use {:.3g}",

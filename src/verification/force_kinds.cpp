@@ -113,7 +113,7 @@ void ForceKinds::learn(const SituationRun& run) {
   constexpr std::size_t looked_at = 64;
   const std::size_t step = std::max<std::size_t>(1, history.instants() / looked_at);
   std::map<std::string, std::pair<double, double>> largest;  // force, couple
-  std::map<std::string, Length> places;
+  std::map<std::pair<std::string, std::size_t>, Length> places;
   for (std::size_t i = 0; i < history.instants(); i += step) {
     const BeamLoads loads = history.loads_at(history.time_of(i));
     const std::vector<double> held = run.motion->supports(loads);
@@ -122,8 +122,10 @@ void ForceKinds::learn(const SituationRun& run) {
       return std::any_of(held.begin(), held.end(),
                          [&](double at) { return std::abs(at - s.value()) <= near; });
     };
+    std::map<std::string_view, std::size_t> of_name;
     for (const PointLoad& load : loads.points) {
-      const auto at = places.try_emplace(std::string(load.name), load.s).first;
+      const std::size_t number = of_name[load.name]++;
+      const auto at = places.try_emplace({std::string(load.name), number}, load.s).first;
       if (abs(load.s - at->second) > same_place * project_->beam.length())
         moving_.insert(at->first);
       // What nothing holds is loaded there: a force with a couple is no clamp.

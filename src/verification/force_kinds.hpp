@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/situation_run.hpp"
@@ -24,13 +25,16 @@ class ForceKinds {
   /// is that of a force more than half the beam's depth away, which friction in a pin never is, and
   /// no pin with a lever so long.
   bool clamps(std::string_view name) const { return clamps_.count(name) > 0; }
-  /// Whether one moves along the beam.
-  bool moves(std::string_view name) const { return moving_.count(name) > 0; }
+  /// Whether one moves along the beam, by its number among those of its name.
+  bool moves(std::string_view name, std::size_t number) const {
+    return moving_.count({std::string(name), number}) > 0;
+  }
   bool any_moves() const { return !moving_.empty(); }
 
  private:
   const Project* project_;
-  std::set<std::string, std::less<>> clamps_, moving_;
+  std::set<std::string, std::less<>> clamps_;
+  std::set<std::pair<std::string, std::size_t>> moving_;
 };
 
 }  // namespace boxbeam

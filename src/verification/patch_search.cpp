@@ -168,7 +168,7 @@ std::vector<Patch> PatchSearch::forces_of(const BeamLoads& loads) const {
       patch.s = std::clamp(load.s, Length{}, beam.length());
       patch.along_z = along_z;
       patch.couple = si<Moment>(load.moment.x());
-      patch.moves = kinds_.moves(load.name);
+      patch.moves = kinds_.moves(load.name, number);
       patch.load = number;
       patches.push_back(std::move(patch));
     }

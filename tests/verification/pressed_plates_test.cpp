@@ -150,7 +150,7 @@ TEST_CASE("random stout boxes: a force of which nothing is said is judged as on 
   CHECK(silent > 20);
 }
 
-TEST_CASE("the kink of a stout box presses its webs", "[patch]") {
+TEST_CASE("the kink of a stout box presses its webs and bends its flange", "[patch]") {
   // 400 x 600 to 400 x 300 in 0.8 m between two straight parts, flanges 20, webs 20.
   const Sizes box{400, 600, 20, 20, 0};
   const std::string segments =
@@ -161,24 +161,23 @@ TEST_CASE("the kink of a stout box presses its webs", "[patch]") {
     return verified(
         beam(4.8, box.text("a") + box.text("b", 300.0), segments, force("f", 2.4, -kN)));
   };
-  // At s = 2.8 m M = R 2 with R = F/2; sigma in the middle of the flange by the shallow section.
+  // At s = 2.8 m M = F/2 2 m; the flange's force by the stress in its middle, and what of it the
+  // slope of 150/800 turns off: 1.3 F/(4 pi) 6/t^2 across the flange, f_y = 355.
   const double I = (400.0 * std::pow(300.0, 3) - 360.0 * std::pow(260.0, 3)) / 12.0;
-  const double kN = 400.0, M = 0.5 * kN * 1e3 * 2000.0;
-  const double N_f = M * 140.0 / I * 400.0 * 20.0, turn = 150.0 / 800.0;
+  const double kN = 100.0, M = 0.5 * kN * 1e3 * 2000.0;
+  const double turned = M * 140.0 / I * 400.0 * 20.0 * 150.0 / 800.0;
+  const double use = 1.3 * turned / (4.0 * std::acos(-1.0)) * 6.0 / 400.0 / 355.0;
+  const std::string words = fmt::format("where it turns off, by about {:.2g} of its strength", use);
   const Verification found = of(kN);
-  double most = 0.0;
-  for (const CheckResult& result : found.checks) {
-    if (result.patch && result.check.point.find("the kink of the") != std::string::npos &&
-        std::abs(result.check.station.s.value() - 2.8) < 1e-9)
-      most = std::max(most, result.patch->force.value());
-  }
-  for (const Gate& gate : found.gates) {
-    if (gate.finding.find("kink") != std::string::npos) most = std::max(most, 1.0);
-  }
-  CHECK(most > 0.0);
-  if (most > 1.0) CHECK(most == Approx(N_f * turn).epsilon(1e-3));
-  // Ten times the load is more than webs and flange bear.
-  CHECK(stops(of(10.0 * kN), "kink"));
+  int said = 0;
+  for (const NotJudged& note : found.not_judged)
+    said += note.reason.find(words) != std::string::npos &&
+                    note.what.find("s = 2.8 m") != std::string::npos
+                ? 1
+                : 0;
+  CHECK(said == 2);  // of the top and of the bottom flange
+  // Six times the load is more than the flange bears, beside what it has along the beam.
+  CHECK(stops(of(6.0 * kN), "the kink of the top flange"));
 }
 
 TEST_CASE("where a flange ends and the next one lies elsewhere there is no verdict", "[patch]") {

@@ -19,8 +19,7 @@ struct AttachmentDetails {
 ///                 with legs as long as the plate is thick: 80 up to 50 mm, 71 up to 80 mm, and
 ///                 beyond, where the rows end and legs are shorter
 ///     flats       row 8.2/5, continuous fillets by hand: 100; where a flat ends within the beam
-///     row
-///                 8.4/1 by its length: 56 beyond 100 mm
+///                 row 8.4/1 by its length: 56 beyond 100 mm
 ///
 /// A flat goes on in the next segment where one stands within its thickness on the same plate.
 /// Those that the case says nothing of are assumed, and have the beam's own k_f.
