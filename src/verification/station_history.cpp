@@ -129,7 +129,12 @@ void StationHistory::divide_at_passages(const LoadHistory::Reach& reach,
   add(end);
 }
 
-std::vector<StationHistory::Passage> StationHistory::passages() const {
+const std::vector<StationHistory::Passage>& StationHistory::passages() const {
+  if (!passages_) passages_ = find_passages();
+  return *passages_;
+}
+
+std::vector<StationHistory::Passage> StationHistory::find_passages() const {
   std::vector<Passage> found;
   if (loads_->is_recorded()) return found;  // their places never change
   const std::size_t n = loads_->instants();
@@ -225,28 +230,55 @@ const std::vector<StationHistory::Piece>& StationHistory::pieces_of(std::size_t 
   return pieces_.emplace(instant, std::move(pieces)).first->second;
 }
 
+void StationHistory::look_in(const Piece& piece, double own, double sign, const CutForceFunction& f,
+                             Extremum& best) const {
+  std::array<double, LoadHistory::nodes> values{};
+  for (std::size_t k = 0; k <= last_node; ++k) values[k] = sign * f(piece.at[k]);
+  const auto k =
+      static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+  if (values[k] > best.value) best = {BracketPoints::between(piece.from, piece.to, k), values[k]};
+  if (piece.jump) return;
+  const Extremum found = find_maximum([&](double u) { return sign * f(interpolate(piece.at, u)); },
+                                      BracketPoints::point(k > 0 ? k - 1 : 0),
+                                      BracketPoints::point(std::min(k + 1, last_node)));
+  if (found.value <= best.value) return;
+  const double middle = 0.5 * (piece.from + piece.to);
+  best = {std::clamp(middle + 0.5 * (piece.to - piece.from) * found.at, piece.from, piece.to),
+          found.value};
+  // The search ends within 2^-22 of the bracket: so near an instant, it is the instant.
+  if (std::abs(best.at - own) < 1e-6 * (piece.to - piece.from)) best.at = own;
+}
+
 Extremum StationHistory::extremum_near(std::size_t instant, double sign,
                                        const CutForceFunction& f) const {
-  Extremum best{loads_->time_of(instant).value(), sign * f(samples_[instant])};
-  for (const Piece& piece : pieces_of(instant)) {
-    std::array<double, LoadHistory::nodes> values{};
-    for (std::size_t k = 0; k <= last_node; ++k) values[k] = sign * f(piece.at[k]);
-    const auto k =
-        static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
-    if (values[k] > best.value) best = {BracketPoints::between(piece.from, piece.to, k), values[k]};
-    if (piece.jump) continue;
-    const Extremum found = find_maximum(
-        [&](double u) { return sign * f(interpolate(piece.at, u)); },
-        BracketPoints::point(k > 0 ? k - 1 : 0), BracketPoints::point(std::min(k + 1, last_node)));
-    if (found.value <= best.value) continue;
-    const double middle = 0.5 * (piece.from + piece.to);
-    best = {std::clamp(middle + 0.5 * (piece.to - piece.from) * found.at, piece.from, piece.to),
-            found.value};
-    // The search ends within 2^-22 of the bracket: so near an instant, it is the instant.
-    const double own = loads_->time_of(instant).value();
-    if (std::abs(best.at - own) < 1e-6 * (piece.to - piece.from)) best.at = own;
-  }
+  const double own = loads_->time_of(instant).value();
+  Extremum best{own, sign * f(samples_[instant])};
+  for (const Piece& piece : pieces_of(instant)) look_in(piece, own, sign, f, best);
   return best;
+}
+
+TurningPoint StationHistory::refine(const Passage& passage, bool behind, bool maximum,
+                                    const CutForceFunction& f) const {
+  const double sign = maximum ? 1.0 : -1.0, at = passage.time.value();
+  const std::size_t i = passage.instant;
+  const double low =
+      (i > 0 ? loads_->time_of(i - 1) : loads_->time_of(samples_.size() - 1) - period()).value();
+  const double from = behind ? at : low, to = behind ? loads_->time_of(i).value() : at;
+  Extremum best{at, sign * f(behind ? passage.behind : passage.before)};
+  for (const Piece& piece : pieces_of(i)) {
+    const double middle = 0.5 * (piece.from + piece.to);
+    if (middle > from && middle < to) look_in(piece, at, sign, f, best);
+  }
+  return turning_point_of(best, maximum);
+}
+
+TurningPoint StationHistory::turning_point_of(const Extremum& found, bool maximum) const {
+  Time time = si<Time>(found.at);
+  if (loads_->closed()) {
+    if (time < loads_->begin()) time += loads_->period();
+    if (time >= loads_->begin() + loads_->period()) time -= loads_->period();
+  }
+  return {time, (maximum ? 1.0 : -1.0) * found.value, maximum};
 }
 
 TurningPoint StationHistory::refine(std::size_t instant, bool maximum, const CutForceFunction& f,
@@ -270,26 +302,45 @@ TurningPoint StationHistory::refine(std::size_t instant, bool maximum, const Cut
   if ((!last || loads_->closed()) && loads_->begins_piece((instant + 1) % n)) {
     look_at((instant + 1) % n);
   }
-  Time time = si<Time>(found.at);
-  if (loads_->closed()) {
-    if (time < loads_->begin()) time += loads_->period();
-    if (time >= loads_->begin() + loads_->period()) time -= loads_->period();
-  }
-  return {time, sign * found.value, maximum};
+  return turning_point_of(found, maximum);
 }
 
 std::vector<TurningPoint> StationHistory::turning_points(const CutForceFunction& f) const {
-  std::vector<double> values(samples_.size());
-  std::transform(samples_.begin(), samples_.end(), values.begin(), f);
+  /// An instant, or a side of a passage before it.
+  struct Looked {
+    std::size_t instant = 0;
+    const Passage* passage = nullptr;
+    bool behind = false;
+  };
+  std::vector<double> values;
+  std::vector<Looked> looked;
+  const auto add = [&](const CutForces& cut, const Looked& at) {
+    values.push_back(f(cut));
+    looked.push_back(at);
+  };
+  auto passage = passages().begin();
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    for (; passage != passages().end() && passage->instant == i; ++passage) {
+      add(passage->before, {i, &*passage, false});
+      add(passage->behind, {i, &*passage, true});
+    }
+    add(samples_[i], {i});
+  }
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const double noise = noise_between(*low, *high);
+  const auto refined = [&](std::size_t sample, bool maximum) {
+    const Looked& of = looked[sample];
+    return of.passage != nullptr ? refine(*of.passage, of.behind, maximum, f)
+                                 : refine(of.instant, maximum, f, noise);
+  };
   const TurningSamples found = turning_samples_of(values);
-  if (found.turns.empty()) return {{loads_->time_of(found.highest), values[found.highest], true}};
+  if (found.turns.empty()) {
+    return {{loads_->time_of(looked[found.highest].instant), values[found.highest], true}};
+  }
 
   std::vector<TurningPoint> turns;
   turns.reserve(found.turns.size());
-  for (const auto& [sample, maximum] : found.turns)
-    turns.push_back(refine(sample, maximum, f, noise));
+  for (const auto& [sample, maximum] : found.turns) turns.push_back(refined(sample, maximum));
   std::sort(turns.begin(), turns.end(),
             [](const TurningPoint& a, const TurningPoint& b) { return a.time < b.time; });
   return turns;
@@ -355,6 +406,13 @@ TurningPoint StationHistory::largest(const CutForceFunction& f) const {
     if (!(values[i] >= before && values[i] > behind) || values[i] < enough) continue;
     const TurningPoint found = refine(i, true, f, noise);
     if (found.value > best.value) best = found;
+  }
+  for (const Passage& passage : passages()) {
+    for (const bool behind : {false, true}) {
+      if (f(behind ? passage.behind : passage.before) < enough) continue;
+      const TurningPoint found = refine(passage, behind, true, f);
+      if (found.value > best.value) best = found;
+    }
   }
   return best;
 }

@@ -184,6 +184,40 @@ TEST_CASE("a load that slides along the beam: M peaks as it passes a station (in
   }
 }
 
+TEST_CASE("an extreme at a passage is found though an instant before it stands higher") {
+  // The right support bears P s/L = g(t), a wave that dips at the instant before the passage and is
+  // higher there than at the instants before; V is that until the load has passed.
+  const TaperedBeam beam = metre_of_tube();
+  const double L = beam.length().value(), step = 0.05, crest = 1.0;
+  const auto g = [&](double t) {
+    const double steps = (t - crest) / step;
+    return 700.0 * (1.0 + 0.05 * std::cos(2.0 * pi * steps / 1.6) + 0.02 * steps);
+  };
+  const auto place = [&](double t) { return L * (0.07 + 0.43 * t); };
+  const LoadHistory loads({Time{}, 2.0 * second, 40, false}, [&](Time time) {
+    const double s = place(time.value()), right = g(time.value());
+    BeamLoads at;
+    at.points = {{Length{}, {0.0, 0.0, right * (L - s) / s}, Eigen::Vector3d::Zero()},
+                 {si<Length>(s), {0.0, 0.0, -right * L / s}, Eigen::Vector3d::Zero()},
+                 {si<Length>(L), {0.0, 0.0, right}, Eigen::Vector3d::Zero()}};
+    at.lines = unloaded_lines(beam);
+    return at;
+  });
+  const double passes = crest + 1.5 * step;
+  REQUIRE(g(crest) > g(crest + step));
+  REQUIRE(g(passes) > g(crest));
+  const StationHistory history(loads, {si<Length>(place(passes))});
+  const auto shear = [](const CutForces& cut) { return std::abs(cut.V_z.value()); };
+  const TurningPoint largest = history.largest(shear);
+  CHECK(largest.value == Approx(g(passes)).epsilon(1e-6));
+  CHECK(largest.time.value() == Approx(passes).epsilon(1e-6));
+  double highest = 0.0;
+  for (const TurningPoint& of : history.turning_points(shear)) {
+    if (of.maximum) highest = std::max(highest, of.value);
+  }
+  CHECK(highest == Approx(g(passes)).epsilon(1e-6));
+}
+
 TEST_CASE("a joint that slides along the beam bears on it, beyond either end it is an error") {
   // The pin stands where the bar was pushed to, s = 0.5 m - stroke. At s = 0.1 m weight W and both
   // bearings balance: W 0.5/0.1 on the pin, the rest at A.

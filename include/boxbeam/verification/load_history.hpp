@@ -168,7 +168,7 @@ class StationHistory {
     CutForces before, behind;
   };
   /// In order of time. A load that passes twice between two instants is not seen.
-  std::vector<Passage> passages() const;
+  const std::vector<Passage>& passages() const;
 
   /// Whether the loads may jump or bend between an instant and the one before it.
   bool begins_piece(std::size_t instant) const { return loads_->begins_piece(instant); }
@@ -176,7 +176,8 @@ class StationHistory {
   /// The turning points of `f` in order of time. Each is bracketed by instants between which
   /// nothing is known to jump or bend and found by Brent's method on the cut forces interpolated
   /// through the Chebyshev points of the bracket (degree 8: for a smooth motion the interpolation
-  /// is at round-off). A load that slides over the station divides a bracket; one that the
+  /// is at round-off). A load that slides over the station divides a bracket, and what is on either
+  /// side of that is looked at like instants; one that the
   /// polynomial does not describe, for what happens in it is known to nobody before, is halved
   /// until it does. Waves smaller than 1e-9 of the whole are round-off and left out; a constant has
   /// one turning point.
@@ -204,7 +205,15 @@ class StationHistory {
   void add_smooth(const Piece& piece, int halvings, bool keep, std::vector<Piece>& pieces) const;
   Piece piece_between(double from, double to, bool keep) const;
   bool is_described(const Nodes& at) const;
+  std::vector<Passage> find_passages() const;
+  /// The larger one of what is known and what is in a piece; `own`: the time of an instant.
+  void look_in(const Piece& piece, double own, double sign, const CutForceFunction& f,
+               Extremum& best) const;
   Extremum extremum_near(std::size_t instant, double sign, const CutForceFunction& f) const;
+  /// On one side of a passage, up to the instant there.
+  TurningPoint refine(const Passage& passage, bool behind, bool maximum,
+                      const CutForceFunction& f) const;
+  TurningPoint turning_point_of(const Extremum& found, bool maximum) const;
   TurningPoint refine(std::size_t instant, bool maximum, const CutForceFunction& f,
                       double noise) const;
 
@@ -213,6 +222,7 @@ class StationHistory {
   std::vector<CutForces> samples_;
   double force_floor_ = 0.0, moment_floor_ = 0.0;  ///< of what the polynomials leave out
   mutable std::map<std::size_t, std::vector<Piece>> pieces_;
+  mutable std::optional<std::vector<Passage>> passages_;
 };
 
 }  // namespace boxbeam
