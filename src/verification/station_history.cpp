@@ -264,11 +264,15 @@ TurningPoint StationHistory::refine(const Passage& passage, bool behind, bool ma
   const double low =
       (i > 0 ? loads_->time_of(i - 1) : loads_->time_of(samples_.size() - 1) - period()).value();
   const double from = behind ? at : low, to = behind ? loads_->time_of(i).value() : at;
-  Extremum best{at, sign * f(behind ? passage.behind : passage.before)};
+  // The pieces end at the last time before it and at the first behind it: what is evaluated there
+  // is on the side meant, which at the passage's own time nobody knows.
+  Extremum best{at, -std::numeric_limits<double>::infinity()};
   for (const Piece& piece : pieces_of(i)) {
-    const double middle = 0.5 * (piece.from + piece.to);
-    if (middle > from && middle < to) look_in(piece, at, sign, f, best);
+    const bool lies_behind = 0.5 * (piece.from + piece.to) > at;
+    if (lies_behind != behind || piece.to <= from || piece.from >= to) continue;
+    look_in(piece, behind ? to : from, sign, f, best);
   }
+  if (!std::isfinite(best.value)) best.value = sign * f(behind ? passage.behind : passage.before);
   return turning_point_of(best, maximum);
 }
 

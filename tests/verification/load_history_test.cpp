@@ -213,6 +213,8 @@ TEST_CASE("an extreme at a passage is found though an instant before it stands h
   CHECK(largest.time.value() == Approx(passes).epsilon(1e-6));
   double highest = 0.0;
   for (const TurningPoint& of : history.turning_points(shear)) {
+    // On either side of the passage, too, the loads at the time said are those of the value said.
+    CHECK(shear(history.at(of.time)) == Approx(of.value).epsilon(1e-9));
     if (of.maximum) highest = std::max(highest, of.value);
   }
   CHECK(highest == Approx(g(passes)).epsilon(1e-6));
