@@ -255,6 +255,10 @@ void read_diaphragm(TableReader table, TaperedBeam& beam) {
     diaphragm.opening =
         si<Length>(table.positive({"opening", "width of its access hole"}, wanted::length));
   }
+  if (table.has("throat")) {
+    diaphragm.throat = si<Length>(table.positive(
+        {"throat", "of each of the fillet welds on both its faces"}, wanted::length));
+  }
   table.finish();
   if (!table.problems().empty()) return;
   const auto same = [&](const Diaphragm& other) { return other.s == diaphragm.s; };

@@ -521,6 +521,7 @@ class RecordedLoadsReader {
       source.load = loads.as_cuts ? fmt::format("s = {:.6g} m", stations_[term.place])
                                   : spots_[term.place].name;
       source.what = term.what;
+      source.has_moment = !term.moment.isZero(0.0);
       if (term.channel) {
         const std::vector<double>& values = channels.values[*term.channel];
         const auto [low, high] = std::minmax_element(values.begin(), values.end());

@@ -303,6 +303,10 @@ Steps patch_steps(const Project& project, const CheckResult& result) {
     return steps_of(steps);
   }
   const Traced F = steps.define("F_w", loaded(steps, basis.load_factor, Traced(share * all)));
+  if (const auto* const weld = std::get_if<StiffenerWeld>(&basis.bears)) {
+    steps.define("factor", derive_stiffener_weld_resistance(steps, *weld) / F);
+    return steps_of(steps);
+  }
   if (std::holds_alternative<BearingStiffener>(basis.bears)) {
     derive_stiffener(steps, project, result, F);
     return steps_of(steps);

@@ -128,6 +128,16 @@ void add_thin_welds(const Project& project, std::vector<std::string>& remarks) {
   }
 }
 
+void add_unsaid_welds(const Verification& verification, std::vector<std::string>& remarks) {
+  if (!verification.unsaid_welds || !verification.unsaid_welds->throat) return;
+  const UnsaidWelds& of = *verification.unsaid_welds;
+  const double halves = 0.5e-3 * std::ceil((1.0 - 1e-9) * of.throat->value() / 0.5e-3);
+  remarks.push_back(fmt::format(
+      "the welds of diaphragms that take forces are not said: throats of {} on both their faces "
+      "bear them, by {} at s = {} m (EN 1993-1-8, 4.5.3.2); [[beam.diaphragms]] say their throat",
+      fmt::format("{:g} mm", 1e3 * halves), of.under, to_text(Station{of.s, Side::both})));
+}
+
 void add_holes(const Project& project, std::vector<std::string>& remarks) {
   const bool by_beam =
       std::any_of(project.holes.begin(), project.holes.end(),
@@ -532,6 +542,7 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
   add_holes(project, remarks);
   add_lugs(project, remarks);
   add_thin_welds(project, remarks);
+  add_unsaid_welds(verification, remarks);
   add_published(project, verification, remarks);
   add_joined_profiles(project, remarks);
   add_nested_profiles(project, remarks);

@@ -301,14 +301,16 @@ void add_sufficient_throat(const CheckResult& result, Steps& steps) {
   if (!result.sufficient_throat) return;
   const bool forced = result.patch.has_value();
   const bool seam = !forced && result.basis->point.on_throat;
+  const bool of_diaphragm = forced && std::holds_alternative<StiffenerWeld>(result.patch->bears);
   Derivation of;
   of.given(
       "a_suf", *result.sufficient_throat,
       fmt::format(
           "the throat that suffices for {}{}",
-          forced ? "the seam under this force"
-          : seam ? "the seam at this place, static and in fatigue"
-                 : "all checks of this weld's throat and root",
+          of_diaphragm ? "these welds under this force"
+          : forced     ? "the seam under this force"
+          : seam       ? "the seam at this place, static and in fatigue"
+                       : "all checks of this weld's throat and root",
           *result.sufficient_throat <= least_throat() ? ": the least, EN 1993-1-8, 4.5.2(2)" : ""));
   // A sheet ends with its factor.
   const Steps step = steps_of(of);

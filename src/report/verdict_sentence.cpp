@@ -67,6 +67,13 @@ const CheckResult& governing_of(const Verification& verification) {
   return tied ? *direct : worst;
 }
 
+/// All reasons stand beside the sentence.
+std::string in_short(const std::vector<std::string>& reasons) {
+  constexpr std::size_t few = 2;
+  if (reasons.size() <= few) return fmt::format("{}", fmt::join(reasons, "; "));
+  return fmt::format("{}; and {} more reasons", reasons.front(), reasons.size() - 1);
+}
+
 std::string remedies_text(const Remedies& remedies) {
   std::string text;
   std::vector<std::string> names;
@@ -96,7 +103,7 @@ std::string verdict_sentence_of(const Project& project, const Verification& veri
                          remedies_text(verification.remedies));
     case Verdict::not_applicable:
       return fmt::format("{}not applicable: {}; of what is judged most used is {}", beam,
-                         fmt::join(verdict.reasons, "; "), use_of(worst));
+                         in_short(verdict.reasons), use_of(worst));
     case Verdict::pass: break;
   }
   // "PASS for strength; fatigue: no stress range"

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
+#include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -193,6 +195,20 @@ auto factor_of_stiffener(Record& record, const Load& F, const Load& V, const Loa
                        least_of<Number>({Number(N_b / F), Number((N_b + V_cr) / (F + V))}));
 }
 
+template <class Record>
+auto weld_resistance(Record& record, const StiffenerWeld& of) {
+  const auto a = record.given("a", of.throat, "throat of each weld");
+  const auto l = record.given("l", of.length, of.to_flange ? "with the flange" : "along the web");
+  const auto n = record.constant(std::to_string(of.welds), static_cast<double>(of.welds));
+  if (!of.to_flange)
+    return record.define("F_w,Rd", n * a * (l - 2.0 * a) * weld_shear_strength(record, of.strength),
+                         "along the welds, on both faces, less a throat at each end");
+  const auto sqrt_2 = record.constant("sqrt(2)", std::numbers::sqrt2);
+  return record.define("F_w,Rd",
+                       n * a * (l - 2.0 * a) * weld_strength(record, of.strength) / sqrt_2,
+                       "across the welds, on both faces, less a throat at each end; no contact");
+}
+
 }  // namespace
 
 Length loaded_length_of(const PatchedWeb& web) {
@@ -244,6 +260,26 @@ Force bearing_resistance_of(const BearingStiffener& stiffener, double gamma_M1) 
 Traced derive_bearing_resistance(Derivation& steps, const BearingStiffener& stiffener,
                                  double gamma_M1) {
   return bearing(steps, stiffener, gamma_M1);
+}
+
+Force stiffener_weld_resistance_of(const StiffenerWeld& weld) {
+  constexpr NoDerivation plainly;
+  return weld_resistance(plainly, weld);
+}
+
+Traced derive_stiffener_weld_resistance(Derivation& steps, const StiffenerWeld& weld) {
+  return weld_resistance(steps, weld);
+}
+
+std::optional<Length> sufficient_throat_of(const StiffenerWeld& weld, Force force) {
+  // n a (l - 2 a) f = F, the smaller root.
+  constexpr NoDerivation plainly;
+  const Stress f = weld.to_flange ? Stress(weld_strength(plainly, weld.strength) / std::sqrt(2.0))
+                                  : weld_shear_strength(weld.strength);
+  const Area asked = force / (static_cast<double>(weld.welds) * f);
+  const double rest = 1.0 - 8.0 * (asked / (weld.length * weld.length)).value();
+  if (!(rest >= 0.0)) return std::nullopt;
+  return std::max(least_throat(), Length(0.25 * (1.0 - std::sqrt(rest)) * weld.length));
 }
 
 double stiffener_factor(Force comes_in, Force shear, Force buckling_shear, Force resistance) {

@@ -165,10 +165,13 @@ std::vector<BendingZone> bending_zones_of(const Project& project,
                                           const std::deque<SituationRun>& runs) {
   if (!project.strength.shear_lag) return {};
   const LargestBending upright = largest_bending_of(runs, BendingAxis::y);
-  if (!project.in_space) return zones_about(BendingAxis::y, project, upright, 0.0);
+  // Beside the other one, and beside the forces over the beam's length, it is round-off.
+  double force = 0.0;
+  for (const SituationRun& run : runs) force = std::max(force, run.loads.largest_force());
+  double least = 1e-9 * std::max(upright.moment, force * project.beam.length().value());
+  if (!project.in_space) return zones_about(BendingAxis::y, project, upright, least);
   const LargestBending sideways = largest_bending_of(runs, BendingAxis::z);
-  // Beside the other one it is round-off.
-  const double least = 1e-9 * std::max(upright.moment, sideways.moment);
+  least = std::max(least, 1e-9 * sideways.moment);
   std::vector<BendingZone> zones = zones_about(BendingAxis::y, project, upright, least);
   const std::vector<BendingZone> others = zones_about(BendingAxis::z, project, sideways, least);
   zones.insert(zones.end(), others.begin(), others.end());

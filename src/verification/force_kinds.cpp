@@ -82,7 +82,16 @@ bool turns_freely_in(const spatial::Mechanism& mechanism, const Project& project
                                               : Eigen::Vector3d(at->turn.transpose() * at->axis));
 }
 
-bool turns_freely_in(const recorded::Loads&, const Project&, const std::string&) { return false; }
+/// A load of which the case gives forces at their place, and no moments of its own.
+bool turns_freely_in(const recorded::Loads& loads, const Project&, const std::string& name) {
+  bool known = false;
+  for (const recorded::ChannelSource& of : loads.sources) {
+    if (of.load != name) continue;
+    known = true;
+    if (of.has_moment) return false;
+  }
+  return known && !(loads.balance && loads.balance->name == name);
+}
 
 /// Whether a joint of that name is known to let the beam turn: its couple is that of a force with a
 /// lever.
@@ -112,7 +121,10 @@ void ForceKinds::learn(const SituationRun& run) {
   const LoadHistory& history = run.loads;
   constexpr std::size_t looked_at = 64;
   const std::size_t step = std::max<std::size_t>(1, history.instants() / looked_at);
-  std::map<std::string, std::pair<double, double>> largest;  // force, couple
+  struct Largest {
+    double force = 0.0, couple = 0.0, half_depth = 0.0;
+  };
+  std::map<std::string, Largest> largest;
   std::map<std::pair<std::string, std::size_t>, Length> places;
   for (std::size_t i = 0; i < history.instants(); i += step) {
     const BeamLoads loads = history.loads_at(history.time_of(i));
@@ -125,19 +137,21 @@ void ForceKinds::learn(const SituationRun& run) {
     std::map<std::string_view, std::size_t> of_name;
     for (const PointLoad& load : loads.points) {
       const std::size_t number = of_name[load.name]++;
-      const auto at = places.try_emplace({std::string(load.name), number}, load.s).first;
+      const std::size_t part = load.part > 0 ? load.part : number;
+      const auto at = places.try_emplace({std::string(load.name), part}, load.s).first;
       if (abs(load.s - at->second) > same_place * project_->beam.length())
         moving_.insert(at->first);
       // What nothing holds is loaded there: a force with a couple is no clamp.
       if (!stands_at_end(project_->beam, load.s) || !holds(load.s)) continue;
-      auto& [force, couple] = largest[std::string(load.name)];
-      force = std::max(force, load.force.norm());
-      couple = std::max(couple, std::hypot(load.moment.y(), load.moment.z()));
+      Largest& of = largest[std::string(load.name)];
+      of.force = std::max(of.force, load.force.norm());
+      of.couple = std::max(of.couple, std::hypot(load.moment.y(), load.moment.z()));
+      of.half_depth =
+          0.5 * height_of(section_at(project_->beam, {load.s, Side::both}).outer).value();
     }
   }
-  const double half_depth = 0.5 * height_of(project_->beam.segments.front().from.outer).value();
   for (const auto& [name, of] : largest) {
-    const bool far = of.second > half_depth * of.first && !turns_freely(*project_, name);
+    const bool far = of.couple > of.half_depth * of.force && !turns_freely(*project_, name);
     if (far || clamps_rigidly(*project_, name)) clamps_.insert(name);
   }
 }

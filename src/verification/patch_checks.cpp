@@ -26,8 +26,8 @@ struct WorstPatch {
   double use = 0.0;
 };
 
-/// A patch and whether its seams are meant, not its webs.
-using BorneKey = std::pair<PatchKey, bool>;
+/// A patch and what bears it.
+using BorneKey = std::pair<PatchKey, Borne::Part>;
 
 /// A force into a path that is not judged, where it is largest.
 struct PathForce {
@@ -99,17 +99,17 @@ class PatchRun {
                                      const CutForceDiagram& diagram,
                                      const BorneKey* only = nullptr) {
     std::map<BorneKey, double> uses;
-    notes_->take_steps(diagram, run_->situation->load_factor);
+    notes_->take_instant(diagram, *run_->situation, only == nullptr);
     for (const Patch& patch : patches) {
       if (only != nullptr && BorneKey{patch.key(), only->second} != *only) continue;
       note_on_path(patch);
       std::vector<Borne> ways = search_->worst_of(patch, patches, diagram);
-      notes_->take(patch, ways, *run_->situation);
+      notes_->take(patch, ways, *run_->situation, only == nullptr);
       for (Borne& borne : ways) {
         const double load_factor = run_->situation->load_factor;
         const double use =
             project_->strength.required * load_factor / search_->factor_of(borne.basis);
-        const BorneKey key{patch.key(), borne.is_seam()};
+        const BorneKey key{patch.key(), borne.part};
         double& most = uses[key];
         most = std::max(most, use);
         WorstPatch& worst = (*worst_)[key];
@@ -225,6 +225,10 @@ std::string borne_text(const Project& project, const Borne& borne) {
   const std::string plate = plate_text(project, borne);
   if (const auto* const seam = std::get_if<PatchedSeam>(&borne.basis.bears))
     return fmt::format("seam of {} and {}", plate, to_text(seam->flange));
+  if (const auto* const weld = std::get_if<StiffenerWeld>(&borne.basis.bears)) {
+    return weld->to_flange ? fmt::format("weld of flange and diaphragm beside {}", plate)
+                           : fmt::format("weld of {} and diaphragm", plate);
+  }
   return plate +
          (std::holds_alternative<BearingStiffener>(borne.basis.bears) ? " with diaphragm" : "");
 }
@@ -235,13 +239,15 @@ bool is_hardly_felt(const Project& project, const WorstPatch& worst) {
   constexpr double little = 0.3;
   if (!worst.patch.stout) return false;
   const PatchBasis& basis = worst.borne.basis;
-  if (worst.borne.is_seam()) return worst.use <= little;
+  if (worst.borne.part != Borne::Part::plate) return worst.use <= little;
   return project.strength.required * basis.load_factor * basis.share * basis.force <=
          little * basis.resistance;
 }
 
 Criterion criterion_of(const PatchBasis& basis) {
-  if (std::holds_alternative<PatchedSeam>(basis.bears)) return Criterion::weld;
+  if (std::holds_alternative<PatchedSeam>(basis.bears) ||
+      std::holds_alternative<StiffenerWeld>(basis.bears))
+    return Criterion::weld;
   return std::holds_alternative<ReducedWeb>(basis.bears) ? Criterion::reduced_stress
                                                          : Criterion::patch_loading;
 }
@@ -271,6 +277,12 @@ CheckResult check_of(const Project& project, const PatchSearch& search, WorstPat
     // Both stresses in it go by one over the throat.
     result.sufficient_throat =
         std::max(least_throat(), check.utilisation() * seam_throat_of(*seam->point));
+  } else if (const auto* const weld = std::get_if<StiffenerWeld>(&basis.bears)) {
+    check.resisting = basis.resistance;
+    check.acting = Force(basis.load_factor * basis.share * basis.force);
+    check.source = "EN 1993-1-8:2005, 4.5.3.2(6), equation 4.1";
+    result.sufficient_throat = sufficient_throat_of(
+        *weld, project.strength.required * basis.load_factor * basis.share * basis.force);
   } else if (const auto* const web = std::get_if<ReducedWeb>(&basis.bears)) {
     check.resisting = Stress(web->plate->panel.yield_strength / project.strength.gamma_M1);
     check.acting = Stress(use * check.resisting.value() * pascal);
@@ -298,15 +310,16 @@ CheckResult check_of(const Project& project, const PatchSearch& search, WorstPat
 Gate gate_of(const Project& project, const WorstPatch& worst) {
   const PatchBasis& basis = worst.borne.basis;
   const std::size_t segment = segment_at(project.beam, {worst.patch.s, Side::both});
-  return {project.beam.segments[segment].name, plate_text(project, worst.borne),
-          fmt::format("at s = {} m it takes {:.4g} kN of \"{}\" and {} {:.4g} kN under an edge "
-                      "(stiff length 0, EN 1993-1-5, clause 6): [[beam.diaphragms]] take it, or "
-                      "[[beam.load_introductions]] say how it comes in",
-                      to_text(Station{worst.patch.s, Side::both}),
-                      1e-3 * (basis.load_factor * basis.share * basis.force).value(),
-                      worst.patch.name, worst.borne.is_seam() ? "its seam bears" : "bears",
-                      1e-3 * basis.resistance.value()),
-          true};
+  return {
+      project.beam.segments[segment].name, plate_text(project, worst.borne),
+      fmt::format("at s = {} m it takes {:.4g} kN of \"{}\" and {} {:.4g} kN under an edge "
+                  "(stiff length 0, EN 1993-1-5, clause 6): [[beam.diaphragms]] take it, or "
+                  "[[beam.load_introductions]] say how it comes in",
+                  to_text(Station{worst.patch.s, Side::both}),
+                  1e-3 * (basis.load_factor * basis.share * basis.force).value(), worst.patch.name,
+                  worst.borne.part == Borne::Part::plate ? "bears" : "its seam bears",
+                  1e-3 * basis.resistance.value()),
+      true};
 }
 
 Gate gate_of(const Project& project, const CheckResult& pressed) {
@@ -334,6 +347,16 @@ Gate gate_of(const Project& project, const std::string& name, bool open, bool bl
                      "9.4): " +
                      of.why,
           blocks};
+}
+
+void note_unsaid(const Project& project, const WorstPatch& worst,
+                 std::optional<UnsaidWelds>& most) {
+  const PatchBasis& basis = worst.borne.basis;
+  const auto throat = sufficient_throat_of(
+      std::get<StiffenerWeld>(basis.bears),
+      project.strength.required * basis.load_factor * basis.share * basis.force);
+  if (!most || (most->throat && (!throat || *throat > *most->throat)))
+    most = UnsaidWelds{worst.patch.s, worst.patch.name, throat};
 }
 
 void add_gates(const Project& project, const OnPaths& of, std::vector<Gate>& gates) {
@@ -368,13 +391,14 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
   PatchChecks found;
   PatchSearch search(project, zones);
   std::vector<FlangeStep> steps = flange_steps_of(project);
-  if (!search.has_something_to_do(runs) && steps.empty()) return found;
+  std::vector<FlangeKink> knees = knees_of(project);
+  if (!search.has_something_to_do(runs) && steps.empty() && knees.empty()) return found;
   std::map<BorneKey, WorstPatch> worst;
   OnPaths on_paths;
   PressedWebs pressed(project, search);
   // Of long records not all instants are looked at.
   const bool counted = project.fatigue.asked && whole_life_of(runs) == nullptr;
-  PatchNotes notes(project, std::move(steps), counted ? &pressed : nullptr);
+  PatchNotes notes(project, std::move(steps), std::move(knees), counted ? &pressed : nullptr);
   for (const SituationRun& run : runs)
     PatchRun(project, search, run, worst, on_paths, notes, counted ? &pressed : nullptr).look();
   add_gates(project, on_paths, found.gates);
@@ -394,6 +418,10 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
   found.not_judged = not_judged_of_diaphragms(project);
   for (auto& [key, of] : worst) {
     if (!(of.use > no_use) || is_hardly_felt(project, of)) continue;
+    if (of.borne.part == Borne::Part::unsaid_weld) {
+      note_unsaid(project, of, found.unsaid_welds);
+      continue;
+    }
     const auto* const bears = std::get_if<BearingStiffener>(&of.borne.basis.bears);
     // What comes from panels alone asks nothing of the flanges.
     if (bears != nullptr && !bears->ends_clamped && !of.patch.is_none())
@@ -403,17 +431,38 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
     else
       add(check_of(project, search, std::move(of)));
   }
+  std::optional<Check> as_fillets;
   for (PressedWebs::Found& of : pressed.checks()) {
+    if (of.unsaid) {
+      const double use = of.result.check.utilisation();
+      if (use > 1.0 && (!as_fillets || use > as_fillets->utilisation()))
+        as_fillets = of.result.check;
+      continue;
+    }
     if (!of.given && !of.result.check.passes())
       found.gates.push_back(gate_of(project, of.result));
     else
       found.checks.push_back(std::move(of.result));
   }
+  if (as_fillets)
+    found.not_judged.push_back(
+        {Criterion::patch_fatigue, "seams of webs",
+         fmt::format(
+             "seam_throat of [sections] is not said: they are taken to penetrate fully; as "
+             "fillets together as thick as the web the {} at s = {} m would be used by {:.3g}",
+             as_fillets->point, to_text(as_fillets->station), as_fillets->utilisation())});
   if (!sideways.empty())
     found.not_judged.push_back(
         {Criterion::patch_loading, fmt::format("flats at s = {} m", fmt::join(sideways, ", ")),
          "L_cr = h_w takes it that both flanges are held sideways there, which no "
          "[[beam.restraints]] say (EN 1993-1-5, 9.4(2))"});
+  if (found.unsaid_welds && !found.unsaid_welds->throat) {
+    found.not_judged.push_back({Criterion::weld,
+                                fmt::format("welds of the diaphragm at s = {} m",
+                                            to_text(Station{found.unsaid_welds->s, Side::both})),
+                                fmt::format("no fillet welds on its faces bear all of \"{}\"",
+                                            found.unsaid_welds->under)});
+  }
   for (NotJudged& of : notes.not_judged()) found.not_judged.push_back(std::move(of));
   for (Gate& of : notes.gates()) found.gates.push_back(std::move(of));
   for (const LoadIntroduction& of : project.beam.introductions) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "patched_path.hpp"
 
@@ -16,63 +17,132 @@ const PatchedWeb* web_in(const Borne& way) {
   return reduced == nullptr ? nullptr : &reduced->web;
 }
 
+/// How far a force stands beside both webs of a box; below zero above one of them.
+Length beside_webs(const Patch& patch, const FourWalls& walls, Length flange_thickness) {
+  using enum BoxPlate;
+  const auto [high, low] =
+      patch.along_z ? std::pair{left_web, right_web} : std::pair{top_flange, bottom_flange};
+  const Length place = (patch.along_z ? 1.0 : -1.0) * patch.stands_couple / patch.stands;
+  const auto beside = [&](BoxPlate plate) {
+    const BoxWall& wall = walls.of(plate);
+    return abs(place - wall.middle) - 0.5 * wall.thickness - flange_thickness;
+  };
+  return std::min(beside(high), beside(low));
+}
+
 }  // namespace
 
 PatchNotes::PatchNotes(const Project& project, std::vector<FlangeStep> steps,
-                       const PressedWebs* counted)
-    : project_(&project), counted_(counted), steps_(std::move(steps)), at_steps_(steps_.size()) {}
+                       std::vector<FlangeKink> knees, const PressedWebs* counted)
+    : project_(&project),
+      counted_(counted),
+      steps_(std::move(steps)),
+      knees_(std::move(knees)),
+      at_steps_(steps_.size()) {}
 
-void PatchNotes::take_steps(const CutForceDiagram& diagram, double load_factor) {
+void PatchNotes::take_instant(const CutForceDiagram& diagram, const Situation& situation,
+                              bool all) {
+  if (all && has_cycles(*project_, situation)) ++instants_;
+  const double load_factor = situation.load_factor;
+  for (const FlangeKink& knee : knees_) {
+    const CutForces cut = diagram.at({knee.s, knee.s > Length{} ? Side::before : Side::behind});
+    const double scale = project_->strength.required * load_factor;
+    BentFlange of{knee.s, {}, scale * use_across_kink(knee, cut, cut)};
+    of.kinked = true;
+    // Alone: what else bends the corner is the stress of two beams.
+    of.with_own = of.use;
+    keep(knee.name, of);
+  }
   for (std::size_t k = 0; k < steps_.size(); ++k) {
     for (const Side side : {Side::before, Side::behind}) {
-      const double force = steps_[k].ends.force_under(diagram.at({steps_[k].ends.s, side})).value();
-      at_steps_[k] = std::max(at_steps_[k], load_factor * std::abs(force));
+      const CutForces cut = diagram.at({steps_[k].s, side});
+      for (const PlateForce* const of : {&steps_[k].along, &steps_[k].across})
+        at_steps_[k] = std::max(at_steps_[k], project_->strength.required * load_factor *
+                                                  std::abs(stress_of(*of, cut)));
     }
   }
 }
 
 void PatchNotes::take(const Patch& patch, const std::vector<Borne>& ways,
-                      const Situation& situation) {
-  if (patch.together || patch.diaphragm != nullptr) return;
-  for (const Borne& way : ways) {
-    if (web_in(way) != nullptr) take_flange(patch, way, situation.load_factor);
+                      const Situation& situation, bool all) {
+  if (patch.diaphragm != nullptr) {
+    for (const Borne& way : ways) take_diaphragm(patch, way, situation.load_factor);
+    return;
   }
-  if (has_cycles(*project_, situation)) take_cycles(patch, ways);
+  const bool again = project_->fatigue.asked && has_cycles(*project_, situation);
+  for (const Borne& way : ways) {
+    if (web_in(way) != nullptr) take_flange(patch, way, situation.load_factor, again);
+  }
+  if (patch.together) return;
+  if (has_cycles(*project_, situation)) take_cycles(patch, ways, all);
 }
 
-void PatchNotes::take_flange(const Patch& patch, const Borne& way, double load_factor) {
-  const PatchedWeb& web = *web_in(way);
-  BentFlange of{patch.s, {}, 0.0};
-  if (patch.kink != nullptr) {
-    of.use = stress_across_kink(*patch.kink, patch.force) / patch.kink->yield_strength;
-  } else if (project_->in_space && way.basis.box) {
-    const FourWalls& walls = way.basis.box->box();
-    using enum BoxPlate;
-    const auto beside = [&](BoxPlate plate) {
-      const BoxWall& wall = walls.of(plate);
-      return abs(place_of(patch) - wall.middle) - 0.5 * wall.thickness - web.flange_thickness;
-    };
-    of.beside = patch.along_z ? std::min(beside(left_web), beside(right_web))
-                              : std::min(beside(top_flange), beside(bottom_flange));
-    if (!(of.beside > Length{})) return;
-    const auto [webs_high, webs_low] =
-        patch.along_z ? std::pair{left_web, right_web} : std::pair{top_flange, bottom_flange};
-    const bool between =
-        place_of(patch) < walls.of(webs_high).middle && place_of(patch) > walls.of(webs_low).middle;
-    const double t_f = web.flange_thickness.value();
-    of.use = 6.0 * (between ? bent_between : bent_outside) * std::abs(patch.force.value()) /
-             (t_f * t_f) / web.flange_strength.value();
-  }
-  of.use *= load_factor;
-  const double own = load_factor * project_->strength.gamma_M0 * way.basis.corner.use;
-  of.with_own = std::sqrt(of.use * of.use + own * own + of.use * own);
-  if (!(of.use > hardly_bent)) return;
-  BentFlange& most = bent_[patch.name];
+void PatchNotes::keep(const std::string& name, const BentFlange& of) {
+  if (!(of.use > hardly_bent) && !of.again) return;
+  BentFlange& most = bent_[name];
   if (of.with_own > most.with_own) most = of;
 }
 
-void PatchNotes::take_cycles(const Patch& patch, const std::vector<Borne>& ways) {
-  if (!project_->fatigue.asked || patch.may_come_beside_flanges()) return;
+void PatchNotes::take_diaphragm(const Patch& patch, const Borne& way, double load_factor) {
+  const auto* const stiffener = std::get_if<BearingStiffener>(&way.basis.bears);
+  if (stiffener == nullptr || !way.basis.box || patch.stands == Force{} || !project_->in_space)
+    return;
+  const FourWalls& walls = way.basis.box->box();
+  const BoxPlate flange = patch.along_z ? BoxPlate::top_flange : BoxPlate::left_web;
+  if (!(beside_webs(patch, walls, walls.of(flange).thickness) > Length{})) return;
+  // What goes to this web shears it: beside an access hole, taken as deep as it is wide.
+  ShearPanel panel;
+  panel.depth = stiffener->web_depth;
+  panel.thickness = stiffener->thickness;
+  panel.yield_strength = stiffener->yield_strength;
+  panel.length = walls.of(flange).clear();
+  const double left =
+      std::max(0.0, 1.0 - (patch.diaphragm->opening / stiffener->web_depth).value());
+  const Force bears = left * shear_resistance_of(panel, project_->strength.gamma_M1).resistance;
+  const double use = project_->strength.required * load_factor *
+                     (way.basis.share * way.basis.force / bears).value();
+  auto& [most, at] = sheared_[patch.name];
+  if (use > most) std::tie(most, at) = std::pair(use, patch.s);
+}
+
+void PatchNotes::take_flange(const Patch& patch, const Borne& way, double load_factor, bool again) {
+  const PatchedWeb& web = *web_in(way);
+  BentFlange of{patch.s, {}, patch.bent};
+  of.kinked = patch.bent > 0.0;
+  if (project_->in_space && way.basis.box && patch.stands != Force{} && !patch.is_torque) {
+    const FourWalls& walls = way.basis.box->box();
+    using enum BoxPlate;
+    const auto [high, low] =
+        patch.along_z ? std::pair{left_web, right_web} : std::pair{top_flange, bottom_flange};
+    const Length place = (patch.along_z ? 1.0 : -1.0) * patch.stands_couple / patch.stands;
+    of.beside = beside_webs(patch, walls, web.flange_thickness);
+    const Length apart = walls.of(high).middle - walls.of(low).middle;
+    // Farther apart along the beam than the flange is wide each bends a width of its own.
+    const bool one_place = !patch.together || patch.stiff_length <= apart;
+    if (of.beside > Length{} && one_place) {
+      const bool between = place < walls.of(high).middle && place > walls.of(low).middle;
+      const double F = std::abs(patch.stands.value()), t_f = web.flange_thickness.value();
+      double m = (between ? bent_between : bent_outside) * F;
+      // Along the beam a strip: clamped at both webs, or held by one.
+      if (patch.is_line)
+        m = F / patch.stiff_length.value() *
+            (between ? bent_strip * apart.value() : of.beside.value());
+      of.use += 6.0 * m / (t_f * t_f) / web.flange_strength.value();
+    }
+  }
+  // A kink by itself has been looked at where it is.
+  if (!(of.use > 0.0) || (patch.together && of.use == patch.bent)) return;
+  of.again = again && of.use * web.flange_strength > hardly_changes;
+  load_factor *= project_->strength.required;
+  of.use *= load_factor;
+  const double own = load_factor * project_->strength.gamma_M0 *
+                     (way.basis.path ? way.basis.place.use : way.basis.corner.use);
+  of.with_own = std::sqrt(of.use * of.use + own * own + of.use * own);
+  keep(patch.name, of);
+}
+
+void PatchNotes::take_cycles(const Patch& patch, const std::vector<Borne>& ways, bool all) {
+  if (!project_->fatigue.asked) return;
   double most = 0.0;
   for (const Borne& way : ways) {
     const PatchedWeb* const web = web_in(way);
@@ -86,6 +156,8 @@ void PatchNotes::take_cycles(const Patch& patch, const std::vector<Borne>& ways)
   const double stress = patch.force.value() > 0.0 ? most : -most, s = patch.s.value();
   PressedWeb& of = pressed_[{patch.name, patch.along_z}];
   if (!of.known) of = {stress, stress, s, s, true};
+  of.unsaid = of.unsaid || !patch.given;
+  if (all) ++of.seen;
   of.least = std::min(of.least, stress);
   of.most = std::max(of.most, stress);
   of.from = std::min(of.from, s);
@@ -93,16 +165,17 @@ void PatchNotes::take_cycles(const Patch& patch, const std::vector<Borne>& ways)
 }
 
 std::string PatchNotes::words_of(const BentFlange& of) {
-  return of.beside > Length{}
-             ? fmt::format(
-                   "how a force {:.3g} mm beside the webs bends it across, by about {:.2g} "
-                   "of its strength, is not checked: [[beam.diaphragms]] take it, or "
-                   "into = \"webs\" says that it does not stand there",
-                   1e3 * of.beside.value(), of.use)
-             : fmt::format(
-                   "how it is bent across where it turns off, by about {:.2g} of its "
-                   "strength, is not checked: [[beam.diaphragms]] take it",
-                   of.use);
+  const char* const again = of.again ? ", nor counted in fatigue" : "";
+  if (of.kinked)
+    return fmt::format(
+        "how it is bent across where it turns off, by about {:.2g} of its strength, is not "
+        "checked{}: [[beam.diaphragms]] take it",
+        of.use, again);
+  return fmt::format(
+      "how a force {:.3g} mm beside the webs bends it across, by about {:.2g} of its strength, is "
+      "not checked{}: [[beam.diaphragms]] take it, or into = \"webs\" says that it does not stand "
+      "there",
+      1e3 * of.beside.value(), of.use, again);
 }
 
 std::vector<Gate> PatchNotes::gates() const {
@@ -115,46 +188,94 @@ std::vector<Gate> PatchNotes::gates() const {
                                  to_text(Station{of.s, Side::both}), words_of(of)),
                      true});
   }
+  for (const auto& [name, of] : sheared_) {
+    const auto& [use, s] = of;
+    if (!(use > 1.0)) continue;
+    const std::size_t segment = segment_at(project_->beam, {s, Side::both});
+    found.push_back(
+        {project_->beam.segments[segment].name, "",
+         fmt::format("diaphragm at s = {} m: \"{}\" stands between its webs and uses its "
+                     "plate in shear by {:.3g} (EN 1993-1-5, 5.2): a thicker one",
+                     to_text(Station{s, Side::both}), name, use),
+         true});
+  }
+  // Of all of a name that end there, on either side, the one that bears most.
+  std::map<std::pair<Length, std::string>, std::size_t> most;
   for (std::size_t k = 0; k < steps_.size(); ++k) {
-    // Of both that end there the one that bears more.
-    const std::size_t other = k % 2 == 0 ? k + 1 : k - 1;
-    if (at_steps_[other] > at_steps_[k] || (at_steps_[other] == at_steps_[k] && other < k))
-      continue;
-    const FlangeKink& of = steps_[k].ends;
+    const FlangeStep& of = steps_[k];
     if (!(at_steps_[k] > hardly_bent * (of.area * of.yield_strength).value())) continue;
+    std::size_t& at = most.try_emplace({of.s, of.name}, k).first->second;
+    if (at_steps_[k] > at_steps_[at]) at = k;
+  }
+  for (const auto& [key, k] : most) {
+    const FlangeStep& of = steps_[k];
     const std::size_t segment = segment_at(project_->beam, {of.s, Side::both});
     found.push_back(
         {project_->beam.segments[segment].name, "",
-         fmt::format("{} at s = {} m: it ends where the next one lies {:.3g} mm away; how its "
-                     "force, {:.4g} kN, is led on is not judged: a taper between both leads it",
-                     of.name, to_text(Station{of.s, Side::both}), 1e3 * steps_[k].by.value(),
-                     1e-3 * at_steps_[k]),
+         fmt::format("{} at s = {} m: it ends where {}; how its force, {:.4g} kN, is led on is not "
+                     "judged: a taper between both leads it{}",
+                     of.name, to_text(Station{of.s, Side::both}),
+                     of.by ? fmt::format("the next one lies {:.3g} mm away", 1e3 * of.by->value())
+                           : "none goes on",
+                     1e-3 * at_steps_[k], of.web ? ", or a diaphragm" : ""),
          true});
   }
   return found;
 }
 
 std::vector<NotJudged> PatchNotes::not_judged() const {
+  // Of each kind one, by its worst: a verdict is to be read.
   std::vector<NotJudged> found;
-  for (const auto& [name, of] : bent_) {
+  const BentFlange* turned = nullptr;
+  const std::pair<const std::string, BentFlange>* stood_on = nullptr;
+  int others = 0;
+  bool again = false;
+  for (const auto& named : bent_) {
+    const BentFlange& of = named.second;
     if (of.with_own > 1.0) continue;
-    found.push_back(
-        {Criterion::patch_loading,
-         fmt::format("flange under {} at s = {} m", name, to_text(Station{of.s, Side::both})),
-         words_of(of)});
+    if (of.kinked) {
+      again = again || of.again;
+      if (turned == nullptr || of.use > turned->use) turned = &of;
+    } else {
+      if (stood_on != nullptr) ++others;
+      if (stood_on == nullptr || of.use > stood_on->second.use) stood_on = &named;
+    }
   }
+  if (turned != nullptr)
+    found.push_back(
+        {Criterion::patch_loading, "flanges that turn off",
+         fmt::format(
+             "they are bent across by about {:.2g} of their strength (at s = {} m), which is "
+             "not checked{}: [[beam.diaphragms]] take it",
+             turned->use, to_text(Station{turned->s, Side::both}),
+             again ? ", nor counted in fatigue" : "")});
+  if (stood_on != nullptr)
+    found.push_back({Criterion::patch_loading,
+                     fmt::format("flange under {}{} at s = {} m", stood_on->first,
+                                 others > 0 ? fmt::format(" and {} more", others) : "",
+                                 to_text(Station{stood_on->second.s, Side::both})),
+                     words_of(stood_on->second)});
+  double most = 0.0;
+  bool unsaid = false;
+  std::vector<std::string> names;
   for (const auto& [key, of] : pressed_) {
     // What moves on is gone from a place.
     const bool moves = of.to - of.from > 1e-6 * project_->beam.length().value();
-    const double range =
-        std::max(of.most, moves ? 0.0 : of.least) - std::min(of.least, moves ? 0.0 : of.most);
+    const bool comes_and_goes = moves || of.seen < instants_;
+    const double range = std::max(of.most, comes_and_goes ? 0.0 : of.least) -
+                         std::min(of.least, comes_and_goes ? 0.0 : of.most);
     if (!(range > hardly_changes.value())) continue;
-    found.push_back(
-        {Criterion::patch_loading, fmt::format("web under {}", key.first),
-         fmt::format("sigma_z = F/(t (s_s + 2 t_f)), which comes and goes by {:.3g} MPa, and its "
-                     "seams are not counted in fatigue (EN 1993-1-9, table 8.10)",
-                     1e-6 * range)});
+    most = std::max(most, range);
+    unsaid = unsaid || of.unsaid;
+    if (names.empty() || names.back() != key.first) names.push_back(key.first);
   }
+  if (!names.empty())
+    found.push_back(
+        {Criterion::patch_loading, fmt::format("webs under {}", fmt::join(names, ", ")),
+         fmt::format("sigma_z = F/(t (s_s + 2 t_f)), which comes and goes by {:.3g} MPa, and the "
+                     "seams are not counted in fatigue (EN 1993-1-9, table 8.10){}",
+                     1e-6 * most,
+                     unsaid ? ": [[beam.load_introductions]] say how it comes in" : "")});
   return found;
 }
 

@@ -20,6 +20,9 @@ inline constexpr double hardly_bent = 0.1;
 /// Woinowsky-Krieger, Theory of Plates and Shells, sections 44 and 50; Jaramillo, J. Appl. Mech. 17
 /// (1950), for the cantilever.
 inline constexpr double bent_between = 0.3183, bent_outside = 0.509;
+/// Of a strip clamped at both ends, b apart, under a load q along the plate at a third of it:
+/// 4/27 q b, the largest that there is.
+inline constexpr double bent_strip = 4.0 / 27.0;
 /// The cut-off of category 36 with gamma_Mf = 1.35.
 inline constexpr Stress hardly_changes = 0.405 * 36e6 / 1.35 * pascal;
 
@@ -27,14 +30,18 @@ inline constexpr Stress hardly_changes = 0.405 * 36e6 / 1.35 * pascal;
 /// they stand between webs, or that turns off, and they press webs anew at every cycle.
 class PatchNotes {
  public:
-  /// `steps`: of the beam; `counted`: by which what presses webs is judged in fatigue, or nothing.
-  PatchNotes(const Project& project, std::vector<FlangeStep> steps, const PressedWebs* counted);
+  /// `steps`, `knees`: of the beam; `counted`: by which what presses webs is judged in fatigue, or
+  /// nothing.
+  PatchNotes(const Project& project, std::vector<FlangeStep> steps, std::vector<FlangeKink> knees,
+             const PressedWebs* counted);
 
-  /// What plates that end have to lead on at an instant.
-  void take_steps(const CutForceDiagram& diagram, double load_factor);
+  /// What plates that end have to lead on at an instant, and those that turn off at knees. `all`:
+  /// all patches of the instant follow.
+  void take_instant(const CutForceDiagram& diagram, const Situation& situation, bool all);
 
   /// How the webs bear a patch at an instant of a situation.
-  void take(const Patch& patch, const std::vector<Borne>& ways, const Situation& situation);
+  void take(const Patch& patch, const std::vector<Borne>& ways, const Situation& situation,
+            bool all);
 
   std::vector<NotJudged> not_judged() const;
   /// What bends a flange across by more than its strength beside the beam's own stress, and where
@@ -47,22 +54,30 @@ class PatchNotes {
   struct BentFlange {
     Length s, beside;
     double use = 0.0;
+    bool kinked = false, again = false;  ///< again: in cycles that a seam of it may feel
     double with_own = 0.0;  ///< sqrt(u^2 + eta_1^2 + u eta_1): on the face where signs are unlike
   };
   /// Of a web under a force over time, tension positive [Pa]; places [m].
   struct PressedWeb {
     double least = 0.0, most = 0.0, from = 0.0, to = 0.0;
-    bool known = false;
+    bool known = false, unsaid = false;
+    std::size_t seen = 0;  ///< at so many instants
   };
 
   static std::string words_of(const BentFlange& of);
-  void take_flange(const Patch& patch, const Borne& way, double load_factor);
-  void take_cycles(const Patch& patch, const std::vector<Borne>& ways);
+  /// A diaphragm that leads to the webs what stands between them.
+  void take_diaphragm(const Patch& patch, const Borne& way, double load_factor);
+  void take_flange(const Patch& patch, const Borne& way, double load_factor, bool again);
+  void keep(const std::string& name, const BentFlange& of);
+  void take_cycles(const Patch& patch, const std::vector<Borne>& ways, bool all);
 
   const Project* project_;
   const PressedWebs* counted_;
   std::vector<FlangeStep> steps_;
+  std::vector<FlangeKink> knees_;
+  std::size_t instants_ = 0;                                    ///< of situations with cycles
   std::vector<double> at_steps_;                                ///< their largest forces [N]
+  std::map<std::string, std::pair<double, Length>> sheared_;    ///< diaphragms: use, place
   std::map<std::string, BentFlange> bent_;                      ///< by the name of the force
   std::map<std::pair<std::string, bool>, PressedWeb> pressed_;  ///< and along z
 };

@@ -16,9 +16,26 @@ namespace {
 /// Diaphragms, introductions and forces so near each other are at one place, by the beam's length.
 constexpr double same_place = 1e-6;
 
+/// Loads at a few instants, the first among them.
+template <class Look>
+void for_some_instants(const SituationRun& run, const Look& look) {
+  constexpr std::size_t looked_at = 8;
+  const LoadHistory& history = run.loads;
+  const std::size_t step = std::max<std::size_t>(1, history.instants() / looked_at);
+  for (std::size_t i = 0; i < history.instants(); i += step)
+    look(history.loads_at(history.time_of(i)));
+}
+
 /// A force alone.
 ForcesAcross alone(Force force, bool along_z) {
   return {along_z ? force : Force{}, along_z ? Force{} : force, {}, false};
+}
+
+/// Whether one patch stands so near another that a web feels both. What one diaphragm takes, it
+/// takes together.
+bool stand_beside(const Patch& a, const Patch& b, Length depth) {
+  return a.along_z == b.along_z && a.diaphragm == b.diaphragm &&
+         (a.diaphragm != nullptr || abs(b.s - a.s) <= depth);
 }
 
 }  // namespace
@@ -46,16 +63,55 @@ const Diaphragm* PatchSearch::diaphragm_at(Length s) const {
   return nullptr;
 }
 
+bool PatchSearch::holds(const Diaphragm& of, bool along_z) const {
+  const auto known = holds_.find({&of, along_z});
+  if (known != holds_.end()) return known->second;
+  const Station station{of.s, of.s < project_->beam.length() ? Side::behind : Side::before};
+  const auto walls = walls_at(station);
+  bool holds = true;
+  if (walls) {
+    using enum BoxPlate;
+    for (const BoxPlate web :
+         along_z ? std::array{left_web, right_web} : std::array{top_flange, bottom_flange}) {
+      const auto stiffener = bounding_stiffener_at(*project_, station, *walls, web);
+      holds = holds && stiffener &&
+              across_obstacle(*stiffener, of, 2.0 * walls->of(web).clear()).empty();
+    }
+  }
+  return holds_.emplace(std::pair(&of, along_z), holds).first->second;
+}
+
 void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
                             std::vector<Patch>& patches) {
-  const auto largest_on = [&](const LineLoad& line) {
-    const Polynomial<3>& per_length = line.force[along_z ? 2 : 1];
+  const std::size_t others = patches.size();
+  /// With the forces of its sense that stand within its stretch.
+  const auto add = [&](const Patch& line) {
+    patches.push_back(line);
+    Patch sum = line;
+    for (std::size_t i = 0; i < others; ++i) {
+      const Patch& of = patches[i];
+      if (of.along_z != along_z || of.together || of.is_torque || of.diaphragm != nullptr ||
+          of.kink != nullptr || (of.force.value() > 0.0) != (line.force.value() > 0.0) ||
+          abs(of.s - line.s) > 0.5 * line.stiff_length)
+        continue;
+      sum.name = line.name + " and " + of.name;
+      sum.force += of.force;
+      sum.couple += of.couple;
+      sum.stands = {};
+      sum.together = true;
+    }
+    if (sum.together) patches.push_back(std::move(sum));
+  };
+  const auto largest_of = [&](const LineLoad& line, const auto& per_length) {
     double most = 0.0;
     for (const double part : {0.0, 0.5, 1.0}) {
       const double value = per_length(part * line.length.value());
       if (std::abs(value) > std::abs(most)) most = value;
     }
     return most;
+  };
+  const auto largest_on = [&](const LineLoad& line) {
+    return largest_of(line, line.force[along_z ? 2 : 1]);
   };
   for (std::size_t i = 0; i < lines.size();) {
     // A load goes on beyond the end of a segment, where its weight is another.
@@ -79,73 +135,111 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
     if (!(largest > of.none) || !of.meet(along_z, alone(largest, along_z))) continue;
     patch.name = "a load along the beam";
     patch.along_z = along_z;
+    patch.is_line = true;
     const Length half = 0.5 * patch.stiff_length;
     // It comes in everywhere: webs and moments differ along it.
     for (const LineLoad& line : alike) {
-      for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-        patch.s = std::clamp(Length(line.start + part * line.length), Length(start + half),
+      std::vector<Length> places;
+      for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0})
+        places.push_back(line.start + part * line.length);
+      for (std::size_t j = 0; j < others; ++j) {
+        const Length s = patches[j].s;
+        if (!patches[j].together && s >= line.start && s <= line.start + line.length)
+          places.push_back(s);
+      }
+      for (const Length& place : places) {
+        patch.s = std::clamp(place, Length(start + half),
                              Length(std::max(Length(end - half), Length(start + half))));
-        double per_length = 0.0;
+        double per_length = 0.0, couple = 0.0;
         for (const LineLoad& other : alike) {
           const bool reaches =
               other.start < patch.s + half && other.start + other.length > patch.s - half;
           const double there = largest_on(other);
-          if (reaches && std::abs(there) > std::abs(per_length)) per_length = there;
+          if (!reaches || std::abs(there) <= std::abs(per_length)) continue;
+          per_length = there;
+          couple = largest_of(other, other.couple[0]);
         }
-        patch.force = si<Force>(per_length * patch.stiff_length.value());
+        const LoadIntroduction* const by = introduction_at(patch.s);
+        if (by != nullptr && !by->stiff_length) continue;
+        patch.force = patch.stands = si<Force>(per_length * patch.stiff_length.value());
+        patch.couple = patch.stands_couple = si<Moment>(couple * patch.stiff_length.value());
         const bool meets = plates_.near(patch.s).meet(along_z, alone(abs(patch.force), along_z));
-        if (abs(patch.force) > of.none && meets) patches.push_back(patch);
+        if (abs(patch.force) > of.none && meets) add(patch);
       }
     }
   }
 }
 
+std::size_t PatchSearch::most_points(const SituationRun& run) {
+  // What enters the beam meanwhile is one more than at the instants looked at.
+  std::size_t most = 0;
+  for_some_instants(
+      run, [&](const BeamLoads& loads) { most = std::max(most, loads.points.size() + 1); });
+  return most;
+}
+
+bool PatchSearch::forces_trace(const SituationRun& run) const {
+  bool apart = true;
+  std::vector<Length> places;
+  for_some_instants(run, [&](const BeamLoads& loads) {
+    places.clear();
+    for (const PointLoad& of : loads.points) places.push_back(of.s);
+    std::sort(places.begin(), places.end());
+    for (std::size_t i = 1; i < places.size(); ++i)
+      apart = apart && places[i] - places[i - 1] > same_place * project_->beam.length();
+  });
+  return apart;
+}
+
+bool PatchSearch::again_and_again() const { return project_->fatigue.asked || kinds_.any_moves(); }
+
 bool PatchSearch::has_something_to_do(const std::deque<SituationRun>& runs) {
-  // Where forces come in the cut forces jump, by twice the largest at most; plates that turn off
-  // give some of the normal force. No more than a few are that large.
-  constexpr double together = 4.0;
+  // Where a force comes in the cut forces jump by as much, to twice the largest at most; forces
+  // that stand at one place may do so without any trace.
   ForcesAcross most;
-  most.moves = true;
+  most.again = true;
   for (const SituationRun& run : runs) {
-    const Force force = si<Force>(together * run.loads.largest_force());
-    most.along_z = std::max(most.along_z, force);
+    const double largest = run.loads.largest_force();
+    double force = forces_trace(run) ? 2.0 * static_cast<double>(most_points(run)) * largest
+                                     : std::numeric_limits<double>::infinity();
+    for (const FlangeKink& of : kinks_) force += of.most_under(largest, run.loads.largest_moment());
+    most.along_z = std::max(most.along_z, si<Force>(force));
+    most.along_y = most.along_z;
     if (!project_->in_space) continue;
-    most.along_y = std::max(most.along_y, force);
-    most.couple = std::max(most.couple, si<Moment>(together * run.loads.largest_moment()));
+    most.couple = std::max(most.couple, si<Moment>(2.0 * static_cast<double>(most_points(run)) *
+                                                   run.loads.largest_moment()));
   }
-  // In the plane flanges take forces from diaphragms alone.
-  const bool flanges = project_->in_space || !project_->beam.diaphragms.empty();
+  // In the plane flanges take forces from diaphragms and from kinks of webs alone.
+  const bool sideways =
+      std::any_of(kinks_.begin(), kinks_.end(), [](const FlangeKink& of) { return !of.along_z; });
+  const bool flanges = project_->in_space || !project_->beam.diaphragms.empty() || sideways;
   const auto any_meets = [&] {
     const std::vector<PressedPlates>& all = plates_.of_segments();
     return !project_->beam.introductions.empty() ||
            std::any_of(all.begin(), all.end(), [&](const PressedPlates& of) {
              return of.along_z || (flanges && of.along_y) || of.meet(true, most) ||
-                    (project_->in_space && of.meet(false, most));
+                    ((project_->in_space || sideways) && of.meet(false, most));
            });
   };
   if (!any_meets()) return false;
   for (const SituationRun& run : runs) kinds_.learn(run);
-  most.moves = kinds_.any_moves();
+  most.again = again_and_again();
   return any_meets();
 }
 
 std::vector<Patch> PatchSearch::patches_of(const BeamLoads& loads, const CutForceDiagram& diagram) {
   std::vector<Patch> patches = forces_of(loads), kinks = kinks_under(diagram);
-  ForcesAcross all;
-  all.moves = kinds_.any_moves();
-  for (const std::vector<Patch>* const some : {&patches, &kinks}) {
-    for (const Patch& of : *some) {
-      Force& sum = of.along_z ? all.along_z : all.along_y;
-      sum += abs(of.force);
-      all.couple += abs(of.couple);
-    }
-  }
-  const auto say = [&](Patch& of) { return !say_how_it_comes_in(of, all); };
-  std::erase_if(patches, say);
-  std::erase_if(kinks, say);
-  add_groups(patches);
   patches.insert(patches.end(), std::make_move_iterator(kinks.begin()),
                  std::make_move_iterator(kinks.end()));
+  ForcesAcross all;
+  all.again = again_and_again();
+  for (const Patch& of : patches) {
+    Force& sum = of.along_z ? all.along_z : all.along_y;
+    sum += abs(of.force);
+    all.couple += abs(of.couple);
+  }
+  std::erase_if(patches, [&](Patch& of) { return !say_how_it_comes_in(of, all); });
+  add_groups(patches);
   add_lines(loads.lines, true, patches);
   if (project_->in_space) add_lines(loads.lines, false, patches);
   add_bare_diaphragms(patches);
@@ -162,27 +256,54 @@ std::vector<Patch> PatchSearch::forces_of(const BeamLoads& loads) const {
     for (const bool along_z : {true, false}) {
       if (!along_z && !project_->in_space) continue;
       Patch patch;
-      patch.force = si<Force>(along_z ? load.force.z() : load.force.y());
-      if (patch.force == Force{}) continue;
+      patch.force = patch.stands = si<Force>(along_z ? load.force.z() : load.force.y());
+      if (patch.force == Force{}) {
+        add_torque(load, along_z, patches);
+        continue;
+      }
       patch.name = load.name.empty() ? std::string("a force") : std::string(load.name);
       patch.s = std::clamp(load.s, Length{}, beam.length());
       patch.along_z = along_z;
-      patch.couple = si<Moment>(load.moment.x());
-      patch.moves = kinds_.moves(load.name, number);
-      patch.load = number;
+      patch.couple = patch.stands_couple = si<Moment>(load.moment.x());
+      patch.moves = kinds_.moves(load.name, load.part > 0 ? load.part : number);
+      patch.load = load.part > 0 ? load.part : number;
       patches.push_back(std::move(patch));
     }
   }
   return patches;
 }
 
+void PatchSearch::add_torque(const PointLoad& load, bool along_z,
+                             std::vector<Patch>& patches) const {
+  const double torque = load.moment.x();
+  const bool has_force = load.force.y() != 0.0 || load.force.z() != 0.0;
+  if (!project_->in_space || torque == 0.0 || has_force) return;
+  const LoadIntroduction* const by = introduction_at(load.s);
+  if (by != nullptr && by->torque_by &&
+      *by->torque_by != (along_z ? TorqueBy::webs : TorqueBy::flanges))
+    return;
+  const Length s = std::clamp(load.s, Length{}, project_->beam.length());
+  const auto walls = walls_at({s, Side::both});
+  if (!walls) return;
+  using enum BoxPlate;
+  const Length apart = along_z ? walls->of(left_web).middle - walls->of(right_web).middle
+                               : walls->of(top_flange).middle - walls->of(bottom_flange).middle;
+  for (const double sense : {1.0, -1.0}) {
+    Patch& patch = patches.emplace_back();
+    patch.name = "the torque of " + (load.name.empty() ? "a couple" : std::string(load.name));
+    patch.s = s;
+    patch.along_z = along_z;
+    patch.is_torque = true;
+    patch.force = sense * si<Moment>(std::abs(torque)) / apart;
+  }
+}
+
 std::vector<Borne> PatchSearch::worst_of(const Patch& patch, const std::vector<Patch>& all,
                                          const CutForceDiagram& diagram) {
   std::vector<Borne> worst;
   const auto take = [&](Borne of) {
-    const auto same = std::find_if(worst.begin(), worst.end(), [&](const Borne& other) {
-      return other.is_seam() == of.is_seam();
-    });
+    const auto same = std::find_if(worst.begin(), worst.end(),
+                                   [&](const Borne& other) { return other.part == of.part; });
     if (same == worst.end())
       worst.push_back(std::move(of));
     else if (factor_of(of.basis) < factor_of(same->basis))
@@ -246,9 +367,12 @@ const LoadIntroduction* PatchSearch::introduction_at(Length s) const {
 }
 
 bool PatchSearch::say_how_it_comes_in(Patch& patch, const ForcesAcross& all) {
-  const LoadIntroduction* const by = introduction_at(patch.s);
+  // What turns off does so on a line, whatever the case says of its loads.
+  const LoadIntroduction* const by = patch.kink != nullptr ? nullptr : introduction_at(patch.s);
   if (by != nullptr && !by->stiff_length) return false;
   patch.diaphragm = diaphragm_at(patch.s);
+  if (patch.diaphragm != nullptr && !holds(*patch.diaphragm, patch.along_z))
+    patch.diaphragm = nullptr;
   if (by != nullptr) {
     patch.stiff_length = *by->stiff_length;
     used_.insert(by);
@@ -267,44 +391,63 @@ void PatchSearch::add_groups(std::vector<Patch>& patches) {
   const std::size_t singles = patches.size();
   std::vector<Length> depths;
   for (const Patch& of : patches) depths.push_back(depth_at(of));
-  const auto beside = [&](std::size_t of, const Patch& b) {
-    const Patch& a = patches[of];
-    // What one diaphragm takes, it takes together.
-    return a.along_z == b.along_z && a.diaphragm == b.diaphragm &&
-           (a.diaphragm != nullptr || abs(b.s - a.s) <= depths[of]);
-  };
-  const auto one_sense = [](const Patch& a, const Patch& b) {
-    return (a.force.value() > 0.0) == (b.force.value() > 0.0);
+  const auto opposed = [&](const Patch& a, const Patch& b) {
+    return (a.force.value() > 0.0) != (b.force.value() > 0.0);
   };
   for (std::size_t i = 0; i < singles; ++i) {
     for (std::size_t j = 0; j < singles; ++j) {
-      if (i != j && beside(i, patches[j]) && !one_sense(patches[i], patches[j]))
+      if (i != j && stand_beside(patches[i], patches[j], std::max(depths[i], depths[j])) &&
+          opposed(patches[i], patches[j]))
         patches[i].opposed = true;
     }
   }
+  const bool kinked = std::any_of(patches.begin(), patches.end(),
+                                  [](const Patch& of) { return of.at_high.has_value(); });
+  if (!kinked) return add_groups_at({}, singles, depths, patches);
+  for (const bool high : {true, false}) add_groups_at(high, singles, depths, patches);
+}
+
+void PatchSearch::add_groups_at(std::optional<bool> high, std::size_t singles,
+                                const std::vector<Length>& depths,
+                                std::vector<Patch>& patches) const {
+  const auto comes_in_here = [&](const Patch& of) {
+    return !high || !of.at_high || *of.at_high == *high;
+  };
   // Every group of few; of more those of some numbers, each with all its forces on the length of
   // the smallest group for which it stands, so that none between is used more.
   constexpr int few = 24, few_names = 3;
   for (std::size_t i = 0; i < singles; ++i) {
+    if (!comes_in_here(patches[i]) || patches[i].is_torque) continue;
     Patch sum = patches[i];
     const Length first = sum.s;
     Length length, shortest;
     int count = 1, kept = 1;
     const auto keep = [&] {
+      // Without a kink it is the same at either end of the section.
+      kept = count;
+      if (high && !sum.at_high && !*high) return;
       patches.push_back(sum);
       patches.back().stiff_length = shortest;
-      kept = count;
     };
     length = sum.stiff_length;
     for (std::size_t j = i + 1; j < singles; ++j) {
       const Patch other = patches[j];  // of which more are added meanwhile
-      if (!beside(i, other) || !one_sense(sum, other)) continue;
+      const bool one_sense = (sum.force.value() > 0.0) == (other.force.value() > 0.0);
+      if (!stand_beside(patches[i], other, std::max(depths[i], depths[j])) || !one_sense ||
+          other.is_torque || !comes_in_here(other))
+        continue;
       length = std::max({Length(other.s - first), length, other.stiff_length});
       if (++count == kept + 1) shortest = length;
       sum.force += other.force;
       sum.couple += other.couple;
+      sum.stands += other.stands;
+      sum.stands_couple += other.stands_couple;
+      sum.bent = std::max(sum.bent, other.bent);
+      sum.kink = sum.kink != nullptr ? other.kink : nullptr;
+      if (other.at_high) sum.at_high = other.at_high;
       sum.given = sum.given && other.given;
       sum.opposed = sum.opposed || other.opposed;
+      sum.stout = sum.stout || other.stout;
       sum.s = 0.5 * (first + other.s);
       sum.together = true;
       if (sum.name == other.name || sum.name.ends_with(" together"))
@@ -319,12 +462,15 @@ void PatchSearch::add_groups(std::vector<Patch>& patches) {
 }
 
 Length PatchSearch::depth_at(const Patch& patch) {
-  const auto walls = walls_at({patch.s, Side::both});
-  if (!walls) {
-    const Side side = patch.s < project_->beam.length() ? Side::behind : Side::before;
-    return depth_of_path(patch, judged_at({patch.s, side}));
+  const BoxPlate web = patch.along_z ? BoxPlate::left_web : BoxPlate::top_flange;
+  Length depth;
+  for (const Side side : {Side::before, Side::behind}) {
+    if (side == Side::before ? patch.s == Length{} : patch.s == project_->beam.length()) continue;
+    const JudgedSection& judged = judged_at({patch.s, side});
+    depth = std::max(depth,
+                     judged.box ? judged.box->box().of(web).clear() : depth_of_path(patch, judged));
   }
-  return walls->of(patch.along_z ? BoxPlate::left_web : BoxPlate::top_flange).clear();
+  return depth;
 }
 
 const PatchSearch::JudgedSection& PatchSearch::judged_at(const Station& station) {
@@ -373,6 +519,10 @@ PatchSearch::Shared PatchSearch::shared_by_webs(const Patch& patch, const FourWa
   Shared of{patch.along_z ? std::array{left_web, right_web} : std::array{top_flange, bottom_flange},
             {}};
   if (patch.is_none()) return of;
+  if (patch.is_torque) {
+    of.shares = {1.0, -1.0};
+    return of;
+  }
   const Length high = walls.of(of.webs[0]).middle, low = walls.of(of.webs[1]).middle;
   // M_x = y F_z - z F_y.
   const Length at = (patch.along_z ? 1.0 : -1.0) * patch.couple / patch.force;
@@ -490,8 +640,9 @@ std::vector<PatchedWeb> PatchSearch::in_every_way(PatchedWeb web, const Patch& p
 std::optional<Length> PatchSearch::distance_to_end(const Patch& patch) const {
   const TaperedBeam& beam = project_->beam;
   const auto kept_off = [&](Length from, Length to) {
-    return std::any_of(beam.diaphragms.begin(), beam.diaphragms.end(),
-                       [&](const Diaphragm& of) { return of.s >= from && of.s <= to; });
+    return std::any_of(beam.diaphragms.begin(), beam.diaphragms.end(), [&](const Diaphragm& of) {
+      return of.s >= from && of.s <= to && holds(of, patch.along_z);
+    });
   };
   std::optional<Length> nearest;
   const auto look = [&](Length distance) {

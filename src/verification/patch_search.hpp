@@ -27,19 +27,28 @@ struct Patch {
   Force force;          ///< along its axis, signed
   Moment couple;        ///< about the beam's axis
   Length stiff_length;
-  bool given = true;                     ///< the case says how it comes in
-  const Diaphragm* diaphragm = nullptr;  ///< that takes it
-  bool opposed = false;                  ///< one of the other sense is near
-  bool together = false;                 ///< several as one
-  const FlangeKink* kink = nullptr;      ///< that it comes from
-  bool moves = false;                    ///< along the beam
-  bool stout = false;  ///< looked at for its size alone: the case does not say how it comes in
+  bool given = true;                             ///< the case says how it comes in
+  const Diaphragm* diaphragm = nullptr;          ///< that takes it
+  bool opposed = false;                          ///< one of the other sense is near
+  bool together = false;                         ///< several as one
+  const FlangeKink* kink = nullptr;              ///< that it comes from
+  std::array<FlangeKink::Turned, 2> by_sides{};  ///< of that, the larger one of which it is
+  std::optional<bool> at_high = {};  ///< at which end of the section, where that is known
+  /// How a flange is bent across: by kinks there, over its strength; by what stands on it.
+  double bent = 0.0;
+  Force stands = {};
+  Moment stands_couple = {};
+  bool is_line = false;    ///< a load along the beam
+  bool is_torque = false;  ///< couples alone: the webs take it with unlike senses
+  bool moves = false;      ///< along the beam
+  bool stout = false;      ///< looked at for its size alone: the case does not say how it comes in
   std::optional<std::size_t> load = {};  ///< the point load that it is, among those of its name
 
   /// What of it is none, there is for what panels pull at a diaphragm alone.
   bool is_none() const { return force == Force{}; }
-  /// Of stout webs: by a lug or boss, as what rolls along the beam or the case speaks of does not.
-  bool may_come_beside_flanges() const { return stout && !moves; }
+  /// Of stout webs: by a lug or boss, as what rolls along the beam, turns off from a flange or the
+  /// case speaks of does not.
+  bool may_come_beside_flanges() const { return stout && !moves && kink == nullptr; }
 
   /// The same from instant to instant.
   auto key() const {
@@ -58,7 +67,9 @@ struct Borne {
   BoxPlate plate = BoxPlate::left_web;
   std::string wall = {};  ///< of a path, in its place
 
-  bool is_seam() const { return std::holds_alternative<PatchedSeam>(basis.bears); }
+  /// What it is of the plates, and of the welds; of these whether the case says how thick they are.
+  enum class Part { plate, weld, unsaid_weld };
+  Part part = Part::plate;
 };
 
 /// A web that a patch presses through its edge.
@@ -87,8 +98,8 @@ class PatchSearch {
   /// What comes in under these loads.
   std::vector<Patch> patches_of(const BeamLoads& loads, const CutForceDiagram& diagram);
 
-  /// How webs and how their seams bear a patch among all, of all places and sides the one that is
-  /// used most of both; none of what is not judged.
+  /// How webs and how their welds bear a patch among all, of all places and sides the one that is
+  /// used most of each part; none of what is not judged.
   std::vector<Borne> worst_of(const Patch& patch, const std::vector<Patch>& all,
                               const CutForceDiagram& diagram);
 
@@ -123,6 +134,12 @@ class PatchSearch {
   std::string obstacle_of(const LoadIntroduction& of);
 
  private:
+  /// How many forces come in at most, and whether they do so at places of their own.
+  static std::size_t most_points(const SituationRun& run);
+  bool forces_trace(const SituationRun& run) const;
+  /// Whether what comes in is to be looked at for its cycles.
+  bool again_and_again() const;
+
   /// The section of a station by its effective widths and, where these do not judge it, by reduced
   /// stresses; with its seams where they are fillets.
   struct JudgedSection {
@@ -142,6 +159,8 @@ class PatchSearch {
 
   /// Forces and, where something holds the beam, what holds it; no clamps.
   std::vector<Patch> forces_of(const BeamLoads& loads) const;
+  /// A couple about the beam's axis without a force: both ways, for it may come by either flange.
+  void add_torque(const PointLoad& load, bool along_z, std::vector<Patch>& patches) const;
   /// What plates that turn off between segments put into those beside them. kinked_flanges.cpp
   std::vector<Patch> kinks_under(const CutForceDiagram& diagram) const;
   /// Diaphragms at which no force comes in, for what their panels pull at them.
@@ -150,8 +169,14 @@ class PatchSearch {
   void bear_by_stiffener(const Patch& patch, const BearingStiffener& stiffener,
                          const std::string& plate, const CutForceDiagram& diagram, Borne borne,
                          std::vector<Borne>& ways);
+  /// The welds of a diaphragm's part with the web and with the flange, of those the weaker one: as
+  /// thick as the case says, else of the least throat.
+  void bear_by_welds(const Patch& patch, const BearingStiffener& stiffener, Borne borne,
+                     std::vector<Borne>& ways) const;
   /// Why what a path bears of a patch is not judged, "" where it is.
   std::string path_obstacle_of(const Patch& patch, const PathWebs& of) const;
+  /// Whether what stands on a flange of a path may do more than hardly bend it across.
+  bool bends_a_flange(const Patch& patch, const PathWebs& of) const;
   /// A web where a diaphragm takes a patch, and why it is not judged as one, "" where it is: of a
   /// single web by plates on both sides of it that do not twist.
   BearingStiffener path_stiffener_of(const Patch& patch, const PathWebs& of, const PathWeb& web,
@@ -163,12 +188,18 @@ class PatchSearch {
   /// Loads along the beam, each by the largest of it over a plate's depth.
   void add_lines(const std::vector<LineLoad>& lines, bool along_z, std::vector<Patch>& patches);
   const Diaphragm* diaphragm_at(Length s) const;
+  /// Whether a diaphragm is stiff enough for the webs of a box, or in space its flanges, to stand
+  /// on (9.3.3(3), I_st >= 0.75 h_w t^3 of long panels); of other sections every one.
+  bool holds(const Diaphragm& of, bool along_z) const;
 
   /// Whether the patch is to be looked at, of all that come in at once.
   bool say_how_it_comes_in(Patch& patch, const ForcesAcross& all);
 
-  /// Adds those that stand close together as one, and says which are opposed.
+  /// Adds those that stand close together as one, and says which are opposed. What turns off from
+  /// one flange and from the other does not meet.
   void add_groups(std::vector<Patch>& patches);
+  void add_groups_at(std::optional<bool> high, std::size_t singles,
+                     const std::vector<Length>& depths, std::vector<Patch>& patches) const;
 
   Length depth_at(const Patch& patch);
   static Length depth_of_path(const Patch& patch, const JudgedSection& judged);
@@ -226,6 +257,7 @@ class PatchSearch {
   ForceKinds kinds_;
   std::set<const LoadIntroduction*> used_;  ///< by which a force has come in
   std::map<std::pair<double, Side>, JudgedSection> judged_;
+  mutable std::map<std::pair<const Diaphragm*, bool>, bool> holds_;
 };
 
 }  // namespace boxbeam

@@ -32,7 +32,10 @@ void PatchSearch::bear_by_stiffener(const Patch& patch, const BearingStiffener& 
   PatchBasis& basis = borne.basis;
   basis.resistance = bearing_resistance_of(stiffener, project_->strength.gamma_M1);
   basis.bears = stiffener;
-  if (basis.share * basis.force > Force{}) ways.push_back(borne);
+  if (basis.share * basis.force > Force{}) {
+    ways.push_back(borne);
+    bear_by_welds(patch, stiffener, borne, ways);
+  }
   // At the ends of the beam it is no stiffener between panels.
   if (is_at_end(patch.diaphragm->s)) return;
   for (const PullingPanels::Panel& of : pulling_.beside(patch.diaphragm->s)) {
@@ -40,6 +43,26 @@ void PatchSearch::bear_by_stiffener(const Patch& patch, const BearingStiffener& 
     const Force shear = of.wall.force_of(diagram.at(of.at));
     if (!(shear > Force{})) continue;
     basis.pulls = PullingPanel{of.at, of.wall.panel, shear};
+    ways.push_back(borne);
+  }
+}
+
+void PatchSearch::bear_by_welds(const Patch& patch, const BearingStiffener& stiffener, Borne borne,
+                                std::vector<Borne>& ways) const {
+  const Diaphragm& of = *patch.diaphragm;
+  const PlateOf joined = weakest_to_weld(plates_around(*project_, of.s, of.thickness));
+  const auto tensile = tensile_strength_of(*joined.material, joined.thickness);
+  if (!tensile) return;
+  const bool said = of.throat > Length{};
+  borne.part = said ? Borne::Part::weld : Borne::Part::unsaid_weld;
+  for (const bool to_flange : {false, true}) {
+    const StiffenerWeld weld{to_flange,
+                             stiffener.both_sides ? 4 : 2,
+                             said ? of.throat : least_throat(),
+                             to_flange ? stiffener.width : stiffener.web_depth,
+                             {*tensile, joined.material->beta_w, project_->strength.gamma_M2}};
+    borne.basis.resistance = stiffener_weld_resistance_of(weld);
+    borne.basis.bears = weld;
     ways.push_back(borne);
   }
 }

@@ -11,6 +11,7 @@
 #include "boxbeam/strength/stiffened_plate.hpp"
 #include "boxbeam/strength/transverse_stiffener.hpp"
 #include "boxbeam/verification/slender_path.hpp"
+#include "patch_notes.hpp"
 #include "patched_path.hpp"
 #include "plate_panels.hpp"
 
@@ -119,7 +120,8 @@ std::string PatchSearch::path_obstacle_of(const Patch& patch, const PathWebs& of
   if (of.webs.empty())
     return fmt::format("no wall along {} between two flanges bears it", patch.along_z ? "z" : "y");
   if (of.webs.size() > 2) return fmt::format("{} walls share it", of.webs.size());
-  if (patch.is_none()) return "";
+  // What a plate puts into those beside it stands on none (`use_across_kink`).
+  if (patch.is_none() || patch.kink != nullptr) return "";
   // In the plane forces act in that of the web.
   if (!project_->in_space && of.webs.size() == 1) return "";
   const PathWeb &first = of.webs.front(), &last = of.webs.back();
@@ -157,6 +159,14 @@ std::string PatchSearch::bearing_obstacle_of(const Patch& patch, const PathWebs&
   return flats_obstacle(flats_beside(*project_, of.webs.front(), *patch.diaphragm, station));
 }
 
+bool PatchSearch::bends_a_flange(const Patch& patch, const PathWebs& of) const {
+  if (!project_->in_space || of.webs.empty() || patch.stands == Force{}) return false;
+  const PathWeb& web = of.webs.front();
+  const double t_f = web.bears.flange_thickness.value();
+  return 6.0 * bent_outside * std::abs(patch.stands.value()) / (t_f * t_f) >
+         hardly_bent * web.bears.flange_strength.value();
+}
+
 std::optional<PatchSearch::OnPath> PatchSearch::unjudged_on_path(const Patch& patch) {
   std::optional<OnPath> found;
   for (const Side side : {Side::before, Side::behind}) {
@@ -168,8 +178,11 @@ std::optional<PatchSearch::OnPath> PatchSearch::unjudged_on_path(const Patch& pa
     const PathWebs of = webs_of_path(judged.path->path(), patch.along_z, patch.force < Force{});
     const std::string why = path_obstacle_of(patch, of);
     if (patch.diaphragm == nullptr) {
-      // Stout walls that do not buckle bear much.
-      if (!why.empty()) found = {true, slender || patch.given, why};
+      // Stout walls that do not buckle bear much; a plate that turns off has no lug or boss.
+      if (!why.empty()) {
+        found = {true, slender || patch.given || patch.kink != nullptr || bends_a_flange(patch, of),
+                 why};
+      }
       continue;
     }
     const std::string bears = why.empty() ? bearing_obstacle_of(patch, of, station) : why;
@@ -189,7 +202,7 @@ std::vector<Borne> PatchSearch::path_ways_at(const Patch& patch, const Station& 
   // Others of a path that may buckle are no reason to look at webs that hardly feel it.
   const PressedPlates& here = plates_.near(patch.s);
   if (!patch.given && !(patch.along_z ? here.web_along_z : here.web_along_y) &&
-      !here.stout(patch.along_z).feels(abs(patch.force), abs(patch.couple), patch.moves))
+      !here.stout(patch.along_z).feels(abs(patch.force), abs(patch.couple), again_and_again()))
     return ways;
   Borne borne;
   PatchBasis& basis = borne.basis;

@@ -70,6 +70,7 @@ std::vector<Borne> PatchSearch::seams_at(const Patch& patch, const std::vector<P
   const FourWalls& walls = judged.box->box();
   const auto [webs, shares] = shared_by_webs(patch, walls);
   Borne of;
+  of.part = Borne::Part::weld;
   PatchBasis& basis = of.basis;
   basis.force = abs(patch.force);
   basis.box = judged.box;
@@ -96,15 +97,23 @@ std::vector<Borne> PatchSearch::seams_at(const Patch& patch, const std::vector<P
                        own.to - own.from,
                        {},
                        {*tensile, joined.material->beta_w, project_->strength.gamma_M2}};
+      // Of a load along the beam there are copies at many places: it counts once.
+      Stress along_beam;
       for (const Patch& other : all) {
+        if (other.is_line && patch.is_line) continue;
         const bool alike = other.along_z == patch.along_z && other.diaphragm == nullptr &&
                            (other.force > Force{}) == (patch.force > Force{});
         if (&other == &patch || other.together || !alike) continue;
         const Spread its = spread(other);
         if (!(its.from < own.to && its.to > own.from)) continue;
-        seam.beside += std::abs(shared_by_webs(other, walls).shares[k]) * abs(other.force) /
-                       ((its.to - its.from) * a);
+        const Stress beside = std::abs(shared_by_webs(other, walls).shares[k]) * abs(other.force) /
+                              ((its.to - its.from) * a);
+        if (other.is_line)
+          along_beam = std::max(along_beam, beside);
+        else
+          seam.beside += beside;
       }
+      seam.beside += along_beam;
       const Force acting = basis.share * basis.force;
       const Stress across = acting / (seam.loaded * a) + seam.beside;
       const Stress along = stress_at((*throat)->influence, cut).shear;

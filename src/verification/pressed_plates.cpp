@@ -58,8 +58,7 @@ PressedPlates::Stout stout_walls(const Project& project, const Section& section,
       web.yield_strength = walls.of(plate).yield_strength;
       web.flange_thickness = walls.of(by).thickness;
       web.flange_strength = walls.of(by).yield_strength;
-      of.hardly = std::min(
-          of.hardly, hardly_felt(project, web, welded == nullptr ? Length{} : welded->seam_throat));
+      add_web(project, web, welded == nullptr ? Length{} : welded->seam_throat, of);
     }
   }
   return of;

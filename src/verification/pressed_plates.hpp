@@ -12,7 +12,7 @@ namespace boxbeam {
 struct ForcesAcross {
   Force along_z, along_y;
   Moment couple;       ///< about the beam's axis
-  bool moves = false;  ///< one of them, along the beam
+  bool again = false;  ///< cycles of them count
 
   Force along(bool z) const { return z ? along_z : along_y; }
 };
@@ -21,7 +21,7 @@ struct ForcesAcross {
 struct PressedPlates {
   /// Plates that hardly feel a force: less than 0.3 of what a web of them bears (clause 6) as a
   /// force without length at an unstiffened end, 0.03 of a seam's strength, a tenth of what bends a
-  /// flange across; where it rolls there again and again, less than the cut-off of its seams.
+  /// flange across; where it comes again and again, less than the cut-off of its seams.
   struct Stout {
     Force hardly = si<Force>(std::numeric_limits<double>::infinity());
     Force hardly_again = hardly;
@@ -45,7 +45,7 @@ struct PressedPlates {
   const Stout& stout(bool z) const { return z ? stout_z : stout_y; }
   /// Whether forces along an axis are to be looked at among all that come in.
   bool meet(bool z, const ForcesAcross& all) const {
-    return (z ? along_z : along_y) || stout(z).feels(all.along(z), all.couple, all.moves);
+    return (z ? along_z : along_y) || stout(z).feels(all.along(z), all.couple, all.again);
   }
   void add(const PressedPlates& other);
 };

@@ -26,11 +26,6 @@ bool reaches(const PressedWeb& web, double s, double at) {
 
 }  // namespace
 
-struct PressedWebs::Resisting {
-  std::shared_ptr<const BeamDetail> detail;
-  Length thickness, throat;  ///< no throat: the web
-};
-
 bool has_cycles(const Project& project, const Situation& situation) {
   const std::size_t index = index_of(project, situation);
   const auto has = [&](const Situation& of) {
@@ -59,24 +54,44 @@ void PressedWebs::take(Time time, bool goes_on, const std::vector<Patch>& patche
   instant.goes_on = goes_on;
   for (const Patch& patch : patches) {
     if (!counts(patch)) continue;
-    // What a kink turns off stands still.
-    const double place = std::round(patch.s.value() / at_one_place);
-    const std::tuple key(patch.name, patch.along_z, patch.load ? 0.0 : place,
-                         patch.load.value_or(0));
-    const auto [found, is_new] = numbers_.try_emplace(key, sources_.size());
-    if (is_new) sources_.emplace_back().name = patch.name;
-    Source& source = sources_[found->second];
-    Pressing pressing{found->second, patch.s.value(), search_->pressed_by(patch)};
-    if (source.presses.empty()) source.from = source.to = pressing.s;
-    source.from = std::min(source.from, pressing.s);
-    source.to = std::max(source.to, pressing.s);
-    for (const PressedWeb& web : pressing.webs) {
-      auto& [least, most] = source.presses[web.plate];
-      least = std::min(least, web.stress.value());
-      most = std::max(most, web.stress.value());
+    if (patch.kink == nullptr) {
+      add(patch, {}, instant);
+      continue;
     }
-    instant.forces.push_back(std::move(pressing));
+    // By the one side in all instants, or by the other.
+    for (const std::size_t side : {0U, 1U}) {
+      Patch by = patch;
+      by.force = patch.by_sides[side].force;
+      by.couple = patch.by_sides[side].couple;
+      constexpr double same = 1e-9;
+      sides_differ_ = sides_differ_ || abs(by.force - patch.force) > same * abs(patch.force);
+      if (!by.is_none()) add(by, side, instant);
+    }
   }
+}
+
+void PressedWebs::add(const Patch& patch, std::optional<std::size_t> side, Instant& instant) {
+  // What a kink turns off stands still.
+  const double place = std::round(patch.s.value() / at_one_place);
+  const std::tuple key(patch.name, patch.along_z, patch.load ? 0.0 : place,
+                       patch.load.value_or(side.value_or(0)));
+  const auto [found, is_new] = numbers_.try_emplace(key, sources_.size());
+  if (is_new) {
+    sources_.emplace_back().name = patch.name;
+    sources_.back().at_high = patch.at_high;
+    sources_.back().side = side;
+  }
+  Source& source = sources_[found->second];
+  Pressing pressing{found->second, patch.s.value(), search_->pressed_by(patch)};
+  if (source.presses.empty()) source.from = source.to = pressing.s;
+  source.from = std::min(source.from, pressing.s);
+  source.to = std::max(source.to, pressing.s);
+  for (const PressedWeb& web : pressing.webs) {
+    auto& [least, most] = source.presses[web.plate];
+    least = std::min(least, web.stress.value());
+    most = std::max(most, web.stress.value());
+  }
+  instant.forces.push_back(std::move(pressing));
 }
 
 void PressedWebs::end(Time period) {
@@ -88,8 +103,12 @@ void PressedWebs::end(Time period) {
 }
 
 bool PressedWebs::acts(const Place& place, std::size_t force) const {
-  const auto presses = sources_[force].presses.find(place.web);
-  if (presses == sources_[force].presses.end()) return false;
+  const Source& source = sources_[force];
+  const auto presses = source.presses.find(place.web);
+  if (presses == source.presses.end()) return false;
+  if (source.at_high && *source.at_high != place.at_high) return false;
+  if (source.side && *source.side != place.side) return false;
+  if (place.sense == 0.0) return true;
   const auto& [least, most] = presses->second;
   return place.sense > 0.0 ? most > 0.0 : least < 0.0;
 }
@@ -191,9 +210,19 @@ std::vector<double> PressedWebs::places_of(BoxPlate web) const {
     from = std::min(from, of.from);
     to = std::max(to, of.to);
   }
+  // Besides, where webs and seams become others, and what bears the forces.
+  std::vector<double> borders;
+  for (const Segment& of : project_->beam.segments) borders.push_back(of.end().value());
+  for (const Diaphragm& of : project_->beam.diaphragms) borders.push_back(of.s.value());
+  for (const LoadIntroduction& of : project_->beam.introductions)
+    borders.push_back(0.5 * (of.from + of.to).value());
   for (const auto& [name, way] : ways) {
     for (int i = 1; i < along; ++i)
       places.push_back(way.first + static_cast<double>(i) / along * (way.second - way.first));
+    for (const double s : borders) {
+      for (const double at : {s - 2.0 * near, s, s + 2.0 * near})
+        if (at > way.first && at < way.second) places.push_back(at);
+    }
   }
   std::sort(places.begin(), places.end());
   places.erase(
@@ -202,29 +231,47 @@ std::vector<double> PressedWebs::places_of(BoxPlate web) const {
   return places;
 }
 
-PressedWebs::Resisting PressedWebs::resisting_at(const Place& place) const {
-  const Station at{si<Length>(place.s), Side::both};
+const PressedWebs::Resisting& PressedWebs::resisting_at(const Place& place,
+                                                        bool unsaid_as_fillets) const {
+  const std::tuple key(place.s, place.web, unsaid_as_fillets);
+  const auto known = resisting_.find(key);
+  if (known != resisting_.end()) return known->second;
+  // Where two segments meet the side that resists less, by the stress in its web.
+  const Length s = si<Length>(place.s);
+  std::optional<Resisting> weaker;
+  const auto strength = [](const Resisting& of) {
+    return of.detail->detail.curve.reference.value() / of.detail->stress_factor;
+  };
+  for (const Side side : {Side::before, Side::behind}) {
+    if (side == Side::before ? s == Length{} : s == project_->beam.length()) continue;
+    Resisting of = resisting_on({s, side}, place.web, unsaid_as_fillets);
+    if (!weaker || strength(of) < strength(*weaker)) weaker = std::move(of);
+  }
+  return resisting_.emplace(key, *std::move(weaker)).first->second;
+}
+
+PressedWebs::Resisting PressedWebs::resisting_on(const Station& at, BoxPlate plate,
+                                                 bool unsaid_as_fillets) const {
   const Section section = section_at(project_->beam, at);
   const auto walls = judged_walls_at(*project_, at);
   Resisting of;
-  if (walls) of.thickness = walls->of(place.web).thickness;
+  if (walls) of.thickness = walls->of(plate).thickness;
   auto detail = std::make_shared<BeamDetail>();
   const auto* const box = std::get_if<Box>(&section.outer);
-  const auto take = [&](const char* row, const char* name) {
-    detail->detail = detail_of_row(row, name);
-  };
-  if (box == nullptr) {
-    take("8.10/1", "web without a seam");
-  } else {
-    take("8.10/2", "web at its seam");
+  static const Detail rolled = detail_of_row("8.10/1", "web without a seam");
+  static const Detail seamed = detail_of_row("8.10/2", "web at its seam");
+  static const Detail root = detail_of_row("8.10/4", "throat of a seam");
+  detail->detail = box == nullptr ? rolled : seamed;
+  if (box != nullptr) {
     const double web = detail->detail.curve.reference.value();
-    if (box->seam_throat > Length{}) {
-      const double over = of.thickness / box->seam_throat;
-      const Detail root = detail_of_row("8.10/4", "throat of a seam");
+    const Length throat =
+        box->seam_throat > Length{} || !unsaid_as_fillets ? box->seam_throat : of.thickness;
+    if (throat > Length{}) {
+      const double over = of.thickness / throat;
       if (root.curve.reference.value() / over < web) {
         detail->detail = root;
         detail->stress_factor = over;
-        of.throat = box->seam_throat;
+        of.throat = throat;
       }
     }
   }
@@ -269,22 +316,32 @@ void PressedWebs::name(const Place& place, CheckResult& result) const {
   basis.force = abs(most->stress) * basis.thickness * basis.loaded;
 }
 
-std::optional<CheckResult> PressedWebs::check_at(const Place& place) const {
-  const Resisting resisting = resisting_at(place);
-  const double factor = resisting.detail->stress_factor;
+Turns PressedWebs::turns_at(const Place& place) const {
   Turns turns(project_->situations.size());
   TurningSamples samples;
   for (const Run& run : runs_) {
     const Series series = series_at(place, run);
     SituationTurns& of = turns[run.situation];
-    of.begin = factor * series.values.front();
-    of.end = run.closed ? of.begin : factor * series.values.back();
+    of.begin = series.values.front();
+    of.end = run.closed ? of.begin : series.values.back();
     find_turning_samples(series.values, samples);
     const auto add = [&](std::size_t i, bool maximum) {
-      of.turns.push_back({si<Time>(series.times[i]), factor * series.values[i], maximum});
+      of.turns.push_back({si<Time>(series.times[i]), series.values[i], maximum});
     };
     if (samples.turns.empty()) add(samples.highest, true);
     for (const auto& [i, maximum] : samples.turns) add(i, maximum);
+  }
+  return turns;
+}
+
+std::optional<CheckResult> PressedWebs::check_at(const Place& place, Turns turns,
+                                                 bool unsaid_as_fillets) const {
+  const Resisting& resisting = resisting_at(place, unsaid_as_fillets);
+  const double factor = resisting.detail->stress_factor;
+  for (SituationTurns& of : turns) {
+    of.begin *= factor;
+    of.end *= factor;
+    for (TurningPoint& turn : of.turns) turn.value *= factor;
   }
   LifeChannel channel{{}, curve_of(resisting.detail->detail)};
   double largest = 0.0;
@@ -322,6 +379,32 @@ std::optional<CheckResult> PressedWebs::check_at(const Place& place) const {
   return result;
 }
 
+template <class Take>
+void PressedWebs::look(Place place, const std::vector<double>& places, bool any_unsaid,
+                       const Take& take) const {
+  const std::vector<bool> ways = any_unsaid ? std::vector{false, true} : std::vector{false};
+  std::map<std::pair<bool, bool>, CheckResult> worst;
+  for (const double s : places) {
+    place.s = s;
+    const Turns turns = turns_at(place);
+    for (const bool as_fillets : ways) {
+      auto at = check_at(place, turns, as_fillets);
+      if (!at) continue;
+      const auto key = std::pair(search_->is_given_at(si<Length>(s)), as_fillets);
+      const auto known = worst.find(key);
+      if (known == worst.end())
+        worst.emplace(key, *std::move(at));
+      else if (at->check.utilisation() > known->second.check.utilisation())
+        known->second = *std::move(at);
+    }
+  }
+  for (auto& [key, of] : worst) {
+    place.s = of.check.station.s.value();
+    name(place, of);
+    take(Found{std::move(of), key.first, key.second});
+  }
+}
+
 std::vector<PressedWebs::Found> PressedWebs::checks() const {
   std::vector<Found> found;
   if (std::none_of(runs_.begin(), runs_.end(), [](const Run& of) { return of.counted; }))
@@ -329,29 +412,44 @@ std::vector<PressedWebs::Found> PressedWebs::checks() const {
   const auto take = [&](Found more) {
     // Forces that push to and fro are of both senses.
     const auto same = std::find_if(found.begin(), found.end(), [&](const Found& of) {
-      return of.given == more.given && of.result.check.id == more.result.check.id;
+      return of.given == more.given && of.unsaid == more.unsaid &&
+             of.result.check.id == more.result.check.id;
     });
     if (same == found.end())
       found.push_back(std::move(more));
     else if (more.result.check.utilisation() > same->result.check.utilisation())
       *same = std::move(more);
   };
+  const bool kinked = std::any_of(sources_.begin(), sources_.end(),
+                                  [](const Source& of) { return of.at_high.has_value(); });
+  // All of them together are one more only where some push and others pull.
+  const auto has_own = [&](double sense) {
+    return std::any_of(sources_.begin(), sources_.end(), [&](const Source& of) {
+      return std::any_of(of.presses.begin(), of.presses.end(), [&](const auto& pressed) {
+        const auto& [least, most] = pressed.second;
+        return sense > 0.0 ? most > 0.0 && !(least < 0.0) : least < 0.0 && !(most > 0.0);
+      });
+    });
+  };
+  std::vector<double> senses{1.0, -1.0};
+  if (has_own(1.0) && has_own(-1.0)) senses.push_back(0.0);
+  const auto unsaid_in = [](const Section& of) {
+    const auto* const box = std::get_if<Box>(&of.outer);
+    return box != nullptr && !(box->seam_throat > Length{});
+  };
+  const std::vector<Segment>& segments = project_->beam.segments;
+  const bool unsaid = std::any_of(segments.begin(), segments.end(), [&](const Segment& of) {
+    return unsaid_in(of.from) || unsaid_in(of.to);
+  });
+  const std::vector<std::size_t> sides =
+      sides_differ_ ? std::vector<std::size_t>{0, 1} : std::vector<std::size_t>{0};
+  const std::vector<bool> known_ends = kinked ? std::vector{true, false} : std::vector{true};
   for (const BoxPlate web : box_plates) {
     const std::vector<double> places = places_of(web);
-    for (const double sense : {1.0, -1.0}) {
-      std::array<std::optional<CheckResult>, 2> worst;
-      for (const double s : places) {
-        const Place place{web, s, sense};
-        std::optional<CheckResult>& known = worst[search_->is_given_at(si<Length>(s)) ? 1 : 0];
-        auto at = check_at(place);
-        if (at && (!known || at->check.utilisation() > known->check.utilisation()))
-          known = std::move(at);
-      }
-      for (const bool given : {true, false}) {
-        std::optional<CheckResult>& of = worst[given ? 1 : 0];
-        if (!of) continue;
-        name({web, of->check.station.s.value(), sense}, *of);
-        take({*std::move(of), given});
+    for (const double sense : senses) {
+      for (const bool at_high : known_ends) {
+        for (const std::size_t side : sides)
+          look({web, 0.0, sense, at_high, side}, places, unsaid, take);
       }
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -18,8 +19,10 @@ bool has_cycles(const Project& project, const Situation& situation);
 ///     sigma_z = F/(t (s_s + 2 t_f))   in the web, category 71 (row 8.10/2), rolled 160 (8.10/1)
 ///     sigma_w = sigma_z t/a           in the throats a of a fillet seam together, 36 (row 8.10/4)
 ///
-/// At a place it is that of all forces whose loaded length reaches it: of those that push down at
-/// some time, and of those that push up, each with its signs, for both may come by unlike flanges.
+/// A seam of which nothing is said is judged as one that penetrates fully, and beside that as
+/// fillets. At a place it is that of all forces whose loaded length reaches it: of those that push
+/// down at some time, of those that push up, and of all, each with its signs, for they may come by
+/// unlike flanges or by the same one; of what turns off from flanges, with what turns off from one.
 /// What moves on loads a place from none to all of it and back at every passage, however far it
 /// gets between two instants; beside that the instants count. Not with stresses along the beam. At
 /// an end of the beam it loads the web as far as that goes, but where a diaphragm stands there.
@@ -41,6 +44,7 @@ class PressedWebs {
   struct Found {
     CheckResult result;
     bool given = true;
+    bool unsaid = false;  ///< taken as fillets where the case does not say what they are
   };
   /// Of every web the place that is used most, of each sense, of those where the case says that and
   /// of the others.
@@ -69,18 +73,26 @@ class PressedWebs {
     std::string name;
     double from = 0.0, to = 0.0;                            ///< its way [m]
     std::map<BoxPlate, std::pair<double, double>> presses;  ///< least and most of each web [Pa]
+    std::optional<bool> at_high;      ///< by the flange at which end of the section, where known
+    std::optional<std::size_t> side;  ///< of a kink: by the forces on which side of it
   };
   /// A place of a web, and the sense of what is looked at.
   struct Place {
     BoxPlate web;
     double s = 0.0;
-    double sense = 1.0;
+    double sense = 1.0;    ///< 0: both
+    bool at_high = true;   ///< of what is known to come by one flange, which
+    std::size_t side = 0;  ///< of what kinks turn off, by which side
   };
   struct Series {
     std::vector<double> times, values;
   };
-  struct Resisting;
+  struct Resisting {
+    std::shared_ptr<const BeamDetail> detail;
+    Length thickness, throat;  ///< no throat: the web
+  };
 
+  void add(const Patch& patch, std::optional<std::size_t> side, Instant& instant);
   bool acts(const Place& place, std::size_t force) const;
   /// The stress of a place under some loads.
   double stress_at(const Place& place, const std::vector<Pressing>& forces) const;
@@ -88,16 +100,26 @@ class PressedWebs {
   void add_passages(const Place& place, const Instant& before, const Instant& behind,
                     Series& series) const;
   std::vector<double> places_of(BoxPlate web) const;
-  Resisting resisting_at(const Place& place) const;
+  /// `unsaid_as_fillets`: seams of which nothing is said, all of one as thick as its web.
+  const Resisting& resisting_at(const Place& place, bool unsaid_as_fillets) const;
+  Resisting resisting_on(const Station& at, BoxPlate plate, bool unsaid_as_fillets) const;
+  /// The worst of all places like one.
+  template <class Take>
+  void look(Place place, const std::vector<double>& places, bool any_unsaid,
+            const Take& take) const;
   template <class Look>
   void for_all_at(const Place& place, const Look& look) const;
-  std::optional<CheckResult> check_at(const Place& place) const;
+  Turns turns_at(const Place& place) const;
+  std::optional<CheckResult> check_at(const Place& place, Turns turns,
+                                      bool unsaid_as_fillets) const;
   void name(const Place& place, CheckResult& result) const;
 
   const Project* project_;
   PatchSearch* search_;
   std::vector<Run> runs_;
   std::vector<Source> sources_;
+  bool sides_differ_ = false;  ///< of a kink, at some instant
+  mutable std::map<std::tuple<double, BoxPlate, bool>, Resisting> resisting_;
   std::map<std::tuple<std::string, bool, double, std::size_t>, std::size_t> numbers_;
 };
 

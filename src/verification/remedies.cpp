@@ -194,15 +194,29 @@ class Search {
     }
   }
 
-  /// All seams of the beam that are thinner than the one that is needed most.
+  static bool is_of_diaphragm(const CheckResult& result) {
+    return result.patch && std::holds_alternative<StiffenerWeld>(result.patch->bears);
+  }
+
+  /// All seams of the beam, or welds of its diaphragms, that are thinner than the one that is
+  /// needed most.
   void look_at_seams() {
+    const bool of_diaphragms = is_of_diaphragm(governing_);
     Length needed{};
     for (const CheckResult& result : search_.verification.checks) {
-      const bool of_seam = result.patch || (result.basis && result.basis->point.on_throat);
-      if (of_seam && result.sufficient_throat) needed = std::max(needed, *result.sufficient_throat);
+      const bool of_weld = result.patch || (result.basis && result.basis->point.on_throat);
+      if (of_weld && result.sufficient_throat && is_of_diaphragm(result) == of_diaphragms)
+        needed = std::max(needed, *result.sufficient_throat);
     }
     const Length throat = in_half_millimetres(needed);
     Project copy = project_;
+    if (of_diaphragms) {
+      for (Diaphragm& of : copy.beam.diaphragms) {
+        if (of.throat > Length{}) of.throat = std::max(of.throat, throat);
+      }
+      note_throat("the diaphragms' welds", throat, search_.judged(copy));
+      return;
+    }
     for (Segment& segment : copy.beam.segments) {
       for (Section* section : {&segment.from, &segment.to}) {
         auto* box = std::get_if<Box>(&section->outer);

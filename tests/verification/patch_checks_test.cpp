@@ -133,12 +133,15 @@ TEST_CASE("where nothing is known of how a force comes in, a slender web has no 
 
 TEST_CASE("a diaphragm too thin for the force fails as a column", "[patch]") {
   const Verification of =
-      verify(project_of(beam(ends + diaphragm(4.5, 3.0), force("hook", 4.5, -1500.0))));
+      verify(project_of(beam(ends + diaphragm(4.5, 8.0), force("hook", 4.5, -2000.0))));
   REQUIRE(patch_at(of, "hook") != nullptr);
-  // 15 eps of 3 mm and the web's strips: (2 97.6 + 3) 8 + 36.6 3 = 1695 mm^2, 602 kN at most.
-  CHECK(patch_at(of, "hook")->patch->resistance.value() < 602e3);
+  // 15 eps of 8 mm and the web's strips: (2 97.6 + 8) 8 + 97.6 8 = 2406 mm^2, 854 kN at most.
+  CHECK(patch_at(of, "hook")->patch->resistance.value() < 854e3);
   CHECK_FALSE(patch_at(of, "hook")->check.passes());
   CHECK(of.verdict == Verdict::fail);
+  // 36.6 mm of a plate of 3 mm, 7e4 mm^4, are no stiffener: 0.75 x 1200 x 8^3 = 4.6e5 (9.3.3).
+  CHECK(verify(project_of(beam(ends + diaphragm(4.5, 3.0), force("hook", 4.5, -1500.0)))).verdict !=
+        Verdict::pass);
 }
 
 TEST_CASE("a stout web is looked at where the case says how a force comes in", "[patch]") {
@@ -289,11 +292,15 @@ TEST_CASE("wheels: no instant between those looked at is worse", "[patch]") {
              "[[beam.segments]]\nlength = \"5 m\"\nfrom = \"a\"\nto = \"b\"\n"
              "[[beam.segments]]\nlength = \"4 m\"\nsection = \"b\"\n"));
     const Verification of = verify(project);
-    double reported = 0.0;
+    double reported = 0.0, alone = 0.0;
     for (const CheckResult& result : of.checks) {
-      if (result.check.criterion == Criterion::patch_loading &&
-          result.check.point.find("crab") != std::string::npos)
-        reported = std::max(reported, result.check.utilisation());
+      if (result.check.criterion != Criterion::patch_loading ||
+          result.check.point.find("crab") == std::string::npos)
+        continue;
+      reported = std::max(reported, result.check.utilisation());
+      // At 5 m the flanges kink, which presses with the wheels.
+      if (result.check.point.find("kink") == std::string::npos)
+        alone = std::max(alone, result.check.utilisation());
     }
     // By hand, instant by instant: two wheels on a beam on two supports.
     const auto runs = run_situations(project, of.model.chosen);
@@ -343,7 +350,7 @@ TEST_CASE("wheels: no instant between those looked at is worse", "[patch]") {
     CHECK(most > 0.1);
     CHECK(most <= reported * (1.0 + 1e-6));
     // Nor is more reported than is there, but where both wheels count together.
-    if (behind > 1.2) CHECK(reported <= most * (1.0 + 2e-3));
+    if (behind > 1.2) CHECK(alone <= most * (1.0 + 2e-3));
   }
 }
 

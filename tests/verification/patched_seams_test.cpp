@@ -123,7 +123,7 @@ TEST_CASE("what of a force no fillet leads on is not judged in seams", "[patch]"
                                   "[[beam.diaphragms]]\nstation = \"4.5 m\"\nthickness = \"10 "
                                   "mm\"\n",
                               hook)),
-                "hook") == nullptr);
+                "hook") == nullptr);  // of the diaphragm it is not said how it is welded
   const std::string into_webs =
       "[[beam.load_introductions]]\nstation = \"4.5 m\"\ninto = \"webs\"\n";
   CHECK(seam_at(verified(beam({}, into_webs, hook)), "hook") == nullptr);
@@ -309,6 +309,81 @@ TEST_CASE("where nothing is said of how forces come in, they stand on an edge", 
   CHECK(std::any_of(of.gates.begin(), of.gates.end(), [](const Gate& gate) {
     return gate.blocks && gate.finding.find("\"hook\" and its seam bears") != std::string::npos;
   }));
+}
+
+/// With its welds as thick as said, or not said.
+std::string diaphragm(double at, double throat, double opening = 0.0) {
+  return fmt::format("[[beam.diaphragms]]\nstation = \"{} m\"\nthickness = \"10 mm\"\n", at) +
+         (throat > 0.0 ? fmt::format("throat = \"{:.12g} mm\"\n", throat) : "") +
+         (opening > 0.0 ? fmt::format("opening = \"{} mm\"\n", opening) : "");
+}
+
+TEST_CASE("the welds of a diaphragm bear all of a force, with the flange and along the web",
+          "[patch]") {
+  // Each web takes 50 kN; 376 mm of web and 140 mm of flange beside it, welds on both faces.
+  const auto under = [](double throat, double opening, double kN = 100.0) {
+    return verified(beam({}, diaphragm(4.5, throat, opening), force("hook", 4.5, -kN)));
+  };
+  const auto flange_use = [](double a, double width, double kN) {
+    return use_of(0.5e3 * kN / (2e-6 * a * (width - 2.0 * a)), 0.0);
+  };
+  const auto web_use = [](double a, double kN) {
+    return use_of(0.0, 0.5e3 * kN / (2e-6 * a * (376.0 - 2.0 * a)));
+  };
+  for (const double a : {3.0, 5.0}) {
+    const Verification of = under(a, 0.0);
+    const CheckResult* const hook = seam_at(of, "hook");
+    REQUIRE(hook != nullptr);
+    CHECK(hook->check.point == "weld of flange and diaphragm beside web under hook");
+    CHECK(hook->check.utilisation() == Approx(flange_use(a, 140.0, 100.0)).epsilon(1e-9));
+    CHECK(hook->check.utilisation() > web_use(a, 100.0));
+  }
+  // What is left beside an access hole.
+  const Verification opened = under(3.0, 180.0);
+  REQUIRE(seam_at(opened, "hook") != nullptr);
+  CHECK(seam_at(opened, "hook")->check.utilisation() ==
+        Approx(flange_use(3.0, 50.0, 100.0)).epsilon(1e-9));
+  // The throat named is the one, and what would pass is that much, in half millimetres.
+  const Verification thin = under(3.0, 0.0, 700.0);
+  const CheckResult* const weld = seam_at(thin, "hook");
+  REQUIRE(weld != nullptr);
+  CHECK_FALSE(weld->check.passes());
+  REQUIRE(weld->sufficient_throat);
+  const double enough = 1e3 * weld->sufficient_throat->value();
+  CHECK(enough > 3.0);
+  CHECK(flange_use(enough, 140.0, 700.0) == Approx(1.0).epsilon(1e-9));
+  CHECK(seam_at(under(enough, 0.0, 700.0), "hook")->check.utilisation() ==
+        Approx(1.0).epsilon(1e-9));
+}
+
+TEST_CASE("what the welds of diaphragms need is said where the case does not say what they are",
+          "[patch]") {
+  const auto of = [](const std::string& diaphragms, double kN) {
+    return beam({}, diaphragms, force("hook", 4.5, -kN));
+  };
+  // 700 kN: the smaller root of 2 a (140 - 2 a) f = F/2, f = 490/(sqrt(2) 0.9 1.25) MPa.
+  const double f = 490.0 / (std::sqrt(2.0) * 0.9 * 1.25);
+  const double a = (140.0 - std::sqrt(140.0 * 140.0 - 4.0 * 350e3 / f)) / 4.0;
+  const std::string text = of(diaphragm(4.5, 0.0), 700.0);
+  const Verification unsaid = verified(text);
+  CHECK(seam_at(unsaid, "hook") == nullptr);
+  REQUIRE(unsaid.unsaid_welds);
+  CHECK(1e3 * unsaid.unsaid_welds->throat->value() == Approx(a).epsilon(1e-9));
+  const std::vector<Remark> remarks = remarks_of(parse_project("seams.toml", text), unsaid);
+  const std::string words =
+      fmt::format("throats of {:g} mm on both their faces", 0.5 * std::ceil(a / 0.5));
+  CHECK(std::any_of(remarks.begin(), remarks.end(), [&](const Remark& remark) {
+    return remark.text.find(words) != std::string::npos;
+  }));
+  // No weld of any thickness: of 50 mm of flange welds of 12.5 mm bear most, 192 kN.
+  const Verification none = verified(of(diaphragm(4.5, 0.0, 180.0), 700.0));
+  REQUIRE(none.unsaid_welds);
+  CHECK_FALSE(none.unsaid_welds->throat);
+  CHECK(std::any_of(none.not_judged.begin(), none.not_judged.end(), [](const NotJudged& note) {
+    return note.what == "welds of the diaphragm at s = 4.5 m";
+  }));
+  // Said at one of them it is not asked for there.
+  CHECK_FALSE(verified(of(diaphragm(4.5, 4.0), 100.0)).unsaid_welds);
 }
 
 }  // namespace patched_seams_test

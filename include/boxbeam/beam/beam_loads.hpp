@@ -18,6 +18,7 @@ struct PointLoad {
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the axis point at s [N m]
   /// Of the joint or force that it comes from, which owns the text; "" of what bending adds.
   std::string_view name = {};
+  std::size_t part = 0;  ///< of that force, where it has many that come and go: from 1 on
 };
 
 /// Load per length on a stretch of one segment, in beam axes, as polynomials of the distance from

@@ -47,6 +47,7 @@ struct Diaphragm {
   Length s;
   Length thickness;
   Length opening;  ///< width of its access hole; zero: none
+  Length throat;   ///< of each of the fillet welds on both its faces; zero: not said
 };
 
 /// By which plates of a box a torque comes: forces on its webs or on its flanges, or all around

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "boxbeam/core/units.hpp"
+#include "boxbeam/strength/weld_throat.hpp"
 
 namespace boxbeam {
 
@@ -101,6 +102,27 @@ struct BearingStiffener {
 Force bearing_resistance_of(const BearingStiffener& stiffener, double gamma_M1);
 Traced derive_bearing_resistance(Derivation& steps, const BearingStiffener& stiffener,
                                  double gamma_M1);
+
+/// The fillet welds on both faces of a diaphragm, or of flats, that lead a force into a web.
+struct StiffenerWeld {
+  bool to_flange = false;  ///< from the flange that it comes by; else along the web
+  int welds = 2;
+  Length throat, length;
+  WeldStrength strength;
+};
+
+/// What they bear, of a weld's length less a throat at each end:
+///
+///     along the web  n a (l - 2 a) f_u/(sqrt(3) beta_w gamma_M2)
+///     with the flange, across them, no contact  n a (l - 2 a) f_u/(sqrt(2) beta_w gamma_M2)
+///
+/// Source: EN 1993-1-8:2005, 4.5.1(1), 4.5.3.2(6), equation 4.1.
+Force stiffener_weld_resistance_of(const StiffenerWeld& weld);
+Traced derive_stiffener_weld_resistance(Derivation& steps, const StiffenerWeld& weld);
+
+/// The throat with which they bear a force, no less than the least one; nothing where none does,
+/// for thicker welds are shorter.
+std::optional<Length> sufficient_throat_of(const StiffenerWeld& weld, Force force);
 
 /// The factor on all loads at which a stiffener of panels is used up by a force F that comes in and
 /// by what a web beyond its buckling in shear pulls at it.

@@ -122,8 +122,8 @@ struct PullingPanel {
 /// What the check of a force that comes into a web rests on.
 struct PatchBasis {
   /// What bears it: the web itself, or with a diaphragm at the place both as a column; and the seam
-  /// that leads it into the web.
-  std::variant<PatchedWeb, BearingStiffener, ReducedWeb, PatchedSeam> bears;
+  /// that leads it into the web, or the welds of the diaphragm.
+  std::variant<PatchedWeb, BearingStiffener, ReducedWeb, PatchedSeam, StiffenerWeld> bears;
   Force force;         ///< of all that stands so close together, on both webs
   double share = 0.5;  ///< of this web
   /// Of a diaphragm beside panels whose plate may buckle in shear, the one that pulls most.

@@ -8,11 +8,19 @@
 
 namespace boxbeam {
 
+/// What the welds of diaphragms need where the case does not say how thick they are.
+struct UnsaidWelds {
+  Length s;
+  std::string under;             ///< the force that asks most
+  std::optional<Length> throat;  ///< that suffices everywhere; nothing: none does
+};
+
 /// What is found where forces come into the webs of the beam.
 struct PatchChecks {
   std::vector<CheckResult> checks;
   std::vector<Gate> gates;
   std::vector<NotJudged> not_judged;
+  std::optional<UnsaidWelds> unsaid_welds;
 };
 
 /// The webs of boxes and rectangular tubes under the forces across the beam that come into them
@@ -35,8 +43,9 @@ struct PatchChecks {
 /// With each web, without a diaphragm, its fillet seams with the flange that is pushed and with the
 /// one that may be pulled: of every force by itself, over s_s + 2 t_f within the ends of the beam,
 /// what other forces of its sense load of the same piece added, with V and T on either side of it.
-/// What fully penetrates has no throat. What presses a web or its seam anew at every cycle is
-/// judged in fatigue (`PressedWebs`).
+/// What fully penetrates has no throat. Of a diaphragm that takes a force the welds on both its
+/// faces, with the web and with the flange, bear all of it one after the other. What presses a web
+/// or its seam anew at every cycle is judged in fatigue (`PressedWebs`).
 ///
 /// Source: EN 1993-1-5:2006, clause 6, 7.2 and 9.4; EN 1993-1-8:2005, 4.5.3.2; EN 1993-1-9:2005,
 /// table 8.10.

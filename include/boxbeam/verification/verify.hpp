@@ -10,6 +10,7 @@
 #include "boxbeam/verification/chain_comparison.hpp"
 #include "boxbeam/verification/code_comparison.hpp"
 #include "boxbeam/verification/neighbours.hpp"
+#include "boxbeam/verification/patch_checks.hpp"
 #include "boxbeam/verification/pictures.hpp"
 #include "boxbeam/verification/remedies.hpp"
 #include "boxbeam/verification/shared_motions.hpp"
@@ -37,6 +38,7 @@ struct Verification {
   std::vector<NeighbourResult> neighbours;  ///< what the checks of pins and rods rest on
   std::vector<Gate> gates;  ///< what stands against believing the stresses, or changes them
   std::vector<NotJudged> not_judged;
+  std::optional<UnsaidWelds> unsaid_welds;  ///< of diaphragms that take forces
   std::vector<CriticalInstant> critical_instants;
   std::vector<CodeResult> codes;  ///< the governing fatigue check under several codes
   std::optional<planar::EquivalentMass> equivalent_mass;

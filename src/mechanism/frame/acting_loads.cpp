@@ -39,11 +39,14 @@ struct AddAction {
     // What reaches the end of the member stands on it.
     const double beside = 1e-10 * length;
     const double first = std::min(of.from + of.speed * time, of.to - 2.0 * beside);
+    std::size_t part = 0;
     for (const Wheels::Wheel& wheel : of.wheels) {
+      ++part;
       const double s = first - wheel.behind + beside;
       if (s < 0.0 || s > length + 2.0 * beside) continue;
       const Place at{of.member, {std::min(s, length - beside), of.y, of.z}};
-      loads.points.push_back({action.name, {at, factor * wheel.force, Eigen::Vector3d::Zero()}});
+      loads.points.push_back(
+          {action.name, {at, factor * wheel.force, Eigen::Vector3d::Zero()}, part});
     }
   }
 };

@@ -147,9 +147,10 @@ std::vector<MemberLoads> Statics::member_loads_of(const ActingLoads& loads) cons
     members[m].loads.lines = lines_on(static_cast<int>(m), loads);
   for (const LineAction& line : loads.lines)
     members[static_cast<std::size_t>(line.member)].line_loaded = true;
-  for (const auto& [name, action] : loads.points) {
+  for (const auto& [name, action, part] : loads.points) {
     const Member& member = member_of(*structure_, action.at.member);
     PointLoad load = point_load(member, action.at, action.force, action.moment, name);
+    load.part = part;
     const Node& node = nodes_[node_of(action.at)];
     if (std::abs(node.s - action.at.p.x()) < 1e-11 * member.beam.length().value())
       load.s = si<Length>(node.s);

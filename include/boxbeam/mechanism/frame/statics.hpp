@@ -21,6 +21,7 @@ struct ActingLoads {
   struct Point {
     std::string_view name;  ///< of the action, whose structure stays
     PointAction action;
+    std::size_t part = 0;  ///< number of a wheel, from 1 on
   };
   std::vector<Point> points;
   std::vector<LineAction> lines;

@@ -19,6 +19,7 @@ struct ChannelSource {
   std::string file;
   std::string unit;  ///< of `low` and `high`
   double low = 0.0, high = 0.0;
+  bool has_moment = false;  ///< about its place
 };
 
 /// Where what the given loads lack to be in balance acts.
