@@ -54,7 +54,7 @@ std::size_t segment_at(const TaperedBeam& beam, const Station& station) {
   assert(!beam.segments.empty());
   const bool before = station.side == Side::before;
   // A place that is written as the sum of lengths is at the border, whatever their rounding.
-  const Length near = 1e-12 * beam.length();
+  const Length near = 8.0 * std::numeric_limits<double>::epsilon() * beam.length();
   const auto found = std::partition_point(
       beam.segments.begin(), beam.segments.end() - 1, [&](const Segment& segment) {
         return before ? segment.end() < station.s - near : segment.end() <= station.s + near;

@@ -310,26 +310,26 @@ CheckResult check_of(const Project& project, const PatchSearch& search, WorstPat
 Gate gate_of(const Project& project, const WorstPatch& worst) {
   const PatchBasis& basis = worst.borne.basis;
   const std::size_t segment = segment_at(project.beam, {worst.patch.s, Side::both});
-  return {
-      project.beam.segments[segment].name, plate_text(project, worst.borne),
-      fmt::format("at s = {} m it takes {:.4g} kN of \"{}\" and {} {:.4g} kN under an edge "
-                  "(stiff length 0, EN 1993-1-5, clause 6): [[beam.diaphragms]] take it, or "
-                  "[[beam.load_introductions]] say how it comes in",
-                  to_text(Station{worst.patch.s, Side::both}),
-                  1e-3 * (basis.load_factor * basis.share * basis.force).value(), worst.patch.name,
-                  worst.borne.part == Borne::Part::plate ? "bears" : "its seam bears",
-                  1e-3 * basis.resistance.value()),
-      true};
+  return {project.beam.segments[segment].name, plate_text(project, worst.borne),
+          fmt::format(
+              "at s = {} m it takes {:.4g} kN of \"{}\" and {} {:.4g} kN under an edge "
+              "(stiff length 0, EN 1993-1-5, clause 6): [[beam.diaphragms]] take it{}",
+              to_text(Station{worst.patch.s, Side::both}),
+              1e-3 * (basis.load_factor * basis.share * basis.force).value(), worst.patch.name,
+              worst.borne.part == Borne::Part::plate ? "bears" : "its seam bears",
+              1e-3 * basis.resistance.value(),
+              worst.patch.at_high ? "" : ", or [[beam.load_introductions]] say how it comes in"),
+          true};
 }
 
-Gate gate_of(const Project& project, const CheckResult& pressed) {
-  const Check& check = pressed.check;
+Gate gate_of(const Project& project, const PressedWebs::Found& pressed) {
+  const Check& check = pressed.result.check;
   const std::size_t segment = segment_at(project.beam, check.station);
   return {project.beam.segments[segment].name, "",
-          fmt::format("{} at s = {} m is used by {:.3g} in fatigue under an edge (stiff length 0): "
-                      "[[beam.diaphragms]] take the force, or [[beam.load_introductions]] say how "
-                      "it comes in",
-                      check.point, to_text(check.station), check.utilisation()),
+          fmt::format("{} at s = {} m is used by {:.3g} in fatigue (stiff length 0): "
+                      "[[beam.diaphragms]] take it{}",
+                      check.point, to_text(check.station), check.utilisation(),
+                      pressed.turned ? "" : ", or [[beam.load_introductions]] say how it comes in"),
           true};
 }
 
@@ -440,17 +440,16 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
       continue;
     }
     if (!of.given && !of.result.check.passes())
-      found.gates.push_back(gate_of(project, of.result));
+      found.gates.push_back(gate_of(project, of));
     else
       found.checks.push_back(std::move(of.result));
   }
   if (as_fillets)
     found.not_judged.push_back(
         {Criterion::patch_fatigue, "seams of webs",
-         fmt::format(
-             "seam_throat of [sections] is not said: they are taken to penetrate fully; as "
-             "fillets together as thick as the web the {} at s = {} m would be used by {:.3g}",
-             as_fillets->point, to_text(as_fillets->station), as_fillets->utilisation())});
+         fmt::format("taken to penetrate fully (seam_throat is not said); as fillets, together as "
+                     "thick as the web, they would be used by {:.3g} in fatigue at s = {} m",
+                     as_fillets->utilisation(), to_text(as_fillets->station))});
   if (!sideways.empty())
     found.not_judged.push_back(
         {Criterion::patch_loading, fmt::format("flats at s = {} m", fmt::join(sideways, ", ")),

@@ -244,11 +244,10 @@ std::vector<NotJudged> PatchNotes::not_judged() const {
   if (turned != nullptr)
     found.push_back(
         {Criterion::patch_loading, "flanges that turn off",
-         fmt::format(
-             "they are bent across by about {:.2g} of their strength (at s = {} m), which is "
-             "not checked{}: [[beam.diaphragms]] take it",
-             turned->use, to_text(Station{turned->s, Side::both}),
-             again ? ", nor counted in fatigue" : "")});
+         fmt::format("bent across by about {:.2g} of their strength at s = {} m, not checked{} "
+                     "([[beam.diaphragms]] take it)",
+                     turned->use, to_text(Station{turned->s, Side::both}),
+                     again ? ", nor in fatigue" : "")});
   if (stood_on != nullptr)
     found.push_back({Criterion::patch_loading,
                      fmt::format("flange under {}{} at s = {} m", stood_on->first,
@@ -272,8 +271,8 @@ std::vector<NotJudged> PatchNotes::not_judged() const {
   if (!names.empty())
     found.push_back(
         {Criterion::patch_loading, fmt::format("webs under {}", fmt::join(names, ", ")),
-         fmt::format("sigma_z = F/(t (s_s + 2 t_f)), which comes and goes by {:.3g} MPa, and the "
-                     "seams are not counted in fatigue (EN 1993-1-9, table 8.10){}",
+         fmt::format("pressed anew by up to {:.3g} MPa at every cycle, not counted in fatigue (EN "
+                     "1993-1-9, table 8.10){}",
                      1e-6 * most,
                      unsaid ? ": [[beam.load_introductions]] say how it comes in" : "")});
   return found;

@@ -401,7 +401,11 @@ void PressedWebs::look(Place place, const std::vector<double>& places, bool any_
   for (auto& [key, of] : worst) {
     place.s = of.check.station.s.value();
     name(place, of);
-    take(Found{std::move(of), key.first, key.second});
+    bool turned = true;
+    for_all_at(place, [&](const Source& source, const PressedWeb&) {
+      turned = turned && source.at_high.has_value();
+    });
+    take(Found{std::move(of), key.first, key.second, turned});
   }
 }
 

@@ -45,6 +45,7 @@ class PressedWebs {
     CheckResult result;
     bool given = true;
     bool unsaid = false;  ///< taken as fillets where the case does not say what they are
+    bool turned = false;  ///< of what turns off from flanges alone
   };
   /// Of every web the place that is used most, of each sense, of those where the case says that and
   /// of the others.

@@ -258,7 +258,8 @@ std::set<std::string> symbols_of(const Project& project) {
     INFO(report::text_of(sheet).text);
     for (const std::string& wrong : recalculated(sheet).wrong) FAIL_CHECK(wrong);
     for (const Step& step : sheet.steps) {
-      symbols.insert(step.symbol);
+      // What kinks press has curves of its own, whatever the case says of its details.
+      if (result.check.criterion != Criterion::patch_fatigue) symbols.insert(step.symbol);
       if (!report::is_formula(step.symbol)) FAIL("no symbol: " << step.symbol);
       for (const std::string& formula : step.formulas) {
         if (!report::is_formula(formula)) FAIL("no formula: " << formula);
@@ -422,7 +423,9 @@ TEST_CASE("What acts and what resists stands in the sheet as in the table of che
       case Criterion::shear_fatigue: ends_with("d_tau", check.acting); break;
       case Criterion::combined_fatigue: ends_with("D", check.acting); break;
       case Criterion::stress_range: ends_with("limit", check.resisting); break;
-      case Criterion::weld: ends_with("limit", check.resisting); break;
+      case Criterion::weld:
+        ends_with(find(sheet, "F_w,Rd") != nullptr ? "F_w,Rd" : "limit", check.resisting);
+        break;
       case Criterion::pin: ends_with("F", check.acting); break;
       case Criterion::lug_fatigue: ends_with("d_sigma", check.acting); break;
       case Criterion::rod:

@@ -277,7 +277,10 @@ TEST_CASE("a corner is used by bending, what stretches its edges and what bends 
           "[distortion]") {
   const double torque = 300e3, tip = -10e3;
   const Verification of =
-      verify(stout_beam(twist("eccentric", 50.0, torque) + diaphragm(0.0, "50 mm"), tip));
+      verify(stout_beam(twist("eccentric", 50.0, torque) + diaphragm(0.0, "50 mm") +
+                            "[[beam.load_introductions]]\nstation = \"50 m\"\nstiff_length = "
+                            "\"300 mm\"\n",
+                        tip));
   CHECK(of.verdict == Verdict::pass);
   REQUIRE(gate_of(of) != nullptr);
   CHECK_FALSE(gate_of(of)->blocks);

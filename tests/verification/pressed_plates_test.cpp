@@ -169,7 +169,7 @@ TEST_CASE("the kink of a stout box presses its webs and bends its flange", "[pat
   const double turned = M * 140.0 / I * 360.0 * 20.0 * 150.0 / 800.0;
   const double use =
       1.3 * 0.915965594 * turned / (std::acos(-1.0) * std::acos(-1.0)) * 6.0 / 400.0 / 355.0;
-  const std::string words = fmt::format("by about {:.2g} of their strength (at s = 2.8 m)", use);
+  const std::string words = fmt::format("by about {:.2g} of their strength at s = 2.8 m", use);
   const Verification found = of(kN);
   int said = 0;
   for (const NotJudged& note : found.not_judged)
@@ -208,7 +208,7 @@ TEST_CASE("the kink of a path: its web is pressed, its flange bent across, each 
       2.0 * (4000.0 * 140.0 * 140.0 + 200.0 * 8000.0 / 12.0) + 12.0 * std::pow(260.0, 3) / 12.0;
   const double kN = 60.0, M = 0.5 * kN * 1e3 * 2000.0;
   const double half = M * 140.0 / I * (100.0 - 6.0) * 20.0 * 150.0 / 800.0;
-  const std::string words = fmt::format("by about {:.2g} of their strength (at s = 2.8 m)",
+  const std::string words = fmt::format("by about {:.2g} of their strength at s = 2.8 m",
                                         0.509 * half * 6.0 / 400.0 / 355.0);
   const Verification found = of(kN);
   CHECK(says(found, words));

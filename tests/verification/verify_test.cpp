@@ -49,7 +49,13 @@ Project doubled() {
 TEST_CASE("twice the loads halve every yield factor and, below the cut-off, every fatigue factor") {
   const Project heavy = doubled();
   const Verification twice = verify(heavy);
-  REQUIRE(twice.checks.size() == rig().checks.size());
+  // What presses stout webs is listed from three tenths of what they bear on, and while they do.
+  const auto listed = [](const Verification& of) {
+    return std::count_if(of.checks.begin(), of.checks.end(), [](const CheckResult& result) {
+      return !result.patch && !result.pressed;
+    });
+  };
+  REQUIRE(listed(twice) == listed(rig()));
   for (std::size_t i = 0; i < twice.checks.size(); ++i) {
     const Check& a = twice.checks[i].check;
     for (const CheckResult& other : rig().checks) {
