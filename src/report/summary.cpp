@@ -46,7 +46,7 @@ std::string remarks_summary(const Project& project, const Verification& verifica
 report::MarkedText marked(const Verification& verification, const VerdictText& verdict,
                           const std::string& text) {
   report::MarkedText out(verdict.word, report::mark_of(verification.verdict));
-  out += visible(text.substr(verdict.word.size()));
+  out += text.substr(verdict.word.size());
   return out;
 }
 
@@ -56,9 +56,12 @@ report::MarkedText summary(const Project& project, const Verification& verificat
   const report::Table governing =
       report::with_results(report::governing_table({project, verification, ReportLevel::summary}));
   const VerdictText verdict = verdict_text_of(project, verification);
-  report::MarkedText out = marked(verification, verdict, verdict.line);
-  out += fmt::format(
-      "  {}\n", visible(project.beam_name.empty() ? project.title : "beam " + project.beam_name));
+  const std::string name = project.beam_name.empty() ? project.title : "beam " + project.beam_name;
+  // With what it says beside its word it is longer than a line.
+  const std::string first = visible(verdict.line + "  " + name);
+  const bool says_more = verdict.line.find("; ") != std::string::npos;
+  report::MarkedText out =
+      marked(verification, verdict, says_more ? layout::line(first) : first + "\n");
   for (const std::string& reason : verdict.reasons) out += layout::item(reason);
   out += layout::entry("in short", verdict_sentence_of(project, verification)) + "\n";
   // How thick a plate is or how far diaphragms are apart is said in words; where flats stand is
@@ -79,7 +82,7 @@ report::MarkedText summary(const Project& project, const Verification& verificat
 report::MarkedText verdict_line(const Project& project, const Verification& verification) {
   const Check& worst = verification.checks.front().check;
   const VerdictText verdict = verdict_text_of(project, verification);
-  report::MarkedText out = marked(verification, verdict, verdict.whole());
+  report::MarkedText out = marked(verification, verdict, visible(verdict.whole()));
   out += fmt::format("  {}: {}, utilisation {}\n", project.name, worst.id,
                      text::percent(worst.utilisation()));
   return out;
@@ -89,7 +92,7 @@ report::MarkedText what_changed(const Verification& before, const Project& proje
                                 const Verification& now) {
   const VerdictText verdict = verdict_text_of(project, now);
   report::MarkedText out = "\n";
-  out += marked(now, verdict, verdict.whole());
+  out += marked(now, verdict, visible(verdict.whole()));
   if (now.verdict != before.verdict) out += fmt::format(" (was {})", to_text(before.verdict));
   out += "\n";
   bool any = false;
