@@ -147,8 +147,9 @@ std::vector<FlatPlate> plates_at(const Project& project, std::size_t segment, bo
 std::pair<const FlatPlate*, double> going_on(const FlatPlate& of,
                                              const std::vector<FlatPlate>& others) {
   const Vector2d along = of.direction(), across = of.normal();
-  const auto reach = [&](const FlatPlate& plate) {
-    return std::minmax(along.dot(plate.ends[0]), along.dot(plate.ends[1]));
+  const auto reach = [&](const FlatPlate& plate) -> std::pair<double, double> {
+    const double a = along.dot(plate.ends[0]), b = along.dot(plate.ends[1]);
+    return {std::min(a, b), std::max(a, b)};
   };
   std::pair<const FlatPlate*, double> nearest{nullptr, std::numeric_limits<double>::infinity()};
   const auto [low, high] = reach(of);
