@@ -92,8 +92,9 @@ report::MarkedText what_changed(const Verification& before, const Project& proje
                                 const Verification& now) {
   const VerdictText verdict = verdict_text_of(project, now);
   report::MarkedText out = "\n";
-  out += marked(now, verdict, visible(verdict.whole()));
+  out += report::MarkedText(verdict.word, report::mark_of(now.verdict));
   if (now.verdict != before.verdict) out += fmt::format(" (was {})", to_text(before.verdict));
+  out += visible(verdict.whole().substr(verdict.word.size()));
   out += "\n";
   bool any = false;
   for (const Criterion criterion : criteria) {
