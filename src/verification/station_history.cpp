@@ -111,8 +111,12 @@ void StationHistory::divide_at_passages(const LoadHistory::Reach& reach,
     };
     // At even speed it passes here, but for rounding.
     const std::size_t border = std::min(before, behind);
-    const double left = (bracket[k - 1].pieces[border].end() - station_.s).value();
-    const double beyond = (station_.s - bracket[k].pieces[border].end()).value();
+    // A load that comes or goes meanwhile leaves pieces of another number.
+    const auto end_in = [&](const CutForceDiagram& at) {
+      return at.pieces[std::min(border, at.pieces.size() - 1)].end();
+    };
+    const double left = (end_in(bracket[k - 1]) - station_.s).value();
+    const double beyond = (station_.s - end_in(bracket[k])).value();
     if (left * beyond > 0.0) {
       const double passed = low + left / (left + beyond) * (high - low);
       const double aside = 1e-14 * std::max(std::abs(low), std::abs(high));
