@@ -119,10 +119,11 @@ class Writer {
   bool is_judged() const { return !document_.verdict.empty(); }
 
   void verdict() {
+    const VerdictParts parts = parts_of_verdict(document_.verdict);
     out_ += fmt::format(
         "<section class=\"verdict {}\" aria-labelledby=\"verdict\">\n"
-        "<h2 id=\"verdict\"><span>Verdict</span> <strong>{}</strong></h2>\n",
-        style_of(document_.mark), escaped(document_.verdict));
+        "<h2 id=\"verdict\"><span>Verdict</span> <strong>{}</strong> <small>{}</small></h2>\n",
+        style_of(document_.mark), escaped(parts.seen), escaped(parts.read));
     if (!document_.sentence.empty())
       out_ += fmt::format("<p class=\"sentence\">{}</p>\n", escaped(document_.sentence));
     if (!document_.reasons.empty()) write(Bullets{document_.reasons});

@@ -168,7 +168,8 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
     \hfil\halfcaption{\numbered{\the\figurenumber}#4}}%
   \halfheight=\dimexpr\dimen0-\ht4-\dp4-22pt\relax
   \ifdim\halfheight<.19\textheight\halfheight=\maxdimen\fi
-  \ifdim\halfheight>.26\textheight\halfheight=.26\textheight\fi
+  % Of a short report two pairs share a page with what stands above them.
+  \ifdim\halfheight>\ifshort.22\else.26\fi\textheight\halfheight=\ifshort.22\else.26\fi\textheight\fi
   \setbox2\vbox{\hbox to\linewidth{\halffigure{#1}\hfil\halffigure{#3}}\vskip4pt\box4}%
   \need{\dimexpr\ht2+\dp2+6pt\relax}\vskip6pt\box2\vskip6pt}
 )"

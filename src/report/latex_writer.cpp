@@ -204,8 +204,12 @@ std::string title_page(const Document& document, const HasPicture& has_picture) 
   if (!document.subtitle.empty())
     out += fmt::format("{{\\raggedright\\large\\hskip0pt {}\\par}}\n", running(document.subtitle));
   if (is_judged(document)) {
-    out += fmt::format("\\verdict{{{}}}{{{}}}\n", colour_of(document.mark),
-                       latex_breakable(document.verdict, 20));
+    const VerdictParts parts = parts_of_verdict(document.verdict);
+    std::string text = latex_breakable(parts.seen, 20);
+    if (!parts.read.empty())
+      text += "\\par\\vskip3pt{\\small\\mdseries\\noindent\\hskip0pt " +
+              latex_breakable(parts.read, 20) + "\\par}";
+    out += fmt::format("\\verdict{{{}}}{{{}}}\n", colour_of(document.mark), text);
     if (!document.sentence.empty())
       out += fmt::format("{{\\raggedright {}\\par}}\n", running(document.sentence));
     for (const std::string& reason : document.reasons) {

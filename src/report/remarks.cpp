@@ -133,9 +133,10 @@ void add_unsaid_welds(const Verification& verification, std::vector<std::string>
   const UnsaidWelds& of = *verification.unsaid_welds;
   const double halves = 0.5e-3 * std::ceil((1.0 - 1e-9) * of.throat->value() / 0.5e-3);
   remarks.push_back(fmt::format(
-      "the welds of diaphragms that take forces are not said: throats of {} on both their faces "
+      "the welds of diaphragms that take forces are not said: throats of {:g} mm on both their "
+      "faces "
       "bear them, by {} at s = {} m (EN 1993-1-8, 4.5.3.2); [[beam.diaphragms]] say their throat",
-      fmt::format("{:g} mm", 1e3 * halves), of.under, to_text(Station{of.s, Side::both})));
+      1e3 * halves, of.under, to_text(Station{of.s, Side::both})));
 }
 
 void add_holes(const Project& project, std::vector<std::string>& remarks) {
@@ -206,19 +207,22 @@ void add_slender_plates(const Project& project, const Verification& verification
 }
 
 void add_tapers(const Verification& verification, std::vector<std::string>& remarks) {
+  std::vector<std::string> slopes;
+  double steepest = 0.0;
   for (const TaperSlope& taper : verification.tapers) {
     const double degrees = taper.angle * 180.0 / std::numbers::pi;
-    std::string remark = fmt::format(
-        "the flanges of segment {} slope {:.1f} deg: the shear is that of equilibrium, d/dx(M "
-        "S/I), "
-        "which leaves with the flanges what they carry of V; V S/(I b) stands beside it in the "
-        "calculation sheet",
-        taper.segment, degrees);
-    // Wedge under a tip force (Timoshenko and Goodier): M/W is 0.9939 of the exact edge stress at
-    // a half-angle of 10 deg, 0.9861 at 15 deg.
-    if (degrees > 10.0) remark += "; M/W is 0.6 to 1.4 % low at the edge between 10 and 15 deg";
-    remarks.push_back(std::move(remark));
+    slopes.push_back(fmt::format("{} {:.1f} deg", taper.segment, degrees));
+    steepest = std::max(steepest, degrees);
   }
+  if (slopes.empty()) return;
+  // Wedge under a tip force (Timoshenko and Goodier): M/W is 0.9939 of the exact edge stress at a
+  // half-angle of 10 deg, 0.9861 at 15 deg.
+  remarks.push_back(fmt::format(
+      "flanges slope (segment {}): the shear is that of equilibrium, d/dx(M S/I), which leaves "
+      "with "
+      "them what they carry of V; V S/(I b) stands beside it in the calculation sheet{}",
+      fmt::join(slopes, ", "),
+      steepest > 10.0 ? "; M/W is 0.6 to 1.4 % low at the edge between 10 and 15 deg" : ""));
 }
 
 void add_published(const Project& project, const Verification& verification,

@@ -57,11 +57,12 @@ report::MarkedText summary(const Project& project, const Verification& verificat
       report::with_results(report::governing_table({project, verification, ReportLevel::summary}));
   const VerdictText verdict = verdict_text_of(project, verification);
   const std::string name = project.beam_name.empty() ? project.title : "beam " + project.beam_name;
-  // With what it says beside its word it is longer than a line.
-  const std::string first = visible(verdict.line + "  " + name);
+  // With what it says beside its word it is longer than a line: the name stands below.
   const bool says_more = verdict.line.find("; ") != std::string::npos;
   report::MarkedText out =
-      marked(verification, verdict, says_more ? layout::line(first) : first + "\n");
+      marked(verification, verdict,
+             says_more ? layout::line(visible(verdict.line)) + layout::paragraph(visible(name))
+                       : visible(verdict.line + "  " + name) + "\n");
   for (const std::string& reason : verdict.reasons) out += layout::item(reason);
   out += layout::entry("in short", verdict_sentence_of(project, verification)) + "\n";
   // How thick a plate is or how far diaphragms are apart is said in words; where flats stand is

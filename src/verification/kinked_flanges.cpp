@@ -214,6 +214,14 @@ TurnedPlate turned(const FlatPlate& before, const FlatPlate& behind, double turn
   return of;
 }
 
+/// Whether a diaphragm stands at a place that takes what comes in there.
+bool stands_firm(const Project& project, Length s, bool along_z) {
+  const TaperedBeam& beam = project.beam;
+  return std::any_of(beam.diaphragms.begin(), beam.diaphragms.end(), [&](const Diaphragm& of) {
+    return abs(of.s - s) <= 1e-6 * beam.length() && is_firm(project, of, along_z);
+  });
+}
+
 /// A kink and the plates of it that others may hang on.
 struct Growing {
   FlangeKink kink;
@@ -321,9 +329,6 @@ std::vector<FlangeKink> knees_of(const Project& project) {
     const auto from = leaves(own), to = leaves(other);
     if (!from || !to) continue;
     const Length s = own.p.x() > near ? beam.length() : Length{};
-    if (std::any_of(beam.diaphragms.begin(), beam.diaphragms.end(),
-                    [&](const Diaphragm& of) { return abs(of.s - s).value() <= near; }))
-      continue;
     // Straight on, what leaves on the one side goes against what leaves on the other.
     const Eigen::Matrix3d& axes = frame->members[static_cast<std::size_t>(project.beam_body)].axes;
     const Eigen::Vector3d turn = axes.transpose() * (*from + *to);
@@ -331,7 +336,7 @@ std::vector<FlangeKink> knees_of(const Project& project) {
     for (const FlatPlate& of : plates_at(project, segment, s > Length{})) {
       const double across = of.normal().x() * turn.y() + of.normal().y() * turn.z();
       constexpr double straight = 1e-3;
-      if (std::abs(across) < straight) continue;
+      if (std::abs(across) < straight || stands_firm(project, s, of.across_z())) continue;
       FlangeKink& knee = knees.emplace_back();
       knee.s = s;
       knee.name = "the knee at " + joint.name + " of " + of.called;
@@ -350,9 +355,7 @@ std::vector<FlangeStep> flange_steps_of(const Project& project) {
     const std::array sides{plates_at(project, k, true), plates_at(project, k + 1, false)};
     if (sides[0].empty() || sides[1].empty()) continue;
     const Length s = beam.segments[k].end();
-    const bool led_on =
-        std::any_of(beam.diaphragms.begin(), beam.diaphragms.end(),
-                    [&](const Diaphragm& of) { return abs(of.s - s) <= 1e-6 * beam.length(); });
+    const bool led_on = stands_firm(project, s, true);
     for (const std::size_t side : {0U, 1U}) {
       std::array<double, 2> areas{};  // of the plates across z, and of the others
       for (const FlatPlate& of : sides[side]) areas[of.across_z() ? 0 : 1] += of.area.value();

@@ -432,6 +432,7 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
       add(check_of(project, search, std::move(of)));
   }
   std::optional<Check> as_fillets;
+  std::optional<PressedWebs::Found> turned;  ///< of kinks that fail the worst: all ask for the same
   for (PressedWebs::Found& of : pressed.checks()) {
     if (of.unsaid) {
       const double use = of.result.check.utilisation();
@@ -439,17 +440,24 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
         as_fillets = of.result.check;
       continue;
     }
+    if (of.turned && !of.result.check.passes()) {
+      const double use = of.result.check.utilisation();
+      if (!turned || use > turned->result.check.utilisation()) turned = std::move(of);
+      continue;
+    }
     if (!of.given && !of.result.check.passes())
       found.gates.push_back(gate_of(project, of));
     else
       found.checks.push_back(std::move(of.result));
   }
+  if (turned) found.gates.push_back(gate_of(project, *turned));
   if (as_fillets)
     found.not_judged.push_back(
         {Criterion::patch_fatigue, "seams of webs",
-         fmt::format("taken to penetrate fully (seam_throat is not said); as fillets, together as "
-                     "thick as the web, they would be used by {:.3g} in fatigue at s = {} m",
-                     as_fillets->utilisation(), to_text(as_fillets->station))});
+         fmt::format(
+             "taken to penetrate fully, for seam_throat is not said; as fillets, a = t, used "
+             "by {:.3g} in fatigue at s = {} m",
+             as_fillets->utilisation(), to_text(as_fillets->station))});
   if (!sideways.empty())
     found.not_judged.push_back(
         {Criterion::patch_loading, fmt::format("flats at s = {} m", fmt::join(sideways, ", ")),

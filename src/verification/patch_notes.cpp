@@ -17,17 +17,23 @@ const PatchedWeb* web_in(const Borne& way) {
   return reduced == nullptr ? nullptr : &reduced->web;
 }
 
-/// How far a force stands beside both webs of a box; below zero above one of them.
-Length beside_webs(const Patch& patch, const FourWalls& walls, Length flange_thickness) {
+/// Where a force stands on the flange of a box.
+struct OnFlange {
+  Length beside;         ///< the faces of both webs, the nearer one; below zero above one
+  Length apart;          ///< the middles of the webs
+  bool between = false;  ///< them
+};
+
+OnFlange on_flange(const Patch& patch, const FourWalls& walls) {
   using enum BoxPlate;
-  const auto [high, low] =
-      patch.along_z ? std::pair{left_web, right_web} : std::pair{top_flange, bottom_flange};
+  const BoxWall& high = walls.of(patch.along_z ? left_web : top_flange);
+  const BoxWall& low = walls.of(patch.along_z ? right_web : bottom_flange);
   const Length place = (patch.along_z ? 1.0 : -1.0) * patch.stands_couple / patch.stands;
-  const auto beside = [&](BoxPlate plate) {
-    const BoxWall& wall = walls.of(plate);
-    return abs(place - wall.middle) - 0.5 * wall.thickness - flange_thickness;
+  const auto beside = [&](const BoxWall& wall) {
+    return abs(place - wall.middle) - 0.5 * wall.thickness;
   };
-  return std::min(beside(high), beside(low));
+  return {std::min(beside(high), beside(low)), high.middle - low.middle,
+          place < high.middle && place > low.middle};
 }
 
 }  // namespace
@@ -89,7 +95,7 @@ void PatchNotes::take_diaphragm(const Patch& patch, const Borne& way, double loa
     return;
   const FourWalls& walls = way.basis.box->box();
   const BoxPlate flange = patch.along_z ? BoxPlate::top_flange : BoxPlate::left_web;
-  if (!(beside_webs(patch, walls, walls.of(flange).thickness) > Length{})) return;
+  if (!(on_flange(patch, walls).beside > walls.of(flange).thickness)) return;
   // What goes to this web shears it: beside an access hole, taken as deep as it is wide.
   ShearPanel panel;
   panel.depth = stiffener->web_depth;
@@ -110,23 +116,17 @@ void PatchNotes::take_flange(const Patch& patch, const Borne& way, double load_f
   BentFlange of{patch.s, {}, patch.bent};
   of.kinked = patch.bent > 0.0;
   if (project_->in_space && way.basis.box && patch.stands != Force{} && !patch.is_torque) {
-    const FourWalls& walls = way.basis.box->box();
-    using enum BoxPlate;
-    const auto [high, low] =
-        patch.along_z ? std::pair{left_web, right_web} : std::pair{top_flange, bottom_flange};
-    const Length place = (patch.along_z ? 1.0 : -1.0) * patch.stands_couple / patch.stands;
-    of.beside = beside_webs(patch, walls, web.flange_thickness);
-    const Length apart = walls.of(high).middle - walls.of(low).middle;
+    const OnFlange at = on_flange(patch, way.basis.box->box());
+    of.beside = at.beside - web.flange_thickness;
     // Farther apart along the beam than the flange is wide each bends a width of its own.
-    const bool one_place = !patch.together || patch.stiff_length <= apart;
+    const bool one_place = !patch.together || patch.stiff_length <= at.apart;
     if (of.beside > Length{} && one_place) {
-      const bool between = place < walls.of(high).middle && place > walls.of(low).middle;
       const double F = std::abs(patch.stands.value()), t_f = web.flange_thickness.value();
-      double m = (between ? bent_between : bent_outside) * F;
+      double m = (at.between ? bent_between : bent_outside) * F;
       // Along the beam a strip: clamped at both webs, or held by one.
       if (patch.is_line)
         m = F / patch.stiff_length.value() *
-            (between ? bent_strip * apart.value() : of.beside.value());
+            (at.between ? bent_strip * at.apart.value() : at.beside.value());
       of.use += 6.0 * m / (t_f * t_f) / web.flange_strength.value();
     }
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <span>
 
 #include "boxbeam/project/plate_material.hpp"
@@ -15,16 +16,6 @@ namespace {
 
 /// Diaphragms, introductions and forces so near each other are at one place, by the beam's length.
 constexpr double same_place = 1e-6;
-
-/// Loads at a few instants, the first among them.
-template <class Look>
-void for_some_instants(const SituationRun& run, const Look& look) {
-  constexpr std::size_t looked_at = 8;
-  const LoadHistory& history = run.loads;
-  const std::size_t step = std::max<std::size_t>(1, history.instants() / looked_at);
-  for (std::size_t i = 0; i < history.instants(); i += step)
-    look(history.loads_at(history.time_of(i)));
-}
 
 /// A force alone.
 ForcesAcross alone(Force force, bool along_z) {
@@ -66,19 +57,7 @@ const Diaphragm* PatchSearch::diaphragm_at(Length s) const {
 bool PatchSearch::holds(const Diaphragm& of, bool along_z) const {
   const auto known = holds_.find({&of, along_z});
   if (known != holds_.end()) return known->second;
-  const Station station{of.s, of.s < project_->beam.length() ? Side::behind : Side::before};
-  const auto walls = walls_at(station);
-  bool holds = true;
-  if (walls) {
-    using enum BoxPlate;
-    for (const BoxPlate web :
-         along_z ? std::array{left_web, right_web} : std::array{top_flange, bottom_flange}) {
-      const auto stiffener = bounding_stiffener_at(*project_, station, *walls, web);
-      holds = holds && stiffener &&
-              across_obstacle(*stiffener, of, 2.0 * walls->of(web).clear()).empty();
-    }
-  }
-  return holds_.emplace(std::pair(&of, along_z), holds).first->second;
+  return holds_.emplace(std::pair(&of, along_z), is_firm(*project_, of, along_z)).first->second;
 }
 
 void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
@@ -94,7 +73,7 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
           of.kink != nullptr || (of.force.value() > 0.0) != (line.force.value() > 0.0) ||
           abs(of.s - line.s) > 0.5 * line.stiff_length)
         continue;
-      sum.name = line.name + " and " + of.name;
+      sum.name += " and " + of.name;
       sum.force += of.force;
       sum.couple += of.couple;
       sum.stands = {};
@@ -170,25 +149,23 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
   }
 }
 
-std::size_t PatchSearch::most_points(const SituationRun& run) {
-  // What enters the beam meanwhile is one more than at the instants looked at.
-  std::size_t most = 0;
-  for_some_instants(
-      run, [&](const BeamLoads& loads) { most = std::max(most, loads.points.size() + 1); });
-  return most;
-}
-
-bool PatchSearch::forces_trace(const SituationRun& run) const {
-  bool apart = true;
+PatchSearch::Points PatchSearch::points_of(const SituationRun& run) const {
+  constexpr std::size_t looked_at = 8;
+  const LoadHistory& history = run.loads;
+  const std::size_t step = std::max<std::size_t>(1, history.instants() / looked_at);
+  Points of;
   std::vector<Length> places;
-  for_some_instants(run, [&](const BeamLoads& loads) {
+  for (std::size_t i = 0; i < history.instants(); i += step) {
     places.clear();
-    for (const PointLoad& of : loads.points) places.push_back(of.s);
+    for (const PointLoad& load : history.loads_at(history.time_of(i)).points)
+      places.push_back(load.s);
     std::sort(places.begin(), places.end());
-    for (std::size_t i = 1; i < places.size(); ++i)
-      apart = apart && places[i] - places[i - 1] > same_place * project_->beam.length();
-  });
-  return apart;
+    for (std::size_t k = 1; k < places.size(); ++k)
+      of.apart = of.apart && places[k] - places[k - 1] > same_place * project_->beam.length();
+    // What enters the beam meanwhile is one more than at the instants looked at.
+    of.most = std::max(of.most, static_cast<double>(places.size() + 1));
+  }
+  return of;
 }
 
 bool PatchSearch::again_and_again() const { return project_->fatigue.asked || kinds_.any_moves(); }
@@ -200,14 +177,14 @@ bool PatchSearch::has_something_to_do(const std::deque<SituationRun>& runs) {
   most.again = true;
   for (const SituationRun& run : runs) {
     const double largest = run.loads.largest_force();
-    double force = forces_trace(run) ? 2.0 * static_cast<double>(most_points(run)) * largest
-                                     : std::numeric_limits<double>::infinity();
+    const Points points = points_of(run);
+    double force =
+        points.apart ? 2.0 * points.most * largest : std::numeric_limits<double>::infinity();
     for (const FlangeKink& of : kinks_) force += of.most_under(largest, run.loads.largest_moment());
     most.along_z = std::max(most.along_z, si<Force>(force));
     most.along_y = most.along_z;
     if (!project_->in_space) continue;
-    most.couple = std::max(most.couple, si<Moment>(2.0 * static_cast<double>(most_points(run)) *
-                                                   run.loads.largest_moment()));
+    most.couple = std::max(most.couple, si<Moment>(2.0 * points.most * run.loads.largest_moment()));
   }
   // In the plane flanges take forces from diaphragms and from kinks of webs alone.
   const bool sideways =

@@ -87,6 +87,10 @@ struct PathWebs;
 BearingStiffener stiffener_of(const Project& project, const PatchedWeb& web, Length inside,
                               const Diaphragm& diaphragm, const Station& station);
 
+/// Whether a diaphragm is stiff enough for the webs of a box, or in space its flanges, to stand on
+/// (9.3.3(3), I_st >= 0.75 h_w t^3 of long panels); of other sections every one.
+bool is_firm(const Project& project, const Diaphragm& of, bool along_z);
+
 /// What forces do to the webs that they come into, of the loads of one instant.
 class PatchSearch {
  public:
@@ -135,8 +139,11 @@ class PatchSearch {
 
  private:
   /// How many forces come in at most, and whether they do so at places of their own.
-  static std::size_t most_points(const SituationRun& run);
-  bool forces_trace(const SituationRun& run) const;
+  struct Points {
+    double most = 0.0;
+    bool apart = true;
+  };
+  Points points_of(const SituationRun& run) const;
   /// Whether what comes in is to be looked at for its cycles.
   bool again_and_again() const;
 
@@ -188,8 +195,7 @@ class PatchSearch {
   /// Loads along the beam, each by the largest of it over a plate's depth.
   void add_lines(const std::vector<LineLoad>& lines, bool along_z, std::vector<Patch>& patches);
   const Diaphragm* diaphragm_at(Length s) const;
-  /// Whether a diaphragm is stiff enough for the webs of a box, or in space its flanges, to stand
-  /// on (9.3.3(3), I_st >= 0.75 h_w t^3 of long panels); of other sections every one.
+  /// `is_firm`, once each.
   bool holds(const Diaphragm& of, bool along_z) const;
 
   /// Whether the patch is to be looked at, of all that come in at once.

@@ -4,8 +4,22 @@
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/strength/shear_buckling.hpp"
 #include "patch_search.hpp"
+#include "plate_panels.hpp"
 
 namespace boxbeam {
+
+bool is_firm(const Project& project, const Diaphragm& of, bool along_z) {
+  const Station station{of.s, of.s < project.beam.length() ? Side::behind : Side::before};
+  const auto walls = judged_walls_at(project, station);
+  if (!walls) return true;
+  using enum BoxPlate;
+  const std::array webs =
+      along_z ? std::array{left_web, right_web} : std::array{top_flange, bottom_flange};
+  return std::all_of(webs.begin(), webs.end(), [&](BoxPlate web) {
+    const auto stiffener = bounding_stiffener_at(project, station, *walls, web);
+    return stiffener && across_obstacle(*stiffener, of, 2.0 * walls->of(web).clear()).empty();
+  });
+}
 
 void PatchSearch::add_bare_diaphragms(std::vector<Patch>& patches) {
   const std::size_t loaded = patches.size();

@@ -405,7 +405,8 @@ void PressedWebs::look(Place place, const std::vector<double>& places, bool any_
     for_all_at(place, [&](const Source& source, const PressedWeb&) {
       turned = turned && source.at_high.has_value();
     });
-    take(Found{std::move(of), key.first, key.second, turned});
+    // A kink comes in on an edge whatever the case says of its loads.
+    take(Found{std::move(of), key.first && !turned, key.second, turned});
   }
 }
 

@@ -25,6 +25,11 @@ std::size_t borders_before(const CutForceDiagram& diagram, const Station& statio
   return static_cast<std::size_t>(beyond - diagram.pieces.begin());
 }
 
+/// Where a border of pieces lies. A load that comes or goes leaves fewer of them: the last one.
+Length border_of(const CutForceDiagram& diagram, std::size_t border) {
+  return diagram.pieces[std::min(border, diagram.pieces.size() - 1)].end();
+}
+
 }  // namespace
 
 StationHistory::StationHistory(const LoadHistory& loads, const Station& station)
@@ -111,12 +116,8 @@ void StationHistory::divide_at_passages(const LoadHistory::Reach& reach,
     };
     // At even speed it passes here, but for rounding.
     const std::size_t border = std::min(before, behind);
-    // A load that comes or goes meanwhile leaves pieces of another number.
-    const auto end_in = [&](const CutForceDiagram& at) {
-      return at.pieces[std::min(border, at.pieces.size() - 1)].end();
-    };
-    const double left = (end_in(bracket[k - 1]) - station_.s).value();
-    const double beyond = (station_.s - end_in(bracket[k])).value();
+    const double left = (border_of(bracket[k - 1], border) - station_.s).value();
+    const double beyond = (station_.s - border_of(bracket[k], border)).value();
     if (left * beyond > 0.0) {
       const double passed = low + left / (left + beyond) * (high - low);
       const double aside = 1e-14 * std::max(std::abs(low), std::abs(high));
@@ -170,10 +171,9 @@ std::optional<StationHistory::Passage> StationHistory::passage_of(std::size_t bo
   // and where that one is the station itself, a level.
   constexpr double least = 1e-300;
   const auto left_in = [&](const CutForceDiagram& diagram) {
-    const std::vector<CutForcePiece>& pieces = diagram.pieces;
     const std::size_t count = borders_before(diagram, station_);
     const bool passed = forwards ? count <= border : count > border;
-    const Length to_go = pieces[std::min(border, pieces.size() - 1)].end() - station_.s;
+    const Length to_go = border_of(diagram, border) - station_.s;
     const double left = std::max(std::abs(to_go.value()), least);
     return passed ? -left : left;
   };

@@ -256,7 +256,7 @@ TEST_CASE("a step too long for a line is broken before its equals signs", "[repo
   }
 }
 
-TEST_CASE("a summary is three pages at most", "[report][pdf][shipped][unsanitized]") {
+TEST_CASE("a summary is two pages, three at most", "[report][pdf][shipped][unsanitized]") {
   if (!test::has_pdflatex() || !test::has_pdftotext()) return;
   for (const std::string& path : test::shipped_paths()) {
     const test::TemporaryFolder folder;
@@ -266,7 +266,7 @@ TEST_CASE("a summary is three pages at most", "[report][pdf][shipped][unsanitize
     const auto pages = std::count(text.begin(), text.end(), '\f');  // one ends each page
     INFO(path);
     CHECK(pages > 0);
-    CHECK(pages <= 3);
+    CHECK(pages <= (path == "sections/sledge-rig/rig.toml" ? 2 : 3));
   }
 }
 

@@ -124,8 +124,11 @@ TEST_CASE("welds of diaphragms govern the verdict, are said to be assumed and ca
           "[attached_welds]") {
   // At 1 m 5/80 beside 6/160 at the root and 4/80 at 2 m.
   constexpr double force = 110.0;
-  const std::string text =
-      lifted(plain_box("a"), segment(length, "a") + diaphragms({1.0, 2.0}), force, 160);
+  const std::string text = lifted(
+      plain_box("a"),
+      segment(length, "a") + diaphragms({1.0, 2.0}) +
+          fmt::format("[[beam.load_introductions]]\nstation = \"{} m\"\ninto = \"webs\"\n", length),
+      force, 160);
   const Project project = parse_project("welds.toml", text);
   const Verification of = verify(project, Figures::without, Advice::with);
   REQUIRE(of.verdict == Verdict::fail);
@@ -133,8 +136,7 @@ TEST_CASE("welds of diaphragms govern the verdict, are said to be assumed and ca
   CHECK(worst.check.station.s.value() == Approx(1.0));
   CHECK(use_of(of, Criterion::fatigue) ==
         Approx(stress_at_height(force, 1.0, 0.3) / 80.0).epsilon(1e-6));
-  CHECK(std::none_of(of.not_judged.begin(), of.not_judged.end(),
-                     [](const NotJudged& note) { return note.by == Criterion::fatigue; }));
+  CHECK(of.not_judged.empty());
   CHECK(verdict_sentence_of(project, of).find("(weld of a diaphragm, assumed)") !=
         std::string::npos);
   bool said = false;

@@ -153,15 +153,15 @@ TEST_CASE("a case that passes, or is not asked, has no remedies, and advice chan
     CHECK(a.id == b.id);
     CHECK(a.safety_factor == b.safety_factor);
   }
-  const Judged passing = judged(cantilever(force("5 kN") + cycles, fatigue));
+  // Bosses lead the force into the webs, which else would feel it anew at every cycle.
+  const std::string bosses = "[[beam.load_introductions]]\nstation = \"2 m\"\ninto = \"webs\"\n";
+  const Judged passing = judged(cantilever(force("5 kN") + cycles + bosses, fatigue));
   REQUIRE(passing.verification.verdict == Verdict::pass);
   CHECK(passing.verification.remedies.found.empty());
   // 10e6/230.6e3 = 43.4 MPa of 71.
-  const std::string sentence = verdict_sentence_of(passing.project, passing.verification);
-  CHECK(sentence.starts_with("passes; "));
-  CHECK(sentence.ends_with(
-      fmt::format("; most used is fatigue at 0 m, fibre +z, {:.1f} % used, under \"lift\"",
-                  100.0 * 10e6 / modulus(8.0) / 71.0)));
+  CHECK(verdict_sentence_of(passing.project, passing.verification) ==
+        fmt::format("passes; most used is fatigue at 0 m, fibre +z, {:.1f} % used, under \"lift\"",
+                    100.0 * 10e6 / modulus(8.0) / 71.0));
 }
 
 TEST_CASE("the remedies of a shipped case pass when they are set, and one step less does not") {

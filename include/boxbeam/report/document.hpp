@@ -123,4 +123,15 @@ struct Document {
   std::vector<Chapter> chapters;
 };
 
+/// What of a verdict is seen from afar: all of a short one, else its word; the rest is read.
+struct VerdictParts {
+  std::string seen, read;
+};
+inline VerdictParts parts_of_verdict(const std::string& verdict) {
+  constexpr std::size_t short_one = 60;
+  const std::size_t word = verdict.find("; ");
+  if (verdict.size() <= short_one || word == std::string::npos) return {verdict, ""};
+  return {verdict.substr(0, word), verdict.substr(word + 2)};
+}
+
 }  // namespace boxbeam::report
