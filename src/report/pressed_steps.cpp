@@ -29,7 +29,9 @@ Steps pressed_steps(const Project& project, const CheckResult& result) {
   } else {
     steps.define("d_sigma", range, "range of sigma_z in the web");
   }
-  for (const SnCurve& curve : life.curves) derive_curve(steps, curve, life.point.detail);
+  for (const SnCurve& curve : life.curves)
+    derive_curve(steps, curve, curve.kind == StressKind::direct ? life.point.detail : nullptr);
+  if (life.curves.size() > 1) steps.note([] { return "of the shear stress along the seam there"; });
   Steps all = steps_of(steps);
   append(all, life_steps(project, result.check, life));
   return all;

@@ -214,7 +214,7 @@ TurnedPlate turned(const FlatPlate& before, const FlatPlate& behind, double turn
   return of;
 }
 
-/// Whether a diaphragm stands at a place that takes what comes in there.
+/// Whether a diaphragm stands at a place that leads webs on.
 bool stands_firm(const Project& project, Length s, bool along_z) {
   const TaperedBeam& beam = project.beam;
   return std::any_of(beam.diaphragms.begin(), beam.diaphragms.end(), [&](const Diaphragm& of) {
@@ -235,6 +235,49 @@ struct Growing {
     });
   }
 };
+
+void add_knees(const Project& project, std::vector<FlangeKink>& kinks) {
+  const auto* const frame = std::get_if<frame::Structure>(&project.mechanism);
+  if (frame == nullptr) return;
+  const TaperedBeam& beam = project.beam;
+  const double near = 1e-6 * beam.length().value();
+  // Out of a joint, from the end of a member that stands there.
+  const auto leaves = [&](const frame::Place& at) -> std::optional<Eigen::Vector3d> {
+    const frame::Member& member = frame->members[static_cast<std::size_t>(at.member)];
+    const Eigen::Vector3d axis = member.axes.col(0);
+    if (std::abs(at.p.x()) <= near) return axis;
+    if (std::abs(at.p.x() - member.beam.length().value()) <= near) return -axis;
+    return std::nullopt;
+  };
+  for (const frame::Joint& joint : frame->joints) {
+    const bool rigid = std::all_of(joint.stiffness.begin() + 3, joint.stiffness.end(),
+                                   [](double k) { return std::isinf(k); });
+    const bool first = joint.a.member == project.beam_body;
+    if (!rigid || joint.b.member < 0 || joint.a.member < 0 ||
+        (!first && joint.b.member != project.beam_body))
+      continue;
+    const frame::Place &own = first ? joint.a : joint.b, &other = first ? joint.b : joint.a;
+    const auto from = leaves(own), to = leaves(other);
+    if (!from || !to) continue;
+    const Length s = own.p.x() > near ? beam.length() : Length{};
+    // Straight on, what leaves on the one side goes against what leaves on the other.
+    const Eigen::Matrix3d& axes = frame->members[static_cast<std::size_t>(project.beam_body)].axes;
+    const Eigen::Vector3d turn = axes.transpose() * (*from + *to);
+    const std::size_t segment = s > Length{} ? beam.segments.size() - 1 : 0;
+    for (const FlatPlate& of : plates_at(project, segment, s > Length{})) {
+      const double across = of.normal().x() * turn.y() + of.normal().y() * turn.z();
+      constexpr double straight = 1e-3;
+      if (std::abs(across) < straight) continue;
+      FlangeKink& knee = kinks.emplace_back();
+      knee.s = s;
+      knee.knee = true;
+      knee.name = "the knee at " + joint.name + " of " + of.called;
+      knee.along_z = of.across_z();
+      knee.at_high = of.high;
+      knee.plates.push_back(turned(of, of, across));
+    }
+  }
+}
 
 }  // namespace
 
@@ -301,51 +344,8 @@ std::vector<FlangeKink> flange_kinks_of(const Project& project) {
     }
     for (Growing& of : here) kinks.push_back(std::move(of.kink));
   }
+  add_knees(project, kinks);
   return kinks;
-}
-
-std::vector<FlangeKink> knees_of(const Project& project) {
-  std::vector<FlangeKink> knees;
-  const auto* const frame = std::get_if<frame::Structure>(&project.mechanism);
-  if (frame == nullptr) return knees;
-  const TaperedBeam& beam = project.beam;
-  const double near = 1e-6 * beam.length().value();
-  // Out of a joint, from the end of a member that stands there.
-  const auto leaves = [&](const frame::Place& at) -> std::optional<Eigen::Vector3d> {
-    const frame::Member& member = frame->members[static_cast<std::size_t>(at.member)];
-    const Eigen::Vector3d axis = member.axes.col(0);
-    if (std::abs(at.p.x()) <= near) return axis;
-    if (std::abs(at.p.x() - member.beam.length().value()) <= near) return -axis;
-    return std::nullopt;
-  };
-  for (const frame::Joint& joint : frame->joints) {
-    const bool rigid = std::all_of(joint.stiffness.begin() + 3, joint.stiffness.end(),
-                                   [](double k) { return std::isinf(k); });
-    const bool first = joint.a.member == project.beam_body;
-    if (!rigid || joint.b.member < 0 || joint.a.member < 0 ||
-        (!first && joint.b.member != project.beam_body))
-      continue;
-    const frame::Place &own = first ? joint.a : joint.b, &other = first ? joint.b : joint.a;
-    const auto from = leaves(own), to = leaves(other);
-    if (!from || !to) continue;
-    const Length s = own.p.x() > near ? beam.length() : Length{};
-    // Straight on, what leaves on the one side goes against what leaves on the other.
-    const Eigen::Matrix3d& axes = frame->members[static_cast<std::size_t>(project.beam_body)].axes;
-    const Eigen::Vector3d turn = axes.transpose() * (*from + *to);
-    const std::size_t segment = s > Length{} ? beam.segments.size() - 1 : 0;
-    for (const FlatPlate& of : plates_at(project, segment, s > Length{})) {
-      const double across = of.normal().x() * turn.y() + of.normal().y() * turn.z();
-      constexpr double straight = 1e-3;
-      if (std::abs(across) < straight || stands_firm(project, s, of.across_z())) continue;
-      FlangeKink& knee = knees.emplace_back();
-      knee.s = s;
-      knee.name = "the knee at " + joint.name + " of " + of.called;
-      knee.along_z = of.across_z();
-      knee.at_high = of.high;
-      knee.plates.push_back(turned(of, of, across));
-    }
-  }
-  return knees;
 }
 
 std::vector<FlangeStep> flange_steps_of(const Project& project) {
@@ -385,8 +385,10 @@ std::vector<Patch> PatchSearch::kinks_under(const CutForceDiagram& diagram) cons
   std::vector<Patch> patches;
   std::vector<double> uses;
   for (const FlangeKink& of : kinks_) {
-    const CutForces before = diagram.at({of.s, Side::before}),
-                    behind = diagram.at({of.s, Side::behind});
+    // At an end of the beam both are those of its own side.
+    const bool at_start = of.s == Length{}, at_end = of.s == project_->beam.length();
+    const CutForces before = diagram.at({of.s, at_start ? Side::behind : Side::before}),
+                    behind = diagram.at({of.s, at_end ? Side::before : Side::behind});
     const std::array<FlangeKink::Turned, 2> sides = of.under(before, behind);
     const FlangeKink::Turned& turned = sides[abs(sides[1].force) > abs(sides[0].force) ? 1 : 0];
     Patch& patch = patches.emplace_back();

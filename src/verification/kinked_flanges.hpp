@@ -33,6 +33,7 @@ struct FlangeKink {
   std::string name;      ///< "the kink of the top flange", "the kink of wall 1 and wall 2"
   bool along_z = true;   ///< the force; else it is along y
   bool at_high = false;  ///< at the end of the section that is high along it
+  bool knee = false;     ///< where two beams meet
   std::vector<TurnedPlate> plates;
 
   /// What they put into the plates beside them, along the kink's axis, and its couple about the
@@ -50,12 +51,10 @@ struct FlangeKink {
   Length width() const;
 };
 
-/// The kinks of a beam, where its outline goes on without a jump.
+/// The kinks of a beam, where its outline goes on without a jump; and the flanges of a beam of a
+/// frame where a joint holds it rigidly to another one, end to end, that goes on in another
+/// direction: each turns off by 2 sin(delta/2).
 std::vector<FlangeKink> flange_kinks_of(const Project& project);
-
-/// The flanges of a beam of a frame where a joint holds it rigidly to another one, end to end, that
-/// goes on in another direction, and no diaphragm stands: each turns off by 2 sin(delta/2).
-std::vector<FlangeKink> knees_of(const Project& project);
 
 /// A plate that ends where the next segment's lies elsewhere.
 struct FlangeStep {

@@ -349,6 +349,13 @@ Gate gate_of(const Project& project, const std::string& name, bool open, bool bl
           blocks};
 }
 
+/// Whether flats lie along a plate of the section of a station.
+bool has_flats(const Project& project, Length s) {
+  const Section section = section_at(project.beam, {s, Side::both});
+  const auto* const box = std::get_if<Box>(&section.outer);
+  return box != nullptr && !box->stiffeners.empty();
+}
+
 void note_unsaid(const Project& project, const WorstPatch& worst,
                  std::optional<UnsaidWelds>& most) {
   const PatchBasis& basis = worst.borne.basis;
@@ -391,20 +398,19 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
   PatchChecks found;
   PatchSearch search(project, zones);
   std::vector<FlangeStep> steps = flange_steps_of(project);
-  std::vector<FlangeKink> knees = knees_of(project);
-  if (!search.has_something_to_do(runs) && steps.empty() && knees.empty()) return found;
+  if (!search.has_something_to_do(runs) && steps.empty()) return found;
   std::map<BorneKey, WorstPatch> worst;
   OnPaths on_paths;
-  PressedWebs pressed(project, search);
+  PressedWebs pressed(project, runs, zones, search);
   // Of long records not all instants are looked at.
   const bool counted = project.fatigue.asked && whole_life_of(runs) == nullptr;
-  PatchNotes notes(project, std::move(steps), std::move(knees), counted ? &pressed : nullptr);
+  PatchNotes notes(project, std::move(steps), counted ? &pressed : nullptr);
   for (const SituationRun& run : runs)
     PatchRun(project, search, run, worst, on_paths, notes, counted ? &pressed : nullptr).look();
   add_gates(project, on_paths, found.gates);
   // A use this small is none, as stress is (`no_stress_at`).
   constexpr double no_use = 1e-6;
-  std::set<std::string> sideways;
+  std::set<std::string> sideways, slotted;
   const auto add = [&](CheckResult result) {
     // A force that pushes to and fro comes in by either flange: the worse one stays.
     const auto same =
@@ -426,6 +432,8 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
     // What comes from panels alone asks nothing of the flanges.
     if (bears != nullptr && !bears->ends_clamped && !of.patch.is_none())
       sideways.insert(to_text({of.patch.s, Side::both}));
+    if (of.patch.diaphragm != nullptr && !of.patch.is_none() && has_flats(project, of.patch.s))
+      slotted.insert(to_text({of.patch.s, Side::both}));
     if (!of.patch.given && of.use > 1.0)
       found.gates.push_back(gate_of(project, of));
     else
@@ -463,6 +471,10 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
         {Criterion::patch_loading, fmt::format("flats at s = {} m", fmt::join(sideways, ", ")),
          "L_cr = h_w takes it that both flanges are held sideways there, which no "
          "[[beam.restraints]] say (EN 1993-1-5, 9.4(2))"});
+  if (!slotted.empty())
+    found.not_judged.push_back(
+        {Criterion::weld, fmt::format("diaphragms at s = {} m", fmt::join(slotted, ", ")),
+         "slots that let flats through are not taken off their welds and edges"});
   if (found.unsaid_welds && !found.unsaid_welds->throat) {
     found.not_judged.push_back({Criterion::weld,
                                 fmt::format("welds of the diaphragm at s = {} m",

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <tuple>
 
 #include "patched_path.hpp"
@@ -39,26 +40,16 @@ OnFlange on_flange(const Patch& patch, const FourWalls& walls) {
 }  // namespace
 
 PatchNotes::PatchNotes(const Project& project, std::vector<FlangeStep> steps,
-                       std::vector<FlangeKink> knees, const PressedWebs* counted)
+                       const PressedWebs* counted)
     : project_(&project),
       counted_(counted),
       steps_(std::move(steps)),
-      knees_(std::move(knees)),
       at_steps_(steps_.size()) {}
 
 void PatchNotes::take_instant(const CutForceDiagram& diagram, const Situation& situation,
                               bool all) {
   if (all && has_cycles(*project_, situation)) ++instants_;
   const double load_factor = situation.load_factor;
-  for (const FlangeKink& knee : knees_) {
-    const CutForces cut = diagram.at({knee.s, knee.s > Length{} ? Side::before : Side::behind});
-    const double scale = project_->strength.required * load_factor;
-    BentFlange of{knee.s, {}, scale * use_across_kink(knee, cut, cut)};
-    of.kinked = true;
-    // Alone: what else bends the corner is the stress of two beams.
-    of.with_own = of.use;
-    keep(knee.name, of);
-  }
   for (std::size_t k = 0; k < steps_.size(); ++k) {
     for (const Side side : {Side::before, Side::behind}) {
       const CutForces cut = diagram.at({steps_[k].s, side});
@@ -71,6 +62,9 @@ void PatchNotes::take_instant(const CutForceDiagram& diagram, const Situation& s
 
 void PatchNotes::take(const Patch& patch, const std::vector<Borne>& ways,
                       const Situation& situation, bool all) {
+  if (patch.kink != nullptr && patch.kink->knee) {
+    for (const Borne& way : ways) take_corner(patch, way, situation.load_factor);
+  }
   if (patch.diaphragm != nullptr) {
     for (const Borne& way : ways) take_diaphragm(patch, way, situation.load_factor);
     return;
@@ -87,6 +81,39 @@ void PatchNotes::keep(const std::string& name, const BentFlange& of) {
   if (!(of.use > hardly_bent) && !of.again) return;
   BentFlange& most = bent_[name];
   if (of.with_own > most.with_own) most = of;
+}
+
+namespace {
+
+/// Keeps the largest of a name, and where that is.
+void keep_most(std::map<std::string, std::pair<double, Length>>& of, const std::string& name,
+               double use, Length s) {
+  auto& [most, at] = of[name];
+  if (use > most) std::tie(most, at) = std::pair(use, s);
+}
+
+}  // namespace
+
+void PatchNotes::take_corner(const Patch& patch, const Borne& way, double load_factor) {
+  if (way.part != Borne::Part::plate) return;
+  Length depth, thickness;
+  Stress strength;
+  if (const PatchedWeb* const web = web_in(way)) {
+    depth = web->depth;
+    thickness = web->thickness;
+    strength = web->yield_strength;
+  } else if (const auto* const by = std::get_if<BearingStiffener>(&way.basis.bears)) {
+    depth = by->web_depth;
+    thickness = by->web_thickness;
+    strength = by->yield_strength;
+  } else {
+    return;
+  }
+  const StrengthDemand& demand = project_->strength;
+  const Force bears = depth * thickness * strength / (std::numbers::sqrt3 * demand.gamma_M0);
+  keep_most(corners_, patch.name,
+            demand.required * load_factor * (way.basis.share * way.basis.force / bears).value(),
+            patch.s);
 }
 
 void PatchNotes::take_diaphragm(const Patch& patch, const Borne& way, double load_factor) {
@@ -107,8 +134,13 @@ void PatchNotes::take_diaphragm(const Patch& patch, const Borne& way, double loa
   const Force bears = left * shear_resistance_of(panel, project_->strength.gamma_M1).resistance;
   const double use = project_->strength.required * load_factor *
                      (way.basis.share * way.basis.force / bears).value();
-  auto& [most, at] = sheared_[patch.name];
-  if (use > most) std::tie(most, at) = std::pair(use, patch.s);
+  keep_most(sheared_, patch.name, use, patch.s);
+  // A pad is taken to be as wide as it is long.
+  const Length pressed = patch.stiff_length + 2.0 * walls.of(flange).thickness;
+  const Force edge = pressed * stiffener->thickness * stiffener->yield_strength;
+  keep_most(edges_, patch.name,
+            project_->strength.required * load_factor * (abs(patch.stands) / edge).value(),
+            patch.s);
 }
 
 void PatchNotes::take_flange(const Patch& patch, const Borne& way, double load_factor, bool again) {
@@ -180,25 +212,34 @@ std::string PatchNotes::words_of(const BentFlange& of) {
 
 std::vector<Gate> PatchNotes::gates() const {
   std::vector<Gate> found;
-  for (const auto& [name, of] : bent_) {
-    if (!(of.with_own > 1.0)) continue;
-    const std::size_t segment = segment_at(project_->beam, {of.s, Side::both});
-    found.push_back({project_->beam.segments[segment].name, "",
-                     fmt::format("flange under {} at s = {} m: {}", name,
-                                 to_text(Station{of.s, Side::both}), words_of(of)),
-                     true});
-  }
-  for (const auto& [name, of] : sheared_) {
-    const auto& [use, s] = of;
-    if (!(use > 1.0)) continue;
+  const auto add = [&](Length s, std::string why) {
     const std::size_t segment = segment_at(project_->beam, {s, Side::both});
-    found.push_back(
-        {project_->beam.segments[segment].name, "",
-         fmt::format("diaphragm at s = {} m: \"{}\" stands between its webs and uses its "
-                     "plate in shear by {:.3g} (EN 1993-1-5, 5.2): a thicker one",
-                     to_text(Station{s, Side::both}), name, use),
-         true});
+    found.push_back({project_->beam.segments[segment].name, "", std::move(why), true});
+  };
+  const auto add_used = [&](const std::map<std::string, std::pair<double, Length>>& uses,
+                            const auto& why) {
+    for (const auto& [name, of] : uses) {
+      const auto& [use, s] = of;
+      if (use > 1.0) add(s, why(name, to_text(Station{s, Side::both}), use));
+    }
+  };
+  for (const auto& [name, of] : bent_) {
+    if (of.with_own > 1.0)
+      add(of.s, fmt::format("flange under {} at s = {} m: {}", name,
+                            to_text(Station{of.s, Side::both}), words_of(of)));
   }
+  add_used(sheared_, [](const std::string& name, const std::string& s, double use) {
+    return fmt::format(
+        "diaphragm at s = {} m: \"{}\" stands between its webs and uses its plate in shear by "
+        "{:.3g} (EN 1993-1-5, 5.2): a thicker one",
+        s, name, use);
+  });
+  add_used(corners_, [](const std::string& name, const std::string& s, double use) {
+    return fmt::format(
+        "webs in the corner at s = {} m: what \"{}\" turns off shears them by {:.3g} of their "
+        "strength: thicker ones",
+        s, name, use);
+  });
   // Of all of a name that end there, on either side, the one that bears most.
   std::map<std::pair<Length, std::string>, std::size_t> most;
   for (std::size_t k = 0; k < steps_.size(); ++k) {
@@ -209,16 +250,13 @@ std::vector<Gate> PatchNotes::gates() const {
   }
   for (const auto& [key, k] : most) {
     const FlangeStep& of = steps_[k];
-    const std::size_t segment = segment_at(project_->beam, {of.s, Side::both});
-    found.push_back(
-        {project_->beam.segments[segment].name, "",
-         fmt::format("{} at s = {} m: it ends where {}; how its force, {:.4g} kN, is led on is not "
-                     "judged: a taper between both leads it{}",
-                     of.name, to_text(Station{of.s, Side::both}),
-                     of.by ? fmt::format("the next one lies {:.3g} mm away", 1e3 * of.by->value())
-                           : "none goes on",
-                     1e-3 * at_steps_[k], of.web ? ", or a diaphragm" : ""),
-         true});
+    add(of.s, fmt::format(
+                  "{} at s = {} m: it ends where {}; how its force, {:.4g} kN, is led on is not "
+                  "judged: a taper between both leads it{}",
+                  of.name, to_text(Station{of.s, Side::both}),
+                  of.by ? fmt::format("the next one lies {:.3g} mm away", 1e3 * of.by->value())
+                        : "none goes on",
+                  1e-3 * at_steps_[k], of.web ? ", or a diaphragm" : ""));
   }
   return found;
 }
@@ -254,6 +292,17 @@ std::vector<NotJudged> PatchNotes::not_judged() const {
                                  others > 0 ? fmt::format(" and {} more", others) : "",
                                  to_text(Station{stood_on->second.s, Side::both})),
                      words_of(stood_on->second)});
+  const auto edge = std::max_element(
+      edges_.begin(), edges_.end(),
+      [](const auto& a, const auto& b) { return a.second.first < b.second.first; });
+  if (edge != edges_.end() && edge->second.first > 1.0)
+    found.push_back(
+        {Criterion::patch_loading,
+         fmt::format("edge of the diaphragm at s = {} m",
+                     to_text(Station{edge->second.second, Side::both})),
+         fmt::format("as no more than a point \"{}\" presses it by {:.3g} of its strength: "
+                     "[[beam.load_introductions]] say how long its pad is",
+                     edge->first, edge->second.first)});
   double most = 0.0;
   bool unsaid = false;
   std::vector<std::string> names;

@@ -30,13 +30,10 @@ inline constexpr Stress hardly_changes = 0.405 * 36e6 / 1.35 * pascal;
 /// they stand between webs, or that turns off, and they press webs anew at every cycle.
 class PatchNotes {
  public:
-  /// `steps`, `knees`: of the beam; `counted`: by which what presses webs is judged in fatigue, or
-  /// nothing.
-  PatchNotes(const Project& project, std::vector<FlangeStep> steps, std::vector<FlangeKink> knees,
-             const PressedWebs* counted);
+  /// `steps`: of the beam; `counted`: by which what presses webs is judged in fatigue, or nothing.
+  PatchNotes(const Project& project, std::vector<FlangeStep> steps, const PressedWebs* counted);
 
-  /// What plates that end have to lead on at an instant, and those that turn off at knees. `all`:
-  /// all patches of the instant follow.
+  /// What plates that end have to lead on at an instant. `all`: all patches of the instant follow.
   void take_instant(const CutForceDiagram& diagram, const Situation& situation, bool all);
 
   /// How the webs bear a patch at an instant of a situation.
@@ -68,16 +65,19 @@ class PatchNotes {
   /// A diaphragm that leads to the webs what stands between them.
   void take_diaphragm(const Patch& patch, const Borne& way, double load_factor);
   void take_flange(const Patch& patch, const Borne& way, double load_factor, bool again);
+  /// The webs between both beams of a knee, which what turns off from a flange shears.
+  void take_corner(const Patch& patch, const Borne& way, double load_factor);
   void keep(const std::string& name, const BentFlange& of);
   void take_cycles(const Patch& patch, const std::vector<Borne>& ways, bool all);
 
   const Project* project_;
   const PressedWebs* counted_;
   std::vector<FlangeStep> steps_;
-  std::vector<FlangeKink> knees_;
   std::size_t instants_ = 0;                                    ///< of situations with cycles
   std::vector<double> at_steps_;                                ///< their largest forces [N]
-  std::map<std::string, std::pair<double, Length>> sheared_;    ///< diaphragms: use, place
+  /// Plates of diaphragms in shear, and what presses their edges: use, place.
+  std::map<std::string, std::pair<double, Length>> sheared_, edges_;
+  std::map<std::string, std::pair<double, Length>> corners_;    ///< of knees in shear: use, place
   std::map<std::string, BentFlange> bent_;                      ///< by the name of the force
   std::map<std::pair<std::string, bool>, PressedWeb> pressed_;  ///< and along z
 };

@@ -9,6 +9,7 @@
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/verification/judged_section.hpp"
 #include "boxbeam/verification/slender_path.hpp"
+#include "patched_path.hpp"
 #include "plate_panels.hpp"
 
 namespace boxbeam {
@@ -260,19 +261,29 @@ void PatchSearch::add_torque(const PointLoad& load, bool along_z,
       *by->torque_by != (along_z ? TorqueBy::webs : TorqueBy::flanges))
     return;
   const Length s = std::clamp(load.s, Length{}, project_->beam.length());
-  const auto walls = walls_at({s, Side::both});
-  if (!walls) return;
-  using enum BoxPlate;
-  const Length apart = along_z ? walls->of(left_web).middle - walls->of(right_web).middle
-                               : walls->of(top_flange).middle - walls->of(bottom_flange).middle;
+  const auto apart = webs_apart_at({s, Side::both}, along_z);
+  if (!apart) return;
   for (const double sense : {1.0, -1.0}) {
     Patch& patch = patches.emplace_back();
     patch.name = "the torque of " + (load.name.empty() ? "a couple" : std::string(load.name));
     patch.s = s;
     patch.along_z = along_z;
     patch.is_torque = true;
-    patch.force = sense * si<Moment>(std::abs(torque)) / apart;
+    patch.force = sense * si<Moment>(std::abs(torque)) / *apart;
   }
+}
+
+std::optional<Length> PatchSearch::webs_apart_at(const Station& station, bool along_z) const {
+  using enum BoxPlate;
+  if (const auto walls = walls_at(station)) {
+    return along_z ? walls->of(left_web).middle - walls->of(right_web).middle
+                   : walls->of(top_flange).middle - walls->of(bottom_flange).middle;
+  }
+  const auto path = judged_path_at(*project_, *zones_, station);
+  if (!path) return std::nullopt;
+  const std::vector<PathWeb> webs = webs_of_path(*path, along_z, true).webs;
+  if (webs.size() != 2) return std::nullopt;
+  return Length(webs.front().place - webs.back().place);
 }
 
 std::vector<Borne> PatchSearch::worst_of(const Patch& patch, const std::vector<Patch>& all,
@@ -481,7 +492,8 @@ std::vector<std::shared_ptr<const ReducedPlate>> PatchSearch::reduced_at(
     const Station& station, const Section& section, const FourWalls& walls) const {
   const TaperedBeam& beam = project_->beam;
   const Segment& segment = beam.segments[segment_at(beam, station)];
-  if (plate_route_of(*project_, segment) != PlateRoute::reduced_stresses) return {};
+  // What a profile inside takes of the stresses along the beam is on the safe side.
+  if (plate_route_of(*project_, segment) != PlateRoute::reduced_stresses || section.inner) return {};
   std::vector<ShearedPlate> sheared = sheared_plates_of(
       section, walls, taper_at(beam, station), !project_->in_space, project_->strength.gamma_M1);
   divide_into_panels(*project_, station, sheared);

@@ -91,6 +91,9 @@ BearingStiffener stiffener_of(const Project& project, const PatchedWeb& web, Len
 /// (9.3.3(3), I_st >= 0.75 h_w t^3 of long panels); of other sections every one.
 bool is_firm(const Project& project, const Diaphragm& of, bool along_z);
 
+/// Whether the throat of a seam of a box is one of a plate of it.
+bool joins(const StressPoint& throat, BoxPlate plate);
+
 /// What forces do to the webs that they come into, of the loads of one instant.
 class PatchSearch {
  public:
@@ -168,6 +171,8 @@ class PatchSearch {
   std::vector<Patch> forces_of(const BeamLoads& loads) const;
   /// A couple about the beam's axis without a force: both ways, for it may come by either flange.
   void add_torque(const PointLoad& load, bool along_z, std::vector<Patch>& patches) const;
+  /// The middles of both webs of a section along a force; nothing where there are not two.
+  std::optional<Length> webs_apart_at(const Station& station, bool along_z) const;
   /// What plates that turn off between segments put into those beside them. kinked_flanges.cpp
   std::vector<Patch> kinks_under(const CutForceDiagram& diagram) const;
   /// Diaphragms at which no force comes in, for what their panels pull at them.

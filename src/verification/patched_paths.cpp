@@ -215,8 +215,10 @@ std::vector<Borne> PatchSearch::path_ways_at(const Patch& patch, const Station& 
   for (const PathWeb& web : of.webs) {
     basis.share = patch.is_none() ? 0.0 : 1.0;
     if (of.webs.size() == 2 && !patch.is_none()) {
-      const double by_first = ((place_of(patch) - last.place) / between).value();
-      basis.share = std::abs(&web == &first ? by_first : 1.0 - by_first);
+      // A torque presses both by all of it, with unlike senses.
+      const double by_first =
+          patch.is_torque ? 1.0 : ((place_of(patch) - last.place) / between).value();
+      basis.share = patch.is_torque ? 1.0 : std::abs(&web == &first ? by_first : 1.0 - by_first);
     }
     borne.wall = web.plate->name;
     if (patch.diaphragm != nullptr) {

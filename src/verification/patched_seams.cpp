@@ -7,14 +7,6 @@
 namespace boxbeam {
 namespace {
 
-/// Whether a throat is that of the seam of two plates that meet in a corner.
-bool joins(const StressPoint& throat, BoxPlate a, BoxPlate b) {
-  using enum BoxPlate;
-  const auto is_of = [&](BoxPlate plate) { return a == plate || b == plate; };
-  return is_of(throat.z.value() > 0.0 ? top_flange : bottom_flange) &&
-         is_of(throat.y.value() > 0.0 ? left_web : right_web);
-}
-
 /// How much a throat is used by forces per length, of legs alike.
 double use_of(Stress across, Stress along, Length throat, const WeldStrength& strength) {
   const WeldForce force{across * throat, {}, along * throat};
@@ -22,6 +14,12 @@ double use_of(Stress across, Stress along, Length throat, const WeldStrength& st
 }
 
 }  // namespace
+
+bool joins(const StressPoint& throat, BoxPlate plate) {
+  using enum BoxPlate;
+  return plate == (throat.z.value() > 0.0 ? top_flange : bottom_flange) ||
+         plate == (throat.y.value() > 0.0 ? left_web : right_web);
+}
 
 PatchSearch::Spread PatchSearch::spread_of(const Patch& patch, const PatchedWeb& web) const {
   const Length half = 0.5 * loaded_length_of(web);
@@ -82,7 +80,7 @@ std::vector<Borne> PatchSearch::seams_at(const Patch& patch, const std::vector<P
     of.plate = web;
     for (const BoxPlate flange : flanges_of(patch)) {
       const auto throat = std::find_if(judged.seams.begin(), judged.seams.end(),
-                                       [&](const auto& at) { return joins(*at, web, flange); });
+                                       [&](const auto& at) { return joins(*at, web) && joins(*at, flange); });
       if (throat == judged.seams.end()) continue;
       const PlateOf& joined = (*throat)->joined;
       const auto tensile = tensile_strength_of(*joined.material, joined.thickness);

@@ -50,7 +50,7 @@ std::vector<FourWalls> walls_of_segment(const Project& project, const Station& s
 std::array<Length, 4> widest_in_panel(const Project& project, const Station& station);
 
 /// The plates of a station with what supports them across. Stiffeners of a plate that would do
-/// without them are left out, they count as area alone.
+/// without them are left out, they count as area alone. Of nested profiles those of the outer one.
 std::optional<FourWalls> judged_walls_at(const Project& project, const Station& station);
 
 /// c/t above the limit of class 3 in even compression.

@@ -166,10 +166,8 @@ std::vector<int> plate_choices_at(const Project& project, const Station& station
 }
 
 std::optional<FourWalls> judged_walls_at(const Project& project, const Station& station) {
-  const Section section = judged_section_at(project, station);
-  if (section.inner) return std::nullopt;
-  auto walls =
-      four_walls_of(section.outer, materials_of(project, segment_at(project.beam, station)));
+  auto walls = four_walls_of(judged_section_at(project, station).outer,
+                             materials_of(project, segment_at(project.beam, station)));
   if (!walls) return std::nullopt;
   walls->length = supported_length_at(project, station);
   const auto deciding = deciding_walls_at(project, station);

@@ -10,8 +10,8 @@
 
 #include "boxbeam/project/plate_detail.hpp"
 #include "boxbeam/verification/judged_section.hpp"
+#include "boxbeam/verification/station_samples.hpp"
 #include "boxbeam/verification/turning_samples.hpp"
-#include "channel_life.hpp"
 #include "plate_panels.hpp"
 
 namespace boxbeam {
@@ -19,6 +19,9 @@ namespace {
 
 /// Forces whose places are so near each other, by the beam's length, stand at one.
 constexpr double at_one_place = 1e-6;
+
+/// As small as no stress is one (`no_stress_at`), of mild steel [Pa].
+constexpr double no_stress = 235.0;
 
 bool reaches(const PressedWeb& web, double s, double at) {
   return at >= s - web.before.value() && at <= s + web.behind.value();
@@ -279,6 +282,46 @@ PressedWebs::Resisting PressedWebs::resisting_on(const Station& at, BoxPlate pla
   return of;
 }
 
+const std::vector<LifeChannel>& PressedWebs::shear_at(const Place& place,
+                                                      bool unsaid_as_fillets) const {
+  const auto [at, is_new] =
+      shear_.try_emplace(std::tuple(place.s, place.web, unsaid_as_fillets));
+  std::vector<LifeChannel>& channels = at->second;
+  if (!is_new) return channels;
+  const Resisting& resisting = resisting_at(place, unsaid_as_fillets);
+  const bool in_throat = resisting.throat > Length{};
+  const SnCurve curve = curve_of(in_throat ? project_->fatigue.throat : project_->fatigue.shear);
+  const Length s = si<Length>(place.s);
+  for (const Side side : {Side::before, Side::behind}) {
+    if (side == Side::before ? s == Length{} : s == project_->beam.length()) continue;
+    const Station station{s, side};
+    const bool seamed = std::holds_alternative<Box>(section_at(project_->beam, station).outer);
+    const StationSamples samples(*project_, histories_at(*all_runs_, station));
+    for (const StressPoint& point : seamed ? seam_throats_at(*project_, *zones_, station)
+                                           : stress_points_at(*project_, *zones_, station)) {
+      if (seamed ? !joins(point, place.web) : point.shear_detail == nullptr) continue;
+      StressInfluence shear = point.influence;
+      if (seamed) {
+        const double over =
+            seam_throat_of(point) / (in_throat ? resisting.throat : resisting.thickness);
+        for (double& factor : shear.shear) factor *= over;
+      }
+      LifeChannel channel{{}, curve};
+      double largest = 0.0;
+      for (const SituationCycles& of :
+           life_cycles_of(*project_, samples.shear_turns_of(shear), false)) {
+        for (SpectrumRow& row :
+             rows_of(project_->situations[of.situation].name, StressKind::shear, of.cycles)) {
+          largest = std::max(largest, row.cycle.range.value());
+          channel.spectrum.push_back(std::move(row));
+        }
+      }
+      if (largest >= no_stress) channels.push_back(std::move(channel));
+    }
+  }
+  return channels;
+}
+
 template <class Look>
 void PressedWebs::for_all_at(const Place& place, const Look& look) const {
   for (const Run& run : runs_) {
@@ -352,10 +395,17 @@ std::optional<CheckResult> PressedWebs::check_at(const Place& place, Turns turns
       channel.spectrum.push_back(std::move(row));
     }
   }
-  // As small as no stress is one (`no_stress_at`), of mild steel.
-  constexpr double no_stress = 235.0;
   if (largest < no_stress) return std::nullopt;
-  const ChannelLife life = life_of(*project_, {channel});
+  std::vector<LifeChannel> channels{std::move(channel)};
+  ChannelLife life = life_of(*project_, channels);
+  std::vector<LifeChannel> both{channels.front(), {}};
+  for (const LifeChannel& shear : shear_at(place, unsaid_as_fillets)) {
+    both.back() = shear;
+    if (ChannelLife of = life_of(*project_, both); of.factor < life.factor) {
+      life = of;
+      channels = both;
+    }
+  }
   const auto [highest, lowest] = extremes_in(*project_, life.governing, turns);
   const Extreme& larger = std::abs(highest.value) >= std::abs(lowest.value) ? highest : lowest;
   CheckResult result;
@@ -372,7 +422,7 @@ std::optional<CheckResult> PressedWebs::check_at(const Place& place, Turns turns
   basis.life.stress_factor = factor;
   basis.life.highest = highest;
   basis.life.lowest = lowest;
-  take_life(*project_, {channel}, life, check, basis.life);
+  take_life(*project_, channels, life, check, basis.life);
   const Stress range = si<Stress>(highest.value - lowest.value);
   check.acting = range;
   check.resisting = Stress(check.safety_factor * range);

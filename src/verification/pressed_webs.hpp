@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "channel_life.hpp"
 #include "patch_search.hpp"
 
 namespace boxbeam {
@@ -24,12 +25,16 @@ bool has_cycles(const Project& project, const Situation& situation);
 /// down at some time, of those that push up, and of all, each with its signs, for they may come by
 /// unlike flanges or by the same one; of what turns off from flanges, with what turns off from one.
 /// What moves on loads a place from none to all of it and back at every passage, however far it
-/// gets between two instants; beside that the instants count. Not with stresses along the beam. At
-/// an end of the beam it loads the web as far as that goes, but where a diaphragm stands there.
-/// Source: EN 1993-1-9:2005+AC:2009, table 8.10; loaded length EN 1993-1-5:2006, 6.3.
+/// gets between two instants; beside that the instants count. With it counts the shear stress there
+/// (8.3): of the web at its seams, or in the throat; of tubes the one that does most anywhere around
+/// the section. Stresses along the beam are judged by details of their own. At an end of the beam it
+/// loads the web as far as that goes, but where a diaphragm stands there.
+/// Source: EN 1993-1-9:2005+AC:2009, table 8.10, equation 8.3; loaded length EN 1993-1-5:2006, 6.3.
 class PressedWebs {
  public:
-  PressedWebs(const Project& project, PatchSearch& search) : project_(&project), search_(&search) {}
+  PressedWebs(const Project& project, const std::deque<SituationRun>& runs,
+              const std::vector<BendingZone>& zones, PatchSearch& search)
+      : project_(&project), all_runs_(&runs), zones_(&zones), search_(&search) {}
 
   /// Whether a patch is one of those: not loads along the beam, whose places are none of their own.
   static bool counts(const Patch& patch);
@@ -104,6 +109,8 @@ class PressedWebs {
   /// `unsaid_as_fillets`: seams of which nothing is said, all of one as thick as its web.
   const Resisting& resisting_at(const Place& place, bool unsaid_as_fillets) const;
   Resisting resisting_on(const Station& at, BoxPlate plate, bool unsaid_as_fillets) const;
+  /// The cycles of the shear stresses beside a place, each one of them with what resists it.
+  const std::vector<LifeChannel>& shear_at(const Place& place, bool unsaid_as_fillets) const;
   /// The worst of all places like one.
   template <class Take>
   void look(Place place, const std::vector<double>& places, bool any_unsaid,
@@ -116,11 +123,14 @@ class PressedWebs {
   void name(const Place& place, CheckResult& result) const;
 
   const Project* project_;
+  const std::deque<SituationRun>* all_runs_;
+  const std::vector<BendingZone>* zones_;
   PatchSearch* search_;
   std::vector<Run> runs_;
   std::vector<Source> sources_;
   bool sides_differ_ = false;  ///< of a kink, at some instant
   mutable std::map<std::tuple<double, BoxPlate, bool>, Resisting> resisting_;
+  mutable std::map<std::tuple<double, BoxPlate, bool>, std::vector<LifeChannel>> shear_;
   std::map<std::tuple<std::string, bool, double, std::size_t>, std::size_t> numbers_;
 };
 

@@ -200,6 +200,15 @@ void StationSamples::find_stresses(const Run& run,
   }
 }
 
+Turns StationSamples::shear_turns_of(const StressInfluence& influence) const {
+  Turns turns(project_->situations.size());
+  for (const Run& run : runs_) {
+    find_stresses(run, influence.shear, room_.shear);
+    find_turns(room_.shear, run.instants, room_.turning, turns[run.situation]);
+  }
+  return turns;
+}
+
 double StationSamples::largest_cut_force(cut_force::Index which, double sign) const {
   if (std::find(acting_.begin(), acting_.end(), which) == acting_.end()) return 0.0;
   std::array<double, cut_force::count> factors{};

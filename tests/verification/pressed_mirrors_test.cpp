@@ -485,6 +485,45 @@ TEST_CASE("a seam of which nothing is said: as fillets it is said what they woul
   CHECK(says(unsaid, fmt::format("used by {:.3g} in fatigue", as_fillets)));
 }
 
+TEST_CASE("a profile inside does not keep forces from pressing the webs", "[patch]") {
+  const auto of = [](bool nested) {
+    Beam beam;
+    beam.pieces = {{6.0, {300, 400, 12, 8, 0.0}, {300, 400, 12, 8, 0.0}}};
+    beam.supports = {{0.0, 0.0}, {6.0, 0.0}};
+    beam.forces = {{"f", 3.0, 400.0}};
+    std::string text = beam.text();
+    if (nested) {
+      for (std::size_t at; (at = text.find("= \"s00\"")) != std::string::npos;)
+        text.replace(at, 7, "= \"n\"");
+      for (std::size_t at; (at = text.find("= \"s01\"")) != std::string::npos;)
+        text.replace(at, 7, "= \"n\"");
+      text.insert(text.find("[beam]\n"),
+                  "[sections.t]\nkind = \"rectangular tube\"\nwidth = \"60 mm\"\nheight = \"60 "
+                  "mm\"\nwall = \"6 mm\"\n[sections.n]\nkind = \"nested\"\nouter = \"s00\"\ninner = \"t\"\n");
+    }
+    return verify(parse_project("nested.toml", text));
+  };
+  CHECK(stops(of(false), "kN of \"f\""));
+  CHECK(stops(of(true), "kN of \"f\""));
+}
+
+TEST_CASE("a force between the webs presses the edge of its diaphragm: by hand", "[patch]") {
+  const auto of = [](const std::string& more) {
+    Beam beam;
+    beam.space = true;
+    beam.pieces = {{6.0, {600, 600, 20, 12, 0.0}, {600, 600, 20, 12, 0.0}}};
+    beam.diaphragms = {0.0, 3.0, 6.0};
+    beam.supports = {{0.0, 0.0}, {6.0, 0.0}};
+    beam.forces = {{"f", 3.0, 600.0}};
+    beam.more = more;
+    return beam.verified();
+  };
+  // 600 kN on 16 mm x 2 x 20 mm: 937.5 MPa of 355.
+  CHECK(says(of(""), fmt::format("presses it by {:.3g} of its strength", 937.5 / 355.0)));
+  // Over 160 mm, 200 mm with the flange: 187.5 MPa.
+  CHECK_FALSE(says(of(introduced(2.9, 3.1, 160.0)), "presses it by"));
+}
+
 TEST_CASE("the knee of two beams bends their flanges across", "[patch]") {
   const auto of = [](const std::string& diaphragms) {
     return verify_beams(parse_beams(

@@ -121,6 +121,36 @@ TEST_CASE("fillets are judged by their throats, by 36, where these are used more
   CHECK(with(20.0) == Approx(use_of(sigma_z, 1e6, 71.0, 1.35)).epsilon(1e-6));
 }
 
+TEST_CASE("shear along the seam counts with what presses it: equation 8.3 by hand", "[pressed]") {
+  // Over a pad of 800 mm: each passage presses each web by F/2 and lets V jump by F.
+  const double F = 1000e3, n = 1e4, gamma = 1.35;
+  const auto with = [&](const std::string& more) {
+    std::string text =
+        beam(box(8.0, more), wheels(wheel(-1e-3 * F)), fatigue(fmt::format("{}", n), gamma));
+    const std::string said = "stiff_length = \"100 mm\"";
+    text.replace(text.find(said), said.size(), "stiff_length = \"800 mm\"");
+    return use_in(text);
+  };
+  const double I = (600.0 * std::pow(1224.0, 3) - 584.0 * std::pow(1200.0, 3)) / 12.0;
+  const double flow = F * 600.0 * 12.0 * 606.0 / (2.0 * I);  // N/mm
+  const double pressed = 0.5 * F / 824.0;                    // N/mm
+  const auto by_hand = [&](double across, double category, double along, double category_shear) {
+    double low = 0.0, high = 100.0;
+    for (int i = 0; i < 100; ++i) {
+      const double k = 0.5 * (low + high);
+      const double damage =
+          n / 2e6 * (std::pow(k * gamma * across / category, 3) +
+                     std::pow(k * gamma * along / category_shear, 5));
+      (damage < 1.0 ? low : high) = k;
+    }
+    return 1.0 / low;
+  };
+  CHECK(with("") == Approx(by_hand(pressed / 8.0, 71.0, flow / 8.0, 100.0)).epsilon(1e-4));
+  CHECK(with("") > 1.05 * use_of(pressed / 8.0, n, 71.0, gamma));
+  CHECK(with("seam_throat = \"6 mm\"\n") ==
+        Approx(by_hand(pressed / 6.0, 36.0, flow / 6.0, 80.0)).epsilon(1e-4));
+}
+
 TEST_CASE("a rolled web has no seam: category 160", "[pressed]") {
   const std::string tube =
       "[sections.a]\nkind = \"rectangular tube\"\nwidth = \"300 mm\"\nheight = \"600 mm\"\n"

@@ -83,6 +83,9 @@ class StationSamples {
   Utilisations judge(const StressPoint& point, const StressInfluence& influence,
                      CriterionSet by) const;
 
+  /// The turning points of a shear stress in every situation.
+  Turns shear_turns_of(const StressInfluence& influence) const;
+
   /// The largest value of a cut force, or with sign -1 of its negative [N or N m].
   double largest_cut_force(cut_force::Index which, double sign) const;
 
