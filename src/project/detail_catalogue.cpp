@@ -16,11 +16,16 @@
 namespace boxbeam {
 namespace {
 
-struct Catalogue {
+/// What stands before the rows.
+struct Head {
   std::vector<FactDefinition> facts;
-  std::vector<DetailRow> rows;
   std::array<std::array<double, 2>, 2> gamma_Mf{};  ///< by method and consequence
 };
+
+constexpr const char* file_name = "details-en-1993-1-9.toml";
+constexpr std::string_view file = catalogue_data::details;
+/// Where a row begins.
+constexpr std::string_view row_mark = "\n[[rows]]\n";
 
 /// The fact that says which stress of a detail is judged; every row has it by its place.
 constexpr const char* stress_fact = "stress";
@@ -131,35 +136,43 @@ DetailRow read_row(TableReader& table, const std::vector<FactDefinition>& facts)
   return row;
 }
 
-Catalogue read_catalogue() {
+Head read_head() {
   const CaseDocument document =
-      parse_document("details-en-1993-1-9.toml", catalogue_data::details, {});
+      parse_document(file_name, std::string(file.substr(0, file.find(row_mark))), {});
   ProblemList problems(document);
   TableReader root(problems, document.root, "");
-  Catalogue catalogue;
-  for (auto& [name, table] : root.table("facts").named_tables()) {
-    catalogue.facts.push_back(read_fact(name, table));
-  }
-  for (TableReader& table : root.tables("rows", true)) {
-    catalogue.rows.push_back(read_row(table, catalogue.facts));
-  }
+  Head head;
+  for (auto& [name, table] : root.table("facts").named_tables())
+    head.facts.push_back(read_fact(name, table));
   TableReader factors = root.table("partial_factors");
   factors.text("source");
   constexpr std::array methods{"damage_tolerant", "safe_life"};
   for (std::size_t i = 0; i < methods.size(); ++i) {
     TableReader method = factors.table(methods[i]);
-    catalogue.gamma_Mf[i] = {method.number("low"), method.number("high")};
+    head.gamma_Mf[i] = {method.number("low"), method.number("high")};
     method.finish();
   }
   factors.finish();
   root.finish();
   problems.raise();
-  return catalogue;
+  return head;
 }
 
-const Catalogue& catalogue() {
-  static const Catalogue all = read_catalogue();
+const Head& head() {
+  static const Head all = read_head();
   return all;
+}
+
+std::vector<DetailRow> read_rows(std::string_view text) {
+  const CaseDocument document = parse_document(file_name, std::string(text), {});
+  ProblemList problems(document);
+  TableReader root(problems, document.root, "");
+  std::vector<DetailRow> rows;
+  for (TableReader& table : root.tables("rows", true))
+    rows.push_back(read_row(table, head().facts));
+  root.finish();
+  problems.raise();
+  return rows;
 }
 
 std::string number_text(const FactDefinition& fact, double number) {
@@ -169,9 +182,25 @@ std::string number_text(const FactDefinition& fact, double number) {
 
 }  // namespace
 
-const std::vector<FactDefinition>& fact_definitions() { return catalogue().facts; }
+const std::vector<FactDefinition>& fact_definitions() { return head().facts; }
 
-const std::vector<DetailRow>& detail_rows() { return catalogue().rows; }
+const std::vector<DetailRow>& detail_rows() {
+  static const std::vector<DetailRow> all = read_rows(file.substr(file.find(row_mark)));
+  return all;
+}
+
+std::vector<DetailRow> detail_rows_of(std::string_view id) {
+  std::vector<DetailRow> rows;
+  const std::string first = fmt::format("id = \"{}\"\n", id);
+  for (std::size_t at = file.find(row_mark); at != std::string_view::npos;) {
+    const std::size_t end = std::min(file.find(row_mark, at + 1), file.size());
+    if (file.substr(at + row_mark.size()).starts_with(first)) {
+      for (DetailRow& row : read_rows(file.substr(at, end - at))) rows.push_back(std::move(row));
+    }
+    at = end < file.size() ? end : std::string_view::npos;
+  }
+  return rows;
+}
 
 std::vector<std::string> fixed_facts() {
   std::vector<std::string> names;
@@ -228,8 +257,7 @@ std::string to_text(const Raise& raise) {
 }
 
 double recommended_gamma_Mf(AssessmentMethod method, Consequence consequence) {
-  return catalogue()
-      .gamma_Mf[static_cast<std::size_t>(method)][static_cast<std::size_t>(consequence)];
+  return head().gamma_Mf[static_cast<std::size_t>(method)][static_cast<std::size_t>(consequence)];
 }
 
 }  // namespace boxbeam

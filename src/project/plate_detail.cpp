@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "boxbeam/project/detail_catalogue.hpp"
@@ -29,9 +28,7 @@ void take_governing(Detail& detail, const DetailAssessment& assessment, const Fa
 }
 
 Detail detail_of_row(std::string_view row, std::string name, std::optional<Length> length) {
-  std::vector<DetailRow> rows;
-  std::copy_if(detail_rows().begin(), detail_rows().end(), std::back_inserter(rows),
-               [&](const DetailRow& of) { return of.id == row; });
+  const std::vector<DetailRow> rows = detail_rows_of(row);
   Facts facts;
   if (length) facts.emplace("attachment_length", length->value());
   Detail detail;

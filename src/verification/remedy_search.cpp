@@ -28,11 +28,6 @@ class LentRuns {
   std::vector<const Situation*> owned_;
 };
 
-Outcome outcome_of(const Verification& verification) {
-  if (verification.verdict != Verdict::pass) return std::nullopt;
-  return verification.checks.front().check.utilisation();
-}
-
 }  // namespace
 
 std::optional<Passing> first_passing(std::size_t count,
@@ -59,7 +54,7 @@ bool RemedySearch::is_elastic() const {
 
 Outcome RemedySearch::judged(const Project& copy) const {
   const LentRuns lent(runs, project, copy);
-  return outcome_of(judge(copy, runs, verification.model));
+  return utilisation_if_it_passes(copy, runs, verification.model);
 }
 
 std::optional<Project> RemedySearch::changed_by(const std::vector<std::string>& set) const {
@@ -78,7 +73,7 @@ std::optional<Project> RemedySearch::changed_by(const std::vector<std::string>& 
 
 Outcome RemedySearch::verified(const Project& changed) {
   try {
-    return outcome_of(verify(changed));
+    return utilisation_if_it_passes(changed);
   } catch (const AnalysisError&) {
     return std::nullopt;
   }

@@ -62,11 +62,13 @@ std::vector<NotJudged> not_judged_in(const Project& project, const std::vector<C
   return not_judged;
 }
 
+bool all_pass(const std::vector<CheckResult>& checks) {
+  return std::all_of(checks.begin(), checks.end(),
+                     [](const CheckResult& result) { return result.check.passes(); });
+}
+
 Verdict verdict_of(const std::vector<CheckResult>& checks, const std::vector<Gate>& gates) {
-  const bool all_pass = std::all_of(checks.begin(), checks.end(), [](const CheckResult& result) {
-    return result.check.passes();
-  });
-  if (!all_pass) return Verdict::fail;
+  if (!all_pass(checks)) return Verdict::fail;
   const bool blocked =
       std::any_of(gates.begin(), gates.end(), [](const Gate& gate) { return gate.blocks; });
   return blocked ? Verdict::not_applicable : Verdict::pass;
@@ -100,28 +102,17 @@ std::vector<VerifiedBeam> verify_each(std::vector<Project> beams, const Verify& 
   return verified;
 }
 
-}  // namespace
+/// What the stresses along the beam come to.
+struct StressStage {
+  std::vector<BendingZone> zones;
+  std::vector<Station> stations;
+  SearchSummary search;
+  BeamChecks beam;
+};
 
-const char* to_text(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::pass: return "pass";
-    case Verdict::fail: return "fail";
-    case Verdict::not_applicable: return "not applicable";
-  }
-  return "";
-}
-
-Verification verify(const Project& project, Figures figures, Advice advice,
-                    const SharedMotions& shared) {
-  auto [model, runs] = run_by_chosen_model(project, shared);
-  Verification verification = judge(project, runs, std::move(model), figures);
-  if (advice == Advice::with) verification.remedies = remedies_of(project, runs, verification);
-  return verification;
-}
-
-Verification judge(const Project& project, const std::deque<SituationRun>& runs, ModelChoice model,
-                   Figures figures) {
-  const std::vector<BendingZone> zones = bending_zones_of(project, runs);
+StressStage judge_along(const Project& project, const std::deque<SituationRun>& runs,
+                        const ModelChoice& model) {
+  std::vector<BendingZone> zones = bending_zones_of(project, runs);
   auto [stations, search] = search_stations(project, runs, zones);
   BeamChecks beam = check_beam(project, runs, zones, stations, model);
   if (const WholeLife* const whole = whole_life_of(runs)) {
@@ -137,6 +128,12 @@ Verification judge(const Project& project, const std::deque<SituationRun>& runs,
     search.whole = whole->summary;
     search.tolerance = std::max(search.tolerance, search.whole.estimate_error);
   }
+  return {std::move(zones), std::move(stations), search, std::move(beam)};
+}
+
+Verification judge_further(const Project& project, const std::deque<SituationRun>& runs,
+                           ModelChoice model, StressStage along, Figures figures) {
+  auto& [zones, stations, search, beam] = along;
   PatchChecks patches =
       project.given_stresses.empty() ? check_patches(project, runs, zones) : PatchChecks{};
   append(std::move(patches.checks), beam.checks);
@@ -193,6 +190,47 @@ Verification judge(const Project& project, const std::deque<SituationRun>& runs,
           .published_concentrations = published_concentrations_of(project),
           .pictures = std::move(pictures),
           .remedies = {}};
+}
+
+}  // namespace
+
+const char* to_text(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass: return "pass";
+    case Verdict::fail: return "fail";
+    case Verdict::not_applicable: return "not applicable";
+  }
+  return "";
+}
+
+Verification verify(const Project& project, Figures figures, Advice advice,
+                    const SharedMotions& shared) {
+  auto [model, runs] = run_by_chosen_model(project, shared);
+  Verification verification = judge(project, runs, std::move(model), figures);
+  if (advice == Advice::with) verification.remedies = remedies_of(project, runs, verification);
+  return verification;
+}
+
+Verification judge(const Project& project, const std::deque<SituationRun>& runs, ModelChoice model,
+                   Figures figures) {
+  StressStage along = judge_along(project, runs, model);
+  return judge_further(project, runs, std::move(model), std::move(along), figures);
+}
+
+std::optional<double> utilisation_if_it_passes(const Project& project) {
+  auto [model, runs] = run_by_chosen_model(project, {});
+  return utilisation_if_it_passes(project, runs, std::move(model));
+}
+
+std::optional<double> utilisation_if_it_passes(const Project& project,
+                                               const std::deque<SituationRun>& runs,
+                                               ModelChoice model) {
+  StressStage along = judge_along(project, runs, model);
+  if (!all_pass(along.beam.checks)) return std::nullopt;
+  const Verification of =
+      judge_further(project, runs, std::move(model), std::move(along), Figures::without);
+  if (of.verdict != Verdict::pass) return std::nullopt;
+  return of.checks.front().check.utilisation();
 }
 
 std::vector<VerifiedBeam> verify_beams(std::vector<Project> beams, Figures figures, Advice advice) {

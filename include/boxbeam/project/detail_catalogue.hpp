@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "boxbeam/fatigue/detail.hpp"
@@ -27,6 +28,9 @@ inline constexpr const char* local_stress = "local";
 
 const std::vector<FactDefinition>& fact_definitions();
 const std::vector<DetailRow>& detail_rows();
+/// The rows of a number of a table, "8.4/7", without reading all others; none where it is not
+/// there.
+std::vector<DetailRow> detail_rows_of(std::string_view id);
 std::vector<std::string> fixed_facts();
 
 /// The curve of a row; of a row with an asterisk the raised one of 7.1, note 3, if that is wanted.

@@ -68,6 +68,14 @@ Verification verify(const Project& project, Figures figures = Figures::without,
 Verification judge(const Project& project, const std::deque<SituationRun>& runs, ModelChoice model,
                    Figures figures = Figures::without);
 
+/// The largest utilisation of a case that passes; nothing where it does not, which is known as soon
+/// as one check along the beam fails.
+std::optional<double> utilisation_if_it_passes(const Project& project);
+/// The same of situations that have run.
+std::optional<double> utilisation_if_it_passes(const Project& project,
+                                               const std::deque<SituationRun>& runs,
+                                               ModelChoice model);
+
 /// A beam of a case and what was found of it.
 struct VerifiedBeam {
   Project project;
