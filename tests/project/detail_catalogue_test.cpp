@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
 #include <set>
 
@@ -102,6 +103,26 @@ Facts with(Facts facts, const Facts& more) {
 }
 
 }  // namespace
+
+TEST_CASE("rows read one by one are those of the whole table") {
+  std::set<std::string> ids;
+  for (const DetailRow& row : detail_rows()) ids.insert(row.id);
+  CHECK(ids.size() > 100);
+  for (const std::string& id : ids) {
+    std::vector<DetailRow> wanted;
+    std::copy_if(detail_rows().begin(), detail_rows().end(), std::back_inserter(wanted),
+                 [&](const DetailRow& row) { return row.id == id; });
+    const std::vector<DetailRow> found = detail_rows_of(id);
+    REQUIRE(found.size() == wanted.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      CHECK(found[i].what == wanted[i].what);
+      CHECK(found[i].category == wanted[i].category);
+      CHECK(found[i].conditions.size() == wanted[i].conditions.size());
+    }
+  }
+  CHECK(detail_rows_of("8.10").empty());
+  CHECK(detail_rows_of("8.1").empty());
+}
 
 TEST_CASE("every row of the tables of details is sound", "[detail_catalogue]") {
   CHECK(detail_rows().size() > 100);
