@@ -28,7 +28,7 @@ struct FlatPlate {
   std::array<Vector2d, 2> slopes;  ///< of these, along the beam
   std::array<std::size_t, 2> nodes{};
   Length clear;
-  Area area;
+  Area area, inside;  ///< all of it; what stands on none of the plates beside it
   Stress yield_strength;
   bool outstand = false;
   PlateForce force{};  ///< along the beam
@@ -77,8 +77,14 @@ std::vector<FlatPlate> plates_of_box(const Section& section, const FourWalls& wa
     plate.thickness = wall.thickness.value();
     plate.clear = wall.clear();
     plate.yield_strength = wall.yield_strength;
-    set_force(plate, gross, extent,
-              (flange ? Length(extent.y_high - extent.y_low) : wall.clear()) * wall.thickness);
+    Area area = (flange ? Length(extent.y_high - extent.y_low) : wall.clear()) * wall.thickness;
+    // Flats along it turn off with it.
+    plate.inside = wall.clear() * wall.thickness;
+    for (const FlatStiffener& bar : wall.stiffeners) {
+      area += bar.depth * bar.thickness;
+      plate.inside += bar.depth * bar.thickness;
+    }
+    set_force(plate, gross, extent, area);
   }
   return plates;
 }
@@ -118,6 +124,7 @@ std::vector<FlatPlate> plates_of_path(const Section& section, const PathSection&
     }
     plate.thickness = of.thickness.value();
     plate.clear = of.clear();
+    plate.inside = plate.clear * of.thickness;
     plate.yield_strength = of.yield_strength;
     plate.outstand = of.outstand();
     set_force(plate, gross, extent, si<Area>(area));
@@ -205,7 +212,7 @@ TurnedPlate turned(const FlatPlate& before, const FlatPlate& behind, double turn
   of.thickness = si<Length>(std::min(before.thickness, behind.thickness));
   of.yield_strength = std::min(before.yield_strength, behind.yield_strength);
   of.outstand = before.outstand || behind.outstand;
-  of.between = (before.clear * si<Length>(before.thickness) / before.area).value();
+  of.between = (before.inside / before.area).value();
   of.place = si<Length>(along_z ? before.middle().x() : before.middle().y());
   of.turned = {before.force, behind.force};
   const double across = along_z ? before.normal().y() : before.normal().x();
@@ -214,12 +221,12 @@ TurnedPlate turned(const FlatPlate& before, const FlatPlate& behind, double turn
   return of;
 }
 
-/// Whether a diaphragm stands at a place that leads webs on.
-bool stands_firm(const Project& project, Length s, bool along_z) {
+/// How thick the diaphragm is that stands at a place and leads webs on; nothing where none does.
+Length diaphragm_that_leads(const Project& project, Length s) {
   const TaperedBeam& beam = project.beam;
-  return std::any_of(beam.diaphragms.begin(), beam.diaphragms.end(), [&](const Diaphragm& of) {
-    return abs(of.s - s) <= 1e-6 * beam.length() && is_firm(project, of, along_z);
-  });
+  for (const Diaphragm& of : beam.diaphragms)
+    if (abs(of.s - s) <= 1e-6 * beam.length() && is_firm(project, of, true)) return of.thickness;
+  return {};
 }
 
 /// A kink and the plates of it that others may hang on.
@@ -353,15 +360,13 @@ std::vector<FlangeStep> flange_steps_of(const Project& project) {
   std::vector<FlangeStep> steps;
   for (std::size_t k = 0; k + 1 < beam.segments.size(); ++k) {
     const std::array sides{plates_at(project, k, true), plates_at(project, k + 1, false)};
-    if (sides[0].empty() || sides[1].empty()) continue;
     const Length s = beam.segments[k].end();
-    const bool led_on = stands_firm(project, s, true);
+    const Length diaphragm = diaphragm_that_leads(project, s);
     for (const std::size_t side : {0U, 1U}) {
       std::array<double, 2> areas{};  // of the plates across z, and of the others
       for (const FlatPlate& of : sides[side]) areas[of.across_z() ? 0 : 1] += of.area.value();
       for (const FlatPlate& of : sides[side]) {
         const bool web = !of.across_z();
-        if (web && led_on) continue;
         const auto next = going_on(of, sides[1 - side]);
         if (goes_on(of, next)) continue;
         if (next.first == nullptr && stands_on_one(of, sides[1 - side])) continue;
@@ -371,6 +376,8 @@ std::vector<FlangeStep> flange_steps_of(const Project& project) {
         step.web = web;
         step.area = of.area;
         step.yield_strength = of.yield_strength;
+        // By its plate in shear, sqrt(3) times.
+        if (web) step.led = of.clear * diaphragm * of.yield_strength;
         step.along = of.force;
         step.across[web ? cut_force::V_z : cut_force::V_y] =
             std::numbers::sqrt3 * of.area.value() / areas[web ? 1 : 0];

@@ -63,12 +63,13 @@ struct FlangeStep {
   bool web = false;  ///< it lies along the plane of bending: what it bears in shear ends, too
   Area area;
   Stress yield_strength;
+  Force led;                 ///< of a web, what a diaphragm there leads on, sqrt(3) times
   PlateForce along{};        ///< its force along the beam
   PlateForce across{};       ///< its part of the shear, sqrt(3) times
   std::optional<Length> by;  ///< nothing: there is none
 };
 
-/// On both sides of each border of segments; webs not where a diaphragm leads them on.
+/// On both sides of each border of segments.
 std::vector<FlangeStep> flange_steps_of(const Project& project);
 
 /// The largest stress across the plates of a kink, over their strength.

@@ -10,6 +10,7 @@
 
 #include "boxbeam/numerics/extremum.hpp"
 #include "boxbeam/verification/distorted_stretch.hpp"
+#include "boxbeam/verification/front_end.hpp"
 #include "patch_notes.hpp"
 #include "patch_search.hpp"
 #include "patched_path.hpp"
@@ -74,6 +75,7 @@ class PatchRun {
       const std::vector<Patch> patches = search_->patches_of(loads, diagram);
       if (pressed_ != nullptr) pressed_->take(time, i > 0 && !history.begins_piece(i), patches);
       note_torque(loads);
+      note_places(loads);
       for (const auto& [key, use] : look_at(time, patches, diagram)) {
         Highest& known = highest.try_emplace(key, Highest{use, i, use}).first->second;
         known.lowest = std::min(known.lowest, use);
@@ -128,6 +130,16 @@ class PatchRun {
     const Force size = run_->situation->load_factor * abs(patch.force);
     PathForce& most = on_paths_->forces[{patch.name, of->open, of->blocks}];
     if (size > most.size) most = {patch.s, size, of->why};
+  }
+
+  /// Of what holds slender webs, and of moments that come in between the ends.
+  void note_places(const BeamLoads& loads) {
+    for (const double s : run_->motion->supports(loads))
+      if (search_->lacks_diaphragm(si<Length>(s))) notes_->take_bare_support(si<Length>(s));
+    for (const PointLoad& load : loads.points)
+      if (const auto couple = search_->couple_of(load))
+        notes_->take_couple(load.name.empty() ? "a couple" : std::string(load.name), load.s,
+                            run_->situation->load_factor * *couple);
   }
 
   void note_torque(const BeamLoads& loads) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <tuple>
@@ -18,33 +19,88 @@ const PatchedWeb* web_in(const Borne& way) {
   return reduced == nullptr ? nullptr : &reduced->web;
 }
 
-/// Where a force stands on the flange of a box.
-struct OnFlange {
-  Length beside;         ///< the faces of both webs, the nearer one; below zero above one
-  Length apart;          ///< the middles of the webs
-  bool between = false;  ///< them
+/// The flanges of a section with two webs, across what comes in.
+struct Flanges {
+  Length high, low, half_high, half_low;  ///< the webs: middles and half their thicknesses
+  std::array<Length, 2> levels{};         ///< of both flanges
+  Length thickness;                       ///< of the weaker one
+  Stress strength;
+
+  Length apart() const { return high - low; }
+  bool between(Length place) const { return place < high && place > low; }
+  /// The faces of both webs, the nearer one; below zero above one.
+  Length beside(Length place) const {
+    return std::min(Length(abs(place - high) - half_high), Length(abs(place - low) - half_low));
+  }
+
+  void take(Length t, Stress f) {
+    if (thickness > Length{} && t * t * f >= thickness * thickness * strength) return;
+    thickness = t;
+    strength = f;
+  }
 };
 
-OnFlange on_flange(const Patch& patch, const FourWalls& walls) {
-  using enum BoxPlate;
-  const BoxWall& high = walls.of(patch.along_z ? left_web : top_flange);
-  const BoxWall& low = walls.of(patch.along_z ? right_web : bottom_flange);
-  const Length place = (patch.along_z ? 1.0 : -1.0) * patch.stands_couple / patch.stands;
-  const auto beside = [&](const BoxWall& wall) {
-    return abs(place - wall.middle) - 0.5 * wall.thickness;
+/// Nothing of sections without two webs.
+std::optional<Flanges> flanges_across(const Patch& patch, const Borne& way) {
+  Flanges of;
+  if (way.basis.box) {
+    using enum BoxPlate;
+    const FourWalls& walls = way.basis.box->box();
+    const BoxWall& high = walls.of(patch.along_z ? left_web : top_flange);
+    const BoxWall& low = walls.of(patch.along_z ? right_web : bottom_flange);
+    of.high = high.middle;
+    of.low = low.middle;
+    of.half_high = 0.5 * high.thickness;
+    of.half_low = 0.5 * low.thickness;
+    std::size_t k = 0;
+    for (const BoxPlate plate : flanges_of(patch)) {
+      of.levels[k++] = walls.of(plate).middle;
+      of.take(walls.of(plate).thickness, walls.of(plate).yield_strength);
+    }
+    return of;
+  }
+  if (!way.basis.path) return std::nullopt;
+  for (const bool onto_high : {true, false}) {
+    const PathWebs webs = webs_of_path(way.basis.path->path(), patch.along_z, onto_high);
+    if (webs.webs.size() != 2) return std::nullopt;
+    const PathWeb &first = webs.webs.front(), &last = webs.webs.back();
+    of.high = first.place;
+    of.low = last.place;
+    of.half_high = 0.5 * first.bears.thickness;
+    of.half_low = 0.5 * last.bears.thickness;
+    const Eigen::Index along = patch.along_z ? 1 : 0;
+    const double a = first.plate->at(first.plate->low)[along],
+                 b = first.plate->at(first.plate->high)[along];
+    of.levels[onto_high ? 0 : 1] = si<Length>(onto_high ? std::max(a, b) : std::min(a, b));
+    for (const PathWeb& web : webs.webs)
+      of.take(web.bears.flange_thickness, web.bears.flange_strength);
+  }
+  return of;
+}
+
+/// Where a force may stand across itself: its couple is also that of the force along the other
+/// axis, which stands at one of the flanges or on the beam's axis. Of these the place farthest from
+/// the webs.
+Length farthest_place(const Patch& patch, const Patch::Standing& of, const Flanges& flanges) {
+  const auto place_if_at = [&](Length level) {
+    // M_x = y F_z - z F_y.
+    const Moment other = level * of.beside;
+    return Length(patch.along_z ? (of.couple + other) / of.force : (other - of.couple) / of.force);
   };
-  return {std::min(beside(high), beside(low)), high.middle - low.middle,
-          place < high.middle && place > low.middle};
+  Length farthest = place_if_at({});
+  if (of.beside == Force{}) return farthest;
+  for (const Length& level : flanges.levels) {
+    const Length place = place_if_at(level);
+    if (flanges.beside(place) > flanges.beside(farthest)) farthest = place;
+  }
+  return farthest;
 }
 
 }  // namespace
 
 PatchNotes::PatchNotes(const Project& project, std::vector<FlangeStep> steps,
                        const PressedWebs* counted)
-    : project_(&project),
-      counted_(counted),
-      steps_(std::move(steps)),
-      at_steps_(steps_.size()) {}
+    : project_(&project), counted_(counted), steps_(std::move(steps)), at_steps_(steps_.size()) {}
 
 void PatchNotes::take_instant(const CutForceDiagram& diagram, const Situation& situation,
                               bool all) {
@@ -67,6 +123,7 @@ void PatchNotes::take(const Patch& patch, const std::vector<Borne>& ways,
   }
   if (patch.diaphragm != nullptr) {
     for (const Borne& way : ways) take_diaphragm(patch, way, situation.load_factor);
+    if (has_cycles(*project_, situation)) take_cycles(patch, ways, all);
     return;
   }
   const bool again = project_->fatigue.asked && has_cycles(*project_, situation);
@@ -86,8 +143,7 @@ void PatchNotes::keep(const std::string& name, const BentFlange& of) {
 namespace {
 
 /// Keeps the largest of a name, and where that is.
-void keep_most(std::map<std::string, std::pair<double, Length>>& of, const std::string& name,
-               double use, Length s) {
+void keep_most(UseByName& of, const std::string& name, double use, Length s) {
   auto& [most, at] = of[name];
   if (use > most) std::tie(most, at) = std::pair(use, s);
 }
@@ -118,53 +174,73 @@ void PatchNotes::take_corner(const Patch& patch, const Borne& way, double load_f
 
 void PatchNotes::take_diaphragm(const Patch& patch, const Borne& way, double load_factor) {
   const auto* const stiffener = std::get_if<BearingStiffener>(&way.basis.bears);
-  if (stiffener == nullptr || !way.basis.box || patch.stands == Force{} || !project_->in_space)
-    return;
-  const FourWalls& walls = way.basis.box->box();
-  const BoxPlate flange = patch.along_z ? BoxPlate::top_flange : BoxPlate::left_web;
-  if (!(on_flange(patch, walls).beside > walls.of(flange).thickness)) return;
-  // What goes to this web shears it: beside an access hole, taken as deep as it is wide.
+  if (stiffener == nullptr || !project_->in_space) return;
+  const auto flanges = flanges_across(patch, way);
+  if (!flanges) return;
+  // What stands between the webs goes to them by its plate, and so does half of a torque.
+  Force between, sheared;
+  for (const Patch::Standing& of : patch.standing) {
+    const Length place = farthest_place(patch, of, *flanges);
+    if (!(flanges->beside(place) > flanges->thickness)) continue;
+    const double by_high = (place - flanges->low) / flanges->apart();
+    between += abs(of.force);
+    sheared += std::max(std::abs(by_high), std::abs(1.0 - by_high)) * abs(of.force);
+  }
+  if (patch.is_torque()) sheared = 0.5 * abs(patch.force);
+  if (!(sheared > Force{})) return;
+  // Beside an access hole, taken as deep as it is wide.
   ShearPanel panel;
   panel.depth = stiffener->web_depth;
   panel.thickness = stiffener->thickness;
   panel.yield_strength = stiffener->yield_strength;
-  panel.length = walls.of(flange).clear();
-  const double left =
-      std::max(0.0, 1.0 - (patch.diaphragm->opening / stiffener->web_depth).value());
-  const Force bears = left * shear_resistance_of(panel, project_->strength.gamma_M1).resistance;
-  const double use = project_->strength.required * load_factor *
-                     (way.basis.share * way.basis.force / bears).value();
-  keep_most(sheared_, patch.name, use, patch.s);
+  panel.length = flanges->apart() - flanges->half_high - flanges->half_low;
+  const Length opening = patch.diaphragm->opening;
+  const Length left = std::max(Length{}, Length(panel.depth - opening));
+  const double scale = project_->strength.required * load_factor;
+  const Force bears =
+      (left / panel.depth) * shear_resistance_of(panel, project_->strength.gamma_M1).resistance;
+  keep_most(sheared_, patch.name, scale * (sheared / bears).value(), patch.s);
   // A pad is taken to be as wide as it is long.
-  const Length pressed = patch.stiff_length + 2.0 * walls.of(flange).thickness;
+  const Length pressed = patch.stiff_length + 2.0 * flanges->thickness;
   const Force edge = pressed * stiffener->thickness * stiffener->yield_strength;
-  keep_most(edges_, patch.name,
-            project_->strength.required * load_factor * (abs(patch.stands) / edge).value(),
-            patch.s);
+  keep_most(edges_, patch.name, scale * (between / edge).value(), patch.s);
+  // Half of what is left bridges the hole, with plastic hinges at its ends and in the middle.
+  const Length strip = 0.5 * left;
+  const Moment plastic = 0.25 * strip * strip * stiffener->thickness * stiffener->yield_strength;
+  if (opening > Length{})
+    keep_most(bridged_, patch.name, scale * (between * opening / 8.0 / plastic).value(), patch.s);
 }
 
 void PatchNotes::take_flange(const Patch& patch, const Borne& way, double load_factor, bool again) {
-  const PatchedWeb& web = *web_in(way);
   BentFlange of{patch.s, {}, patch.bent};
   of.kinked = patch.bent > 0.0;
-  if (project_->in_space && way.basis.box && patch.stands != Force{} && !patch.is_torque) {
-    const OnFlange at = on_flange(patch, way.basis.box->box());
-    of.beside = at.beside - web.flange_thickness;
-    // Farther apart along the beam than the flange is wide each bends a width of its own.
-    const bool one_place = !patch.together || patch.stiff_length <= at.apart;
-    if (of.beside > Length{} && one_place) {
-      const double F = std::abs(patch.stands.value()), t_f = web.flange_thickness.value();
-      double m = (at.between ? bent_between : bent_outside) * F;
+  of.along_z = patch.along_z;
+  const auto flanges = project_->in_space && !patch.standing.empty() ? flanges_across(patch, way)
+                                                                     : std::optional<Flanges>{};
+  // Farther apart along the beam than the flange is wide each bends a width of its own.
+  if (flanges && (!patch.together || patch.stiff_length <= flanges->apart())) {
+    const double t_f = flanges->thickness.value();
+    double m = 0.0;
+    for (const Patch::Standing& at : patch.standing) {
+      const Length place = farthest_place(patch, at, *flanges);
+      const Length beside = flanges->beside(place) - flanges->thickness;
+      if (!(beside > Length{})) continue;
+      of.beside = std::max(of.beside, beside);
+      const double F = std::abs(at.force.value());
+      const bool between = flanges->between(place);
       // Along the beam a strip: clamped at both webs, or held by one.
       if (patch.is_line)
-        m = F / patch.stiff_length.value() *
-            (at.between ? bent_strip * at.apart.value() : at.beside.value());
-      of.use += 6.0 * m / (t_f * t_f) / web.flange_strength.value();
+        m += F / patch.stiff_length.value() *
+             (between ? bent_strip * flanges->apart().value() : flanges->beside(place).value());
+      else
+        m += (between ? bent_between : bent_outside) * F;
     }
+    of.use += 6.0 * m / (t_f * t_f) / flanges->strength.value();
   }
   // A kink by itself has been looked at where it is.
   if (!(of.use > 0.0) || (patch.together && of.use == patch.bent)) return;
-  of.again = again && of.use * web.flange_strength > hardly_changes;
+  const Stress strength = flanges ? flanges->strength : web_in(way)->flange_strength;
+  of.again = again && of.use * strength > hardly_changes;
   load_factor *= project_->strength.required;
   of.use *= load_factor;
   const double own = load_factor * project_->strength.gamma_M0 *
@@ -175,26 +251,59 @@ void PatchNotes::take_flange(const Patch& patch, const Borne& way, double load_f
 
 void PatchNotes::take_cycles(const Patch& patch, const std::vector<Borne>& ways, bool all) {
   if (!project_->fatigue.asked) return;
-  double most = 0.0;
+  double in_web = 0.0, in_weld = 0.0;
   for (const Borne& way : ways) {
+    const double force = (way.basis.share * way.basis.force).value();
+    if (const auto* const weld = std::get_if<StiffenerWeld>(&way.basis.bears)) {
+      // Where nothing is said of them as thick together as the diaphragm.
+      const Length throat = way.part == Borne::Part::unsaid_weld
+                                ? Length(0.5 * patch.diaphragm->thickness)
+                                : weld->throat;
+      in_weld = std::max(in_weld, force / (static_cast<double>(weld->welds) * throat * weld->length).value());
+    }
     const PatchedWeb* const web = web_in(way);
     if (web == nullptr) continue;
     if (counted_ != nullptr && way.basis.box && PressedWebs::counts(patch)) continue;
-    const double stress = (way.basis.share * way.basis.force).value() /
-                          (web->thickness * loaded_length_of(*web)).value();
-    most = std::max(most, stress);
+    in_web = std::max(in_web, force / (web->thickness * loaded_length_of(*web)).value());
   }
   // From above or from below: what pushes and what pulls.
-  const double stress = patch.force.value() > 0.0 ? most : -most, s = patch.s.value();
-  PressedWeb& of = pressed_[{patch.name, patch.along_z}];
-  if (!of.known) of = {stress, stress, s, s, true};
-  of.unsaid = of.unsaid || !patch.given;
-  if (all) ++of.seen;
-  of.least = std::min(of.least, stress);
-  of.most = std::max(of.most, stress);
-  of.from = std::min(of.from, s);
-  of.to = std::max(of.to, s);
+  const double sense = patch.force.value() > 0.0 ? 1.0 : -1.0, s = patch.s.value();
+  const auto add = [&](double stress, PressedWeb& of) {
+    if (!of.known) of = {stress, stress, s, s, true};
+    of.unsaid = of.unsaid || !patch.given;
+    if (all) ++of.seen;
+    of.least = std::min(of.least, stress);
+    of.most = std::max(of.most, stress);
+    of.from = std::min(of.from, s);
+    of.to = std::max(of.to, s);
+  };
+  if (patch.diaphragm == nullptr) add(sense * in_web, pressed_[{patch.name, patch.along_z}]);
+  // A wheel leads its force to a diaphragm that it passes and is gone.
+  if (in_weld > 0.0) add(sense * in_weld, welded_[{patch.name, patch.along_z}]);
 }
+
+PatchNotes::Anew PatchNotes::anew_of(const PressedByName& all) const {
+  Anew found;
+  for (const auto& [key, of] : all) {
+    // What moves on is gone from a place.
+    const bool moves = of.to - of.from > 1e-6 * project_->beam.length().value();
+    const bool comes_and_goes = moves || of.seen < instants_;
+    const double range = std::max(of.most, comes_and_goes ? 0.0 : of.least) -
+                         std::min(of.least, comes_and_goes ? 0.0 : of.most);
+    if (!(range > hardly_changes.value())) continue;
+    found.most = std::max(found.most, range);
+    found.unsaid = found.unsaid || of.unsaid;
+    if (found.names.empty() || found.names.back() != key.first) found.names.push_back(key.first);
+  }
+  return found;
+}
+
+void PatchNotes::take_couple(const std::string& name, Length s, Moment couple) {
+  auto& [most, at] = couples_[name];
+  if (abs(couple) > most) std::tie(most, at) = std::pair(Moment(abs(couple)), s);
+}
+
+void PatchNotes::take_bare_support(Length s) { bare_.insert(to_text(Station{s, Side::both})); }
 
 std::string PatchNotes::words_of(const BentFlange& of) {
   const char* const again = of.again ? ", nor counted in fatigue" : "";
@@ -204,10 +313,10 @@ std::string PatchNotes::words_of(const BentFlange& of) {
         "checked{}: [[beam.diaphragms]] take it",
         of.use, again);
   return fmt::format(
-      "how a force {:.3g} mm beside the webs bends it across, by about {:.2g} of its strength, is "
-      "not checked{}: [[beam.diaphragms]] take it, or into = \"webs\" says that it does not stand "
-      "there",
-      1e3 * of.beside.value(), of.use, again);
+      "how a force {:.3g} mm beside the {} bends it across, by about {:.2g} of its strength, is "
+      "not checked{}: [[beam.diaphragms]] take it{}",
+      1e3 * of.beside.value(), of.along_z ? "webs" : "flanges", of.use, again,
+      of.along_z ? ", or into = \"webs\" says that it does not stand there" : "");
 }
 
 std::vector<Gate> PatchNotes::gates() const {
@@ -216,8 +325,7 @@ std::vector<Gate> PatchNotes::gates() const {
     const std::size_t segment = segment_at(project_->beam, {s, Side::both});
     found.push_back({project_->beam.segments[segment].name, "", std::move(why), true});
   };
-  const auto add_used = [&](const std::map<std::string, std::pair<double, Length>>& uses,
-                            const auto& why) {
+  const auto add_used = [&](const UseByName& uses, const auto& why) {
     for (const auto& [name, of] : uses) {
       const auto& [use, s] = of;
       if (use > 1.0) add(s, why(name, to_text(Station{s, Side::both}), use));
@@ -244,19 +352,23 @@ std::vector<Gate> PatchNotes::gates() const {
   std::map<std::pair<Length, std::string>, std::size_t> most;
   for (std::size_t k = 0; k < steps_.size(); ++k) {
     const FlangeStep& of = steps_[k];
-    if (!(at_steps_[k] > hardly_bent * (of.area * of.yield_strength).value())) continue;
+    if (!(at_steps_[k] > hardly_bent * (of.area * of.yield_strength).value()) ||
+        at_steps_[k] <= of.led.value())
+      continue;
     std::size_t& at = most.try_emplace({of.s, of.name}, k).first->second;
     if (at_steps_[k] > at_steps_[at]) at = k;
   }
   for (const auto& [key, k] : most) {
     const FlangeStep& of = steps_[k];
-    add(of.s, fmt::format(
-                  "{} at s = {} m: it ends where {}; how its force, {:.4g} kN, is led on is not "
-                  "judged: a taper between both leads it{}",
-                  of.name, to_text(Station{of.s, Side::both}),
-                  of.by ? fmt::format("the next one lies {:.3g} mm away", 1e3 * of.by->value())
-                        : "none goes on",
-                  1e-3 * at_steps_[k], of.web ? ", or a diaphragm" : ""));
+    add(of.s,
+        fmt::format(
+            "{} at s = {} m: it ends where {}; how its force, {:.4g} kN, is led on is not "
+            "judged: a taper between both leads it{}",
+            of.name, to_text(Station{of.s, Side::both}),
+            of.by ? fmt::format("the next one lies {:.3g} mm away", 1e3 * of.by->value())
+                  : "none goes on",
+            1e-3 * at_steps_[k],
+            of.web ? of.led > Force{} ? ", or a thicker diaphragm" : ", or a diaphragm" : ""));
   }
   return found;
 }
@@ -292,10 +404,14 @@ std::vector<NotJudged> PatchNotes::not_judged() const {
                                  others > 0 ? fmt::format(" and {} more", others) : "",
                                  to_text(Station{stood_on->second.s, Side::both})),
                      words_of(stood_on->second)});
-  const auto edge = std::max_element(
-      edges_.begin(), edges_.end(),
-      [](const auto& a, const auto& b) { return a.second.first < b.second.first; });
-  if (edge != edges_.end() && edge->second.first > 1.0)
+  const auto worst = [](const UseByName& of) -> std::optional<UseByName::value_type> {
+    const auto most = std::max_element(of.begin(), of.end(), [](const auto& a, const auto& b) {
+      return a.second.first < b.second.first;
+    });
+    return most == of.end() ? std::nullopt : std::optional<UseByName::value_type>(*most);
+  };
+  const auto edge = worst(edges_);
+  if (edge && edge->second.first > 1.0)
     found.push_back(
         {Criterion::patch_loading,
          fmt::format("edge of the diaphragm at s = {} m",
@@ -303,27 +419,44 @@ std::vector<NotJudged> PatchNotes::not_judged() const {
          fmt::format("as no more than a point \"{}\" presses it by {:.3g} of its strength: "
                      "[[beam.load_introductions]] say how long its pad is",
                      edge->first, edge->second.first)});
-  double most = 0.0;
-  bool unsaid = false;
-  std::vector<std::string> names;
-  for (const auto& [key, of] : pressed_) {
-    // What moves on is gone from a place.
-    const bool moves = of.to - of.from > 1e-6 * project_->beam.length().value();
-    const bool comes_and_goes = moves || of.seen < instants_;
-    const double range = std::max(of.most, comes_and_goes ? 0.0 : of.least) -
-                         std::min(of.least, comes_and_goes ? 0.0 : of.most);
-    if (!(range > hardly_changes.value())) continue;
-    most = std::max(most, range);
-    unsaid = unsaid || of.unsaid;
-    if (names.empty() || names.back() != key.first) names.push_back(key.first);
-  }
-  if (!names.empty())
+  if (const Anew of = anew_of(pressed_); !of.names.empty())
     found.push_back(
-        {Criterion::patch_loading, fmt::format("webs under {}", fmt::join(names, ", ")),
+        {Criterion::patch_loading, fmt::format("webs under {}", fmt::join(of.names, ", ")),
          fmt::format("pressed anew by up to {:.3g} MPa at every cycle, not counted in fatigue (EN "
                      "1993-1-9, table 8.10){}",
-                     1e-6 * most,
-                     unsaid ? ": [[beam.load_introductions]] say how it comes in" : "")});
+                     1e-6 * of.most,
+                     of.unsaid ? ": [[beam.load_introductions]] say how it comes in" : "")});
+  if (const Anew of = anew_of(welded_); !of.names.empty())
+    found.push_back({Criterion::weld,
+                     fmt::format("welds of diaphragms under {}", fmt::join(of.names, ", ")),
+                     fmt::format("stressed anew by up to {:.3g} MPa at every cycle, not counted in "
+                                 "fatigue (EN 1993-1-9, table 8.5, row 3)",
+                                 1e-6 * of.most)});
+  const auto bridge = worst(bridged_);
+  if (bridge && bridge->second.first > 1.0)
+    found.push_back(
+        {Criterion::patch_loading,
+         fmt::format("diaphragm at s = {} m", to_text(Station{bridge->second.second, Side::both})),
+         fmt::format("how its strip beside the access hole bridges it under \"{}\", by "
+                     "about {:.2g} of its strength, is not checked",
+                     bridge->first, bridge->second.first)});
+  if (!couples_.empty()) {
+    const auto most = std::max_element(
+        couples_.begin(), couples_.end(),
+        [](const auto& a, const auto& b) { return a.second.first < b.second.first; });
+    found.push_back(
+        {Criterion::patch_loading,
+         fmt::format("webs under {} at s = {} m", most->first,
+                     to_text(Station{most->second.second, Side::both})),
+         fmt::format("how its moment, {:.4g} kN m, comes into them is not judged: write "
+                     "it as the forces that bring it",
+                     1e-3 * most->second.first.value())});
+  }
+  if (!bare_.empty())
+    found.push_back({Criterion::shear_buckling,
+                     fmt::format("webs at s = {} m", fmt::join(bare_, ", ")),
+                     "no diaphragm where they are held, which their resistance in shear takes for "
+                     "granted (EN 1993-1-5, 5.1(2))"});
   return found;
 }
 

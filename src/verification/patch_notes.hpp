@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +27,9 @@ inline constexpr double bent_strip = 4.0 / 27.0;
 /// The cut-off of category 36 with gamma_Mf = 1.35.
 inline constexpr Stress hardly_changes = 0.405 * 36e6 / 1.35 * pascal;
 
+/// A use and where that is, by the name of a force.
+using UseByName = std::map<std::string, std::pair<double, Length>>;
+
 /// What forces that come into webs do beside what is judged: they bend a flange across on which
 /// they stand between webs, or that turns off, and they press webs anew at every cycle.
 class PatchNotes {
@@ -40,6 +44,11 @@ class PatchNotes {
   void take(const Patch& patch, const std::vector<Borne>& ways, const Situation& situation,
             bool all);
 
+  /// A moment about the beam's y or z that comes in between its ends, by forces that are not known.
+  void take_couple(const std::string& name, Length s, Moment couple);
+  /// Where slender webs are held without a diaphragm.
+  void take_bare_support(Length s);
+
   std::vector<NotJudged> not_judged() const;
   /// What bends a flange across by more than its strength beside the beam's own stress, and where
   /// one ends on bare webs.
@@ -52,6 +61,7 @@ class PatchNotes {
     Length s, beside;
     double use = 0.0;
     bool kinked = false, again = false;  ///< again: in cycles that a seam of it may feel
+    bool along_z = true;
     double with_own = 0.0;  ///< sqrt(u^2 + eta_1^2 + u eta_1): on the face where signs are unlike
   };
   /// Of a web under a force over time, tension positive [Pa]; places [m].
@@ -60,6 +70,15 @@ class PatchNotes {
     bool known = false, unsaid = false;
     std::size_t seen = 0;  ///< at so many instants
   };
+
+  using PressedByName = std::map<std::pair<std::string, bool>, PressedWeb>;
+  /// What of them changes at every cycle.
+  struct Anew {
+    std::vector<std::string> names;
+    double most = 0.0;  ///< [Pa]
+    bool unsaid = false;
+  };
+  Anew anew_of(const PressedByName& all) const;
 
   static std::string words_of(const BentFlange& of);
   /// A diaphragm that leads to the webs what stands between them.
@@ -73,13 +92,15 @@ class PatchNotes {
   const Project* project_;
   const PressedWebs* counted_;
   std::vector<FlangeStep> steps_;
-  std::size_t instants_ = 0;                                    ///< of situations with cycles
-  std::vector<double> at_steps_;                                ///< their largest forces [N]
-  /// Plates of diaphragms in shear, and what presses their edges: use, place.
-  std::map<std::string, std::pair<double, Length>> sheared_, edges_;
-  std::map<std::string, std::pair<double, Length>> corners_;    ///< of knees in shear: use, place
-  std::map<std::string, BentFlange> bent_;                      ///< by the name of the force
-  std::map<std::pair<std::string, bool>, PressedWeb> pressed_;  ///< and along z
+  std::size_t instants_ = 0;      ///< of situations with cycles
+  std::vector<double> at_steps_;  ///< their largest forces [N]
+  /// Diaphragms: their plates in shear, what presses their edges, strips beside access holes.
+  UseByName sheared_, edges_, bridged_;
+  UseByName corners_;                       ///< of knees in shear
+  std::map<std::string, BentFlange> bent_;  ///< by the name of the force
+  PressedByName pressed_, welded_;          ///< and along z; webs, and welds of diaphragms
+  std::map<std::string, std::pair<Moment, Length>> couples_;
+  std::set<std::string> bare_;
 };
 
 }  // namespace boxbeam

@@ -9,7 +9,6 @@
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/verification/judged_section.hpp"
 #include "boxbeam/verification/slender_path.hpp"
-#include "patched_path.hpp"
 #include "plate_panels.hpp"
 
 namespace boxbeam {
@@ -17,18 +16,6 @@ namespace {
 
 /// Diaphragms, introductions and forces so near each other are at one place, by the beam's length.
 constexpr double same_place = 1e-6;
-
-/// A force alone.
-ForcesAcross alone(Force force, bool along_z) {
-  return {along_z ? force : Force{}, along_z ? Force{} : force, {}, false};
-}
-
-/// Whether one patch stands so near another that a web feels both. What one diaphragm takes, it
-/// takes together.
-bool stand_beside(const Patch& a, const Patch& b, Length depth) {
-  return a.along_z == b.along_z && a.diaphragm == b.diaphragm &&
-         (a.diaphragm != nullptr || abs(b.s - a.s) <= depth);
-}
 
 }  // namespace
 
@@ -59,95 +46,6 @@ bool PatchSearch::holds(const Diaphragm& of, bool along_z) const {
   const auto known = holds_.find({&of, along_z});
   if (known != holds_.end()) return known->second;
   return holds_.emplace(std::pair(&of, along_z), is_firm(*project_, of, along_z)).first->second;
-}
-
-void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
-                            std::vector<Patch>& patches) {
-  const std::size_t others = patches.size();
-  /// With the forces of its sense that stand within its stretch.
-  const auto add = [&](const Patch& line) {
-    patches.push_back(line);
-    Patch sum = line;
-    for (std::size_t i = 0; i < others; ++i) {
-      const Patch& of = patches[i];
-      if (of.along_z != along_z || of.together || of.is_torque || of.diaphragm != nullptr ||
-          of.kink != nullptr || (of.force.value() > 0.0) != (line.force.value() > 0.0) ||
-          abs(of.s - line.s) > 0.5 * line.stiff_length)
-        continue;
-      sum.name += " and " + of.name;
-      sum.force += of.force;
-      sum.couple += of.couple;
-      sum.stands = {};
-      sum.together = true;
-    }
-    if (sum.together) patches.push_back(std::move(sum));
-  };
-  const auto largest_of = [&](const LineLoad& line, const auto& per_length) {
-    double most = 0.0;
-    for (const double part : {0.0, 0.5, 1.0}) {
-      const double value = per_length(part * line.length.value());
-      if (std::abs(value) > std::abs(most)) most = value;
-    }
-    return most;
-  };
-  const auto largest_on = [&](const LineLoad& line) {
-    return largest_of(line, line.force[along_z ? 2 : 1]);
-  };
-  for (std::size_t i = 0; i < lines.size();) {
-    // A load goes on beyond the end of a segment, where its weight is another.
-    const std::size_t begin = i;
-    double most = largest_on(lines[i]);
-    PressedPlates of;
-    for (; i < lines.size(); ++i) {
-      const double here = largest_on(lines[i]);
-      const bool alike = here * most > 0.0 && std::abs(here) <= 2.0 * std::abs(most) &&
-                         std::abs(most) <= 2.0 * std::abs(here);
-      if (i > begin && !alike) break;
-      if (std::abs(here) > std::abs(most)) most = here;
-      const Length centre = lines[i].start + 0.5 * lines[i].length;
-      of.add(plates_.of_segment(segment_at(project_->beam, {centre, Side::both})));
-    }
-    const std::span<const LineLoad> alike(lines.data() + begin, i - begin);
-    const Length start = alike.front().start, end = alike.back().start + alike.back().length;
-    Patch patch;
-    patch.stiff_length = std::min(Length(end - start), of.depth);
-    const Force largest = si<Force>(std::abs(most) * patch.stiff_length.value());
-    if (!(largest > of.none) || !of.meet(along_z, alone(largest, along_z))) continue;
-    patch.name = "a load along the beam";
-    patch.along_z = along_z;
-    patch.is_line = true;
-    const Length half = 0.5 * patch.stiff_length;
-    // It comes in everywhere: webs and moments differ along it.
-    for (const LineLoad& line : alike) {
-      std::vector<Length> places;
-      for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0})
-        places.push_back(line.start + part * line.length);
-      for (std::size_t j = 0; j < others; ++j) {
-        const Length s = patches[j].s;
-        if (!patches[j].together && s >= line.start && s <= line.start + line.length)
-          places.push_back(s);
-      }
-      for (const Length& place : places) {
-        patch.s = std::clamp(place, Length(start + half),
-                             Length(std::max(Length(end - half), Length(start + half))));
-        double per_length = 0.0, couple = 0.0;
-        for (const LineLoad& other : alike) {
-          const bool reaches =
-              other.start < patch.s + half && other.start + other.length > patch.s - half;
-          const double there = largest_on(other);
-          if (!reaches || std::abs(there) <= std::abs(per_length)) continue;
-          per_length = there;
-          couple = largest_of(other, other.couple[0]);
-        }
-        const LoadIntroduction* const by = introduction_at(patch.s);
-        if (by != nullptr && !by->stiff_length) continue;
-        patch.force = patch.stands = si<Force>(per_length * patch.stiff_length.value());
-        patch.couple = patch.stands_couple = si<Moment>(couple * patch.stiff_length.value());
-        const bool meets = plates_.near(patch.s).meet(along_z, alone(abs(patch.force), along_z));
-        if (abs(patch.force) > of.none && meets) add(patch);
-      }
-    }
-  }
 }
 
 PatchSearch::Points PatchSearch::points_of(const SituationRun& run) const {
@@ -224,68 +122,6 @@ std::vector<Patch> PatchSearch::patches_of(const BeamLoads& loads, const CutForc
   return patches;
 }
 
-std::vector<Patch> PatchSearch::forces_of(const BeamLoads& loads) const {
-  const TaperedBeam& beam = project_->beam;
-  std::vector<Patch> patches;
-  std::map<std::string_view, std::size_t> of_name;
-  for (const PointLoad& load : loads.points) {
-    const std::size_t number = of_name[load.name]++;
-    if (is_at_end(load.s) && kinds_.clamps(load.name)) continue;
-    for (const bool along_z : {true, false}) {
-      if (!along_z && !project_->in_space) continue;
-      Patch patch;
-      patch.force = patch.stands = si<Force>(along_z ? load.force.z() : load.force.y());
-      if (patch.force == Force{}) {
-        add_torque(load, along_z, patches);
-        continue;
-      }
-      patch.name = load.name.empty() ? std::string("a force") : std::string(load.name);
-      patch.s = std::clamp(load.s, Length{}, beam.length());
-      patch.along_z = along_z;
-      patch.couple = patch.stands_couple = si<Moment>(load.moment.x());
-      patch.moves = kinds_.moves(load.name, load.part > 0 ? load.part : number);
-      patch.load = load.part > 0 ? load.part : number;
-      patches.push_back(std::move(patch));
-    }
-  }
-  return patches;
-}
-
-void PatchSearch::add_torque(const PointLoad& load, bool along_z,
-                             std::vector<Patch>& patches) const {
-  const double torque = load.moment.x();
-  const bool has_force = load.force.y() != 0.0 || load.force.z() != 0.0;
-  if (!project_->in_space || torque == 0.0 || has_force) return;
-  const LoadIntroduction* const by = introduction_at(load.s);
-  if (by != nullptr && by->torque_by &&
-      *by->torque_by != (along_z ? TorqueBy::webs : TorqueBy::flanges))
-    return;
-  const Length s = std::clamp(load.s, Length{}, project_->beam.length());
-  const auto apart = webs_apart_at({s, Side::both}, along_z);
-  if (!apart) return;
-  for (const double sense : {1.0, -1.0}) {
-    Patch& patch = patches.emplace_back();
-    patch.name = "the torque of " + (load.name.empty() ? "a couple" : std::string(load.name));
-    patch.s = s;
-    patch.along_z = along_z;
-    patch.is_torque = true;
-    patch.force = sense * si<Moment>(std::abs(torque)) / *apart;
-  }
-}
-
-std::optional<Length> PatchSearch::webs_apart_at(const Station& station, bool along_z) const {
-  using enum BoxPlate;
-  if (const auto walls = walls_at(station)) {
-    return along_z ? walls->of(left_web).middle - walls->of(right_web).middle
-                   : walls->of(top_flange).middle - walls->of(bottom_flange).middle;
-  }
-  const auto path = judged_path_at(*project_, *zones_, station);
-  if (!path) return std::nullopt;
-  const std::vector<PathWeb> webs = webs_of_path(*path, along_z, true).webs;
-  if (webs.size() != 2) return std::nullopt;
-  return Length(webs.front().place - webs.back().place);
-}
-
 std::vector<Borne> PatchSearch::worst_of(const Patch& patch, const std::vector<Patch>& all,
                                          const CutForceDiagram& diagram) {
   std::vector<Borne> worst;
@@ -297,10 +133,7 @@ std::vector<Borne> PatchSearch::worst_of(const Patch& patch, const std::vector<P
     else if (factor_of(of.basis) < factor_of(same->basis))
       *same = std::move(of);
   };
-  const Length end = project_->beam.length();
-  for (const Side side : {Side::before, Side::behind}) {
-    if (side == Side::before ? patch.s == Length{} : patch.s == end) continue;
-    const Station station{patch.s, side};
+  for (const Station& station : stations_of(patch)) {
     const JudgedSection& judged = judged_at(station);
     if (judged.path) {
       for (Borne& of : path_ways_at(patch, station, judged, diagram)) take(std::move(of));
@@ -310,6 +143,30 @@ std::vector<Borne> PatchSearch::worst_of(const Patch& patch, const std::vector<P
     for (Borne& of : seams_at(patch, all, judged, diagram.at(station))) take(std::move(of));
   }
   return worst;
+}
+
+std::vector<Station> PatchSearch::stations_of(const Patch& patch) {
+  std::vector<Station> stations;
+  const Length end = project_->beam.length();
+  Length flange;
+  for (const Side side : {Side::before, Side::behind}) {
+    if (side == Side::before ? patch.s == Length{} : patch.s == end) continue;
+    stations.push_back({patch.s, side});
+    const JudgedSection& judged = judged_at(stations.back());
+    if (!judged.box) continue;
+    for (const BoxPlate plate : flanges_of(patch))
+      flange = std::max(flange, judged.box->box().of(plate).thickness);
+  }
+  if (patch.diaphragm != nullptr) return stations;
+  // What it loads beyond a border bears it as well: of both by what is weaker.
+  const Length reach = 0.5 * patch.stiff_length + flange;
+  const std::vector<Segment>& segments = project_->beam.segments;
+  for (std::size_t k = 0; k + 1 < segments.size(); ++k) {
+    const Length border = segments[k].end();
+    if (border == patch.s || abs(border - patch.s) >= reach) continue;
+    stations.push_back({border, border > patch.s ? Side::behind : Side::before});
+  }
+  return stations;
 }
 
 double PatchSearch::factor_of(const PatchBasis& basis) const {
@@ -356,8 +213,12 @@ const LoadIntroduction* PatchSearch::introduction_at(Length s) const {
 
 bool PatchSearch::say_how_it_comes_in(Patch& patch, const ForcesAcross& all) {
   // What turns off does so on a line, whatever the case says of its loads.
-  const LoadIntroduction* const by = patch.kink != nullptr ? nullptr : introduction_at(patch.s);
-  if (by != nullptr && !by->stiff_length) return false;
+  const LoadIntroduction* by = patch.kink != nullptr ? nullptr : introduction_at(patch.s);
+  if (by != nullptr && !by->stiff_length) {
+    // What bosses in webs lead into them along z, bends them along y.
+    if (patch.along_z) return false;
+    by = nullptr;
+  }
   patch.diaphragm = diaphragm_at(patch.s);
   if (patch.diaphragm != nullptr && !holds(*patch.diaphragm, patch.along_z))
     patch.diaphragm = nullptr;
@@ -371,82 +232,6 @@ bool PatchSearch::say_how_it_comes_in(Patch& patch, const ForcesAcross& all) {
                                      : (of.path ? of.web_along_y : of.along_y);
   patch.stout = !patch.given && !slender;
   return patch.given || of.meet(patch.along_z, all);
-}
-
-void PatchSearch::add_groups(std::vector<Patch>& patches) {
-  std::stable_sort(patches.begin(), patches.end(),
-                   [](const Patch& a, const Patch& b) { return a.s < b.s; });
-  const std::size_t singles = patches.size();
-  std::vector<Length> depths;
-  for (const Patch& of : patches) depths.push_back(depth_at(of));
-  const auto opposed = [&](const Patch& a, const Patch& b) {
-    return (a.force.value() > 0.0) != (b.force.value() > 0.0);
-  };
-  for (std::size_t i = 0; i < singles; ++i) {
-    for (std::size_t j = 0; j < singles; ++j) {
-      if (i != j && stand_beside(patches[i], patches[j], std::max(depths[i], depths[j])) &&
-          opposed(patches[i], patches[j]))
-        patches[i].opposed = true;
-    }
-  }
-  const bool kinked = std::any_of(patches.begin(), patches.end(),
-                                  [](const Patch& of) { return of.at_high.has_value(); });
-  if (!kinked) return add_groups_at({}, singles, depths, patches);
-  for (const bool high : {true, false}) add_groups_at(high, singles, depths, patches);
-}
-
-void PatchSearch::add_groups_at(std::optional<bool> high, std::size_t singles,
-                                const std::vector<Length>& depths,
-                                std::vector<Patch>& patches) const {
-  const auto comes_in_here = [&](const Patch& of) {
-    return !high || !of.at_high || *of.at_high == *high;
-  };
-  // Every group of few; of more those of some numbers, each with all its forces on the length of
-  // the smallest group for which it stands, so that none between is used more.
-  constexpr int few = 24, few_names = 3;
-  for (std::size_t i = 0; i < singles; ++i) {
-    if (!comes_in_here(patches[i]) || patches[i].is_torque) continue;
-    Patch sum = patches[i];
-    const Length first = sum.s;
-    Length length, shortest;
-    int count = 1, kept = 1;
-    const auto keep = [&] {
-      // Without a kink it is the same at either end of the section.
-      kept = count;
-      if (high && !sum.at_high && !*high) return;
-      patches.push_back(sum);
-      patches.back().stiff_length = shortest;
-    };
-    length = sum.stiff_length;
-    for (std::size_t j = i + 1; j < singles; ++j) {
-      const Patch other = patches[j];  // of which more are added meanwhile
-      const bool one_sense = (sum.force.value() > 0.0) == (other.force.value() > 0.0);
-      if (!stand_beside(patches[i], other, std::max(depths[i], depths[j])) || !one_sense ||
-          other.is_torque || !comes_in_here(other))
-        continue;
-      length = std::max({Length(other.s - first), length, other.stiff_length});
-      if (++count == kept + 1) shortest = length;
-      sum.force += other.force;
-      sum.couple += other.couple;
-      sum.stands += other.stands;
-      sum.stands_couple += other.stands_couple;
-      sum.bent = std::max(sum.bent, other.bent);
-      sum.kink = sum.kink != nullptr ? other.kink : nullptr;
-      if (other.at_high) sum.at_high = other.at_high;
-      sum.given = sum.given && other.given;
-      sum.opposed = sum.opposed || other.opposed;
-      sum.stout = sum.stout || other.stout;
-      sum.s = 0.5 * (first + other.s);
-      sum.together = true;
-      if (sum.name == other.name || sum.name.ends_with(" together"))
-        sum.name = patches[i].name + " together";
-      else
-        sum.name = count <= few_names ? sum.name + " and " + other.name
-                                      : patches[i].name + " to " + other.name;
-      if (count <= few || 2 * count >= 3 * kept) keep();
-    }
-    if (count > kept) keep();
-  }
 }
 
 Length PatchSearch::depth_at(const Patch& patch) {
@@ -493,7 +278,8 @@ std::vector<std::shared_ptr<const ReducedPlate>> PatchSearch::reduced_at(
   const TaperedBeam& beam = project_->beam;
   const Segment& segment = beam.segments[segment_at(beam, station)];
   // What a profile inside takes of the stresses along the beam is on the safe side.
-  if (plate_route_of(*project_, segment) != PlateRoute::reduced_stresses || section.inner) return {};
+  if (plate_route_of(*project_, segment) != PlateRoute::reduced_stresses || section.inner)
+    return {};
   std::vector<ShearedPlate> sheared = sheared_plates_of(
       section, walls, taper_at(beam, station), !project_->in_space, project_->strength.gamma_M1);
   divide_into_panels(*project_, station, sheared);
@@ -508,7 +294,7 @@ PatchSearch::Shared PatchSearch::shared_by_webs(const Patch& patch, const FourWa
   Shared of{patch.along_z ? std::array{left_web, right_web} : std::array{top_flange, bottom_flange},
             {}};
   if (patch.is_none()) return of;
-  if (patch.is_torque) {
+  if (patch.is_torque()) {
     of.shares = {1.0, -1.0};
     return of;
   }
@@ -612,6 +398,11 @@ PatchedWeb PatchSearch::web_under(PatchedWeb web, const Patch& patch) {
 }
 
 std::vector<PatchedWeb> PatchSearch::in_every_way(PatchedWeb web, const Patch& patch) const {
+  // What would stand beyond a free end stands nowhere.
+  const Length half = 0.5 * web.stiff_length, end = project_->beam.length();
+  const Length on_beam =
+      std::min(end, Length(patch.s + half)) - std::max(Length{}, Length(patch.s - half));
+  web.stiff_length = std::max(Length{}, on_beam);
   std::vector<PatchedWeb> ways{web};
   if (const auto to_end = distance_to_end(patch)) {
     // From 2/3 h_w on k_F is that of a force far from the end; a long bearing at the end has its

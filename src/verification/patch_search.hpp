@@ -34,18 +34,24 @@ struct Patch {
   const FlangeKink* kink = nullptr;              ///< that it comes from
   std::array<FlangeKink::Turned, 2> by_sides{};  ///< of that, the larger one of which it is
   std::optional<bool> at_high = {};  ///< at which end of the section, where that is known
+  /// A force as it stands on the section: along the patch, along the other axis, and its moment
+  /// about the beam's axis.
+  struct Standing {
+    Force force, beside;
+    Moment couple;
+  };
   /// How a flange is bent across: by kinks there, over its strength; by what stands on it.
   double bent = 0.0;
-  Force stands = {};
-  Moment stands_couple = {};
-  bool is_line = false;    ///< a load along the beam
-  bool is_torque = false;  ///< couples alone: the webs take it with unlike senses
-  bool moves = false;      ///< along the beam
-  bool stout = false;      ///< looked at for its size alone: the case does not say how it comes in
+  std::vector<Standing> standing = {};
+  bool is_line = false;  ///< a load along the beam
+  Moment torque = {};    ///< couples alone: the webs take it with unlike senses
+  bool moves = false;    ///< along the beam
+  bool stout = false;    ///< looked at for its size alone: the case does not say how it comes in
   std::optional<std::size_t> load = {};  ///< the point load that it is, among those of its name
 
   /// What of it is none, there is for what panels pull at a diaphragm alone.
   bool is_none() const { return force == Force{}; }
+  bool is_torque() const { return torque != Moment{}; }
   /// Of stout webs: by a lug or boss, as what rolls along the beam, turns off from a flange or the
   /// case speaks of does not.
   bool may_come_beside_flanges() const { return stout && !moves && kink == nullptr; }
@@ -113,6 +119,13 @@ class PatchSearch {
   /// Whether the case says how forces come in there.
   bool is_given_at(Length s) const { return introduction_at(s) != nullptr; }
 
+  /// Whether webs that may buckle in shear stand there without a diaphragm.
+  bool lacks_diaphragm(Length s);
+  /// The moment about y, in space the larger one of both axes, of a load between the beam's ends,
+  /// where webs would feel it as two forces as far apart as the section is deep and no diaphragm
+  /// stands within that length.
+  std::optional<Moment> couple_of(const PointLoad& load);
+
   /// The webs of a box that a patch presses where no diaphragm takes it, the worse of both sides.
   std::vector<PressedWeb> pressed_by(const Patch& patch);
 
@@ -171,6 +184,9 @@ class PatchSearch {
   std::vector<Patch> forces_of(const BeamLoads& loads) const;
   /// A couple about the beam's axis without a force: both ways, for it may come by either flange.
   void add_torque(const PointLoad& load, bool along_z, std::vector<Patch>& patches) const;
+  /// Whether the couple of a load is more than that of its force somewhere on the section, or is
+  /// said to come in by the other plates.
+  bool has_couple_beside(const PointLoad& load, bool along_z) const;
   /// The middles of both webs of a section along a force; nothing where there are not two.
   std::optional<Length> webs_apart_at(const Station& station, bool along_z) const;
   /// What plates that turn off between segments put into those beside them. kinked_flanges.cpp
@@ -197,8 +213,11 @@ class PatchSearch {
                                   const Station& station) const;
   std::vector<Borne> path_ways_at(const Patch& patch, const Station& station,
                                   const JudgedSection& judged, const CutForceDiagram& diagram);
-  /// Loads along the beam, each by the largest of it over a plate's depth.
+  /// Loads along the beam: of each sense what stands on any length of the depth of the webs, with
+  /// the forces there; and torques along it.
   void add_lines(const std::vector<LineLoad>& lines, bool along_z, std::vector<Patch>& patches);
+  struct OnLength;
+  void add_length(const OnLength& of, bool along_z, std::vector<Patch>& patches);
   const Diaphragm* diaphragm_at(Length s) const;
   /// `is_firm`, once each.
   bool holds(const Diaphragm& of, bool along_z) const;
@@ -209,8 +228,11 @@ class PatchSearch {
   /// Adds those that stand close together as one, and says which are opposed. What turns off from
   /// one flange and from the other does not meet.
   void add_groups(std::vector<Patch>& patches);
-  void add_groups_at(std::optional<bool> high, std::size_t singles,
+  /// `high`: of kinks those at this end of the section; `turning`: with the torques of this sense.
+  void add_groups_at(std::optional<bool> high, double turning, std::size_t singles,
                      const std::vector<Length>& depths, std::vector<Patch>& patches) const;
+  /// What stands so near a firm diaphragm that this takes it, is taken by it as well.
+  void add_beside_diaphragms(std::vector<Patch>& patches);
 
   Length depth_at(const Patch& patch);
   static Length depth_of_path(const Patch& patch, const JudgedSection& judged);
@@ -235,6 +257,9 @@ class PatchSearch {
   /// other. patched_seams.cpp
   std::vector<Borne> seams_at(const Patch& patch, const std::vector<Patch>& all,
                               const JudgedSection& judged, const CutForces& cut) const;
+  /// Both sides of the place of a patch, and of the borders of segments that it reaches over.
+  std::vector<Station> stations_of(const Patch& patch);
+
   /// What a patch loads of a seam, within the ends of the beam.
   struct Spread {
     Length from, to;

@@ -9,16 +9,21 @@
 namespace boxbeam {
 
 bool is_firm(const Project& project, const Diaphragm& of, bool along_z) {
-  const Station station{of.s, of.s < project.beam.length() ? Side::behind : Side::before};
-  const auto walls = judged_walls_at(project, station);
-  if (!walls) return true;
   using enum BoxPlate;
   const std::array webs =
       along_z ? std::array{left_web, right_web} : std::array{top_flange, bottom_flange};
-  return std::all_of(webs.begin(), webs.end(), [&](BoxPlate web) {
-    const auto stiffener = bounding_stiffener_at(project, station, *walls, web);
-    return stiffener && across_obstacle(*stiffener, of, 2.0 * walls->of(web).clear()).empty();
-  });
+  for (const Side side : {Side::before, Side::behind}) {
+    if (side == Side::before ? of.s == Length{} : of.s == project.beam.length()) continue;
+    const Station station{of.s, side};
+    const auto walls = judged_walls_at(project, station);
+    if (!walls) continue;
+    const bool firm = std::all_of(webs.begin(), webs.end(), [&](BoxPlate web) {
+      const auto stiffener = bounding_stiffener_at(project, station, *walls, web);
+      return stiffener && across_obstacle(*stiffener, of, 2.0 * walls->of(web).clear()).empty();
+    });
+    if (!firm) return false;
+  }
+  return true;
 }
 
 void PatchSearch::add_bare_diaphragms(std::vector<Patch>& patches) {

@@ -160,10 +160,10 @@ std::string PatchSearch::bearing_obstacle_of(const Patch& patch, const PathWebs&
 }
 
 bool PatchSearch::bends_a_flange(const Patch& patch, const PathWebs& of) const {
-  if (!project_->in_space || of.webs.empty() || patch.stands == Force{}) return false;
+  if (!project_->in_space || of.webs.empty() || patch.standing.empty()) return false;
   const PathWeb& web = of.webs.front();
   const double t_f = web.bears.flange_thickness.value();
-  return 6.0 * bent_outside * std::abs(patch.stands.value()) / (t_f * t_f) >
+  return 6.0 * bent_outside * std::abs(patch.force.value()) / (t_f * t_f) >
          hardly_bent * web.bears.flange_strength.value();
 }
 
@@ -217,8 +217,8 @@ std::vector<Borne> PatchSearch::path_ways_at(const Patch& patch, const Station& 
     if (of.webs.size() == 2 && !patch.is_none()) {
       // A torque presses both by all of it, with unlike senses.
       const double by_first =
-          patch.is_torque ? 1.0 : ((place_of(patch) - last.place) / between).value();
-      basis.share = patch.is_torque ? 1.0 : std::abs(&web == &first ? by_first : 1.0 - by_first);
+          patch.is_torque() ? 1.0 : ((place_of(patch) - last.place) / between).value();
+      basis.share = patch.is_torque() ? 1.0 : std::abs(&web == &first ? by_first : 1.0 - by_first);
     }
     borne.wall = web.plate->name;
     if (patch.diaphragm != nullptr) {

@@ -22,7 +22,8 @@ bool joins(const StressPoint& throat, BoxPlate plate) {
 }
 
 PatchSearch::Spread PatchSearch::spread_of(const Patch& patch, const PatchedWeb& web) const {
-  const Length half = 0.5 * loaded_length_of(web);
+  // Beside a piece of a load along the beam there is more of it.
+  const Length half = 0.5 * (patch.is_line ? patch.stiff_length : loaded_length_of(web));
   return {std::max(Length{}, Length(patch.s - half)),
           std::min(project_->beam.length(), Length(patch.s + half))};
 }
@@ -30,9 +31,8 @@ PatchSearch::Spread PatchSearch::spread_of(const Patch& patch, const PatchedWeb&
 std::vector<PressedWeb> PatchSearch::pressed_by(const Patch& patch) {
   std::vector<PressedWeb> pressed;
   if (patch.diaphragm != nullptr) return pressed;
-  for (const Side side : {Side::before, Side::behind}) {
-    if (side == Side::before ? patch.s == Length{} : patch.s == project_->beam.length()) continue;
-    const JudgedSection& judged = judged_at({patch.s, side});
+  for (const Station& station : stations_of(patch)) {
+    const JudgedSection& judged = judged_at(station);
     if (!judged.box) continue;
     const auto [webs, shares] = shared_by_webs(patch, judged.box->box());
     for (const std::size_t k : {0U, 1U}) {
@@ -79,8 +79,9 @@ std::vector<Borne> PatchSearch::seams_at(const Patch& patch, const std::vector<P
     const BoxPlate web = webs[k];
     of.plate = web;
     for (const BoxPlate flange : flanges_of(patch)) {
-      const auto throat = std::find_if(judged.seams.begin(), judged.seams.end(),
-                                       [&](const auto& at) { return joins(*at, web) && joins(*at, flange); });
+      const auto throat =
+          std::find_if(judged.seams.begin(), judged.seams.end(),
+                       [&](const auto& at) { return joins(*at, web) && joins(*at, flange); });
       if (throat == judged.seams.end()) continue;
       const PlateOf& joined = (*throat)->joined;
       const auto tensile = tensile_strength_of(*joined.material, joined.thickness);

@@ -93,6 +93,8 @@ void PressedWebs::add(const Patch& patch, std::optional<std::size_t> side, Insta
     auto& [least, most] = source.presses[web.plate];
     least = std::min(least, web.stress.value());
     most = std::max(most, web.stress.value());
+    source.before = std::max(source.before, web.before.value());
+    source.behind = std::max(source.behind, web.behind.value());
   }
   instant.forces.push_back(std::move(pressing));
 }
@@ -198,7 +200,8 @@ PressedWebs::Series PressedWebs::series_at(const Place& place, const Run& run) c
   return series;
 }
 
-/// Where forces stand, and some along the ways of those that move, of all of a name together.
+/// Where forces stand, and some along the ways of those that move, of all of a name together; where
+/// the lengths overlap that forces load which stand apart, their ends.
 std::vector<double> PressedWebs::places_of(BoxPlate web) const {
   constexpr int along = 60;
   const double near = at_one_place * project_->beam.length().value();
@@ -207,7 +210,20 @@ std::vector<double> PressedWebs::places_of(BoxPlate web) const {
   for (const Source& of : sources_) {
     if (of.presses.find(web) == of.presses.end()) continue;
     places.push_back(of.from);
-    if (of.to - of.from <= near) continue;
+    if (of.to - of.from <= near) {
+      for (const Source& other : sources_) {
+        const bool apart = std::abs(other.from - of.from) > near || other.to - other.from > near;
+        if (!apart || other.presses.find(web) == other.presses.end() ||
+            other.from - other.before > of.to + of.behind ||
+            other.to + other.behind < of.from - of.before)
+          continue;
+        const double length = project_->beam.length().value();
+        for (const double end : {of.from - of.before + near, of.to + of.behind - near})
+          if (end >= 0.0 && end <= length) places.push_back(end);
+        break;
+      }
+      continue;
+    }
     places.push_back(of.to);
     auto& [from, to] = ways.try_emplace(of.name, of.from, of.to).first->second;
     from = std::min(from, of.from);
@@ -284,8 +300,7 @@ PressedWebs::Resisting PressedWebs::resisting_on(const Station& at, BoxPlate pla
 
 const std::vector<LifeChannel>& PressedWebs::shear_at(const Place& place,
                                                       bool unsaid_as_fillets) const {
-  const auto [at, is_new] =
-      shear_.try_emplace(std::tuple(place.s, place.web, unsaid_as_fillets));
+  const auto [at, is_new] = shear_.try_emplace(std::tuple(place.s, place.web, unsaid_as_fillets));
   std::vector<LifeChannel>& channels = at->second;
   if (!is_new) return channels;
   const Resisting& resisting = resisting_at(place, unsaid_as_fillets);

@@ -26,10 +26,10 @@ bool has_cycles(const Project& project, const Situation& situation);
 /// unlike flanges or by the same one; of what turns off from flanges, with what turns off from one.
 /// What moves on loads a place from none to all of it and back at every passage, however far it
 /// gets between two instants; beside that the instants count. With it counts the shear stress there
-/// (8.3): of the web at its seams, or in the throat; of tubes the one that does most anywhere around
-/// the section. Stresses along the beam are judged by details of their own. At an end of the beam it
-/// loads the web as far as that goes, but where a diaphragm stands there.
-/// Source: EN 1993-1-9:2005+AC:2009, table 8.10, equation 8.3; loaded length EN 1993-1-5:2006, 6.3.
+/// (8.3): of the web at its seams, or in the throat; of tubes the one that does most anywhere
+/// around the section. Stresses along the beam are judged by details of their own. At an end of the
+/// beam it loads the web as far as that goes, but where a diaphragm stands there. Source: EN
+/// 1993-1-9:2005+AC:2009, table 8.10, equation 8.3; loaded length EN 1993-1-5:2006, 6.3.
 class PressedWebs {
  public:
   PressedWebs(const Project& project, const std::deque<SituationRun>& runs,
@@ -78,6 +78,7 @@ class PressedWebs {
   struct Source {
     std::string name;
     double from = 0.0, to = 0.0;                            ///< its way [m]
+    double before = 0.0, behind = 0.0;                      ///< of it what is loaded at most [m]
     std::map<BoxPlate, std::pair<double, double>> presses;  ///< least and most of each web [Pa]
     std::optional<bool> at_high;      ///< by the flange at which end of the section, where known
     std::optional<std::size_t> side;  ///< of a kink: by the forces on which side of it

@@ -490,7 +490,7 @@ TEST_CASE("a profile inside does not keep forces from pressing the webs", "[patc
     Beam beam;
     beam.pieces = {{6.0, {300, 400, 12, 8, 0.0}, {300, 400, 12, 8, 0.0}}};
     beam.supports = {{0.0, 0.0}, {6.0, 0.0}};
-    beam.forces = {{"f", 3.0, 400.0}};
+    beam.forces = {{"f", 3.0, 800.0}};
     std::string text = beam.text();
     if (nested) {
       for (std::size_t at; (at = text.find("= \"s00\"")) != std::string::npos;)
@@ -521,7 +521,7 @@ TEST_CASE("a force between the webs presses the edge of its diaphragm: by hand",
   // 600 kN on 16 mm x 2 x 20 mm: 937.5 MPa of 355.
   CHECK(says(of(""), fmt::format("presses it by {:.3g} of its strength", 937.5 / 355.0)));
   // Over 160 mm, 200 mm with the flange: 187.5 MPa.
-  CHECK_FALSE(says(of(introduced(2.9, 3.1, 160.0)), "presses it by"));
+  CHECK_FALSE(says(of(introduced(0.0, 6.0, 160.0)), "presses it by"));
 }
 
 TEST_CASE("the knee of two beams bends their flanges across", "[patch]") {

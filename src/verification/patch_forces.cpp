@@ -1,0 +1,252 @@
+// What comes into webs: forces and couples, and those that stand together.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "boxbeam/verification/slender_path.hpp"
+#include "patch_search.hpp"
+#include "patched_path.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// Whether one patch stands so near another that a web feels both. What one diaphragm takes, it
+/// takes together.
+bool stand_beside(const Patch& a, const Patch& b, Length depth) {
+  return a.along_z == b.along_z && a.diaphragm == b.diaphragm &&
+         (a.diaphragm != nullptr || abs(b.s - a.s) <= depth);
+}
+
+bool pushes(const Patch& of) { return of.force.value() > 0.0; }
+
+/// The name of several as one: of very many the first and the last.
+std::string name_of(const Patch& first, const Patch& sum, const Patch& added, int count) {
+  constexpr int few = 3;
+  if (sum.name == added.name || sum.name.ends_with(" together")) return first.name + " together";
+  return count <= few ? sum.name + " and " + added.name : first.name + " to " + added.name;
+}
+
+}  // namespace
+
+std::vector<Patch> PatchSearch::forces_of(const BeamLoads& loads) const {
+  const TaperedBeam& beam = project_->beam;
+  std::vector<Patch> patches;
+  std::map<std::string_view, std::size_t> of_name;
+  for (const PointLoad& load : loads.points) {
+    const std::size_t number = of_name[load.name]++;
+    if (is_at_end(load.s) && kinds_.clamps(load.name)) continue;
+    for (const bool along_z : {true, false}) {
+      if (!along_z && !project_->in_space) continue;
+      Patch patch;
+      patch.force = si<Force>(along_z ? load.force.z() : load.force.y());
+      if (has_couple_beside(load, along_z)) add_torque(load, along_z, patches);
+      if (patch.force == Force{}) continue;
+      patch.name = load.name.empty() ? std::string("a force") : std::string(load.name);
+      patch.s = std::clamp(load.s, Length{}, beam.length());
+      patch.along_z = along_z;
+      patch.couple = si<Moment>(load.moment.x());
+      patch.standing = {
+          {patch.force, si<Force>(along_z ? load.force.y() : load.force.z()), patch.couple}};
+      patch.moves = kinds_.moves(load.name, load.part > 0 ? load.part : number);
+      patch.load = load.part > 0 ? load.part : number;
+      patches.push_back(std::move(patch));
+    }
+  }
+  return patches;
+}
+
+bool PatchSearch::has_couple_beside(const PointLoad& load, bool along_z) const {
+  const double torque = std::abs(load.moment.x());
+  if (!project_->in_space || torque == 0.0) return false;
+  const double force = along_z ? load.force.z() : load.force.y(),
+               other = along_z ? load.force.y() : load.force.z();
+  if (force == 0.0 && other == 0.0) return true;
+  // With a force along the patch the couple is its lever. One along the other axis may stand
+  // anywhere on the section: what is more comes in by these plates as well.
+  if (force != 0.0) return false;
+  const Extent extent =
+      extent_of(section_at(project_->beam,
+                           {std::clamp(load.s, Length{}, project_->beam.length()), Side::both})
+                    .outer);
+  const auto reach = [](Length low, Length high) {
+    return std::max(std::abs(low.value()), std::abs(high.value()));
+  };
+  const double lever =
+      along_z ? reach(extent.z_low, extent.z_high) : reach(extent.y_low, extent.y_high);
+  constexpr double round_off = 1e-9;
+  if (torque > (1.0 + round_off) * lever * std::abs(other)) return true;
+  const LoadIntroduction* const by = introduction_at(load.s);
+  return by != nullptr && by->torque_by &&
+         *by->torque_by == (along_z ? TorqueBy::webs : TorqueBy::flanges);
+}
+
+void PatchSearch::add_torque(const PointLoad& load, bool along_z,
+                             std::vector<Patch>& patches) const {
+  const LoadIntroduction* const by = introduction_at(load.s);
+  if (by != nullptr && by->torque_by &&
+      *by->torque_by != (along_z ? TorqueBy::webs : TorqueBy::flanges))
+    return;
+  const Length s = std::clamp(load.s, Length{}, project_->beam.length());
+  const auto apart = webs_apart_at({s, Side::both}, along_z);
+  if (!apart) return;
+  for (const double sense : {1.0, -1.0}) {
+    Patch& patch = patches.emplace_back();
+    patch.name = "the torque of " + (load.name.empty() ? "a couple" : std::string(load.name));
+    patch.s = s;
+    patch.along_z = along_z;
+    patch.torque = si<Moment>(load.moment.x());
+    patch.force = sense * abs(patch.torque) / *apart;
+  }
+}
+
+std::optional<Length> PatchSearch::webs_apart_at(const Station& station, bool along_z) const {
+  using enum BoxPlate;
+  if (const auto walls = walls_at(station)) {
+    return along_z ? walls->of(left_web).middle - walls->of(right_web).middle
+                   : walls->of(top_flange).middle - walls->of(bottom_flange).middle;
+  }
+  const auto path = judged_path_at(*project_, *zones_, station);
+  if (!path) return std::nullopt;
+  const std::vector<PathWeb> webs = webs_of_path(*path, along_z, true).webs;
+  if (webs.size() != 2) return std::nullopt;
+  return Length(webs.front().place - webs.back().place);
+}
+
+bool PatchSearch::lacks_diaphragm(Length s) {
+  const Length at = std::clamp(s, Length{}, project_->beam.length());
+  const PressedPlates& of = plates_.near(at);
+  return (of.path ? of.web_along_z : of.along_z) && diaphragm_at(at) == nullptr;
+}
+
+std::optional<Moment> PatchSearch::couple_of(const PointLoad& load) {
+  if (is_at_end(load.s)) return std::nullopt;
+  const Moment couple = si<Moment>(
+      std::max(std::abs(load.moment.y()), project_->in_space ? std::abs(load.moment.z()) : 0.0));
+  if (couple == Moment{}) return std::nullopt;
+  const bool about_y = couple.value() == std::abs(load.moment.y());
+  Patch at;
+  at.s = load.s;
+  at.along_z = about_y;
+  const Length depth = depth_at(at);
+  if (!(depth > Length{})) return std::nullopt;
+  for (const Diaphragm& of : project_->beam.diaphragms)
+    if (abs(of.s - load.s) <= depth) return std::nullopt;
+  const Force force = couple / depth;
+  const PressedPlates& near = plates_.near(load.s);
+  // Those of stout webs it is no matter of; slender ones say so from what is no more than weight.
+  if (!(force > near.none) ||
+      !near.meet(about_y, {about_y ? force : Force{}, about_y ? Force{} : force, {}, false}))
+    return std::nullopt;
+  return couple;
+}
+
+void PatchSearch::add_beside_diaphragms(std::vector<Patch>& patches) {
+  const std::size_t singles = patches.size();
+  for (const Diaphragm& of : project_->beam.diaphragms) {
+    for (std::size_t i = 0; i < singles; ++i) {
+      const Length near = 0.5 * patches[i].stiff_length + of.thickness;
+      if (patches[i].diaphragm != nullptr || patches[i].kink != nullptr ||
+          abs(patches[i].s - of.s) > near || !holds(of, patches[i].along_z))
+        continue;
+      Patch taken = patches[i];
+      taken.s = of.s;
+      taken.diaphragm = &of;
+      taken.given = true;
+      taken.stout = false;
+      taken.together = true;  // with what leads it there
+      patches.push_back(std::move(taken));
+    }
+  }
+}
+
+void PatchSearch::add_groups(std::vector<Patch>& patches) {
+  if (!project_->beam.diaphragms.empty()) add_beside_diaphragms(patches);
+  std::stable_sort(patches.begin(), patches.end(),
+                   [](const Patch& a, const Patch& b) { return a.s < b.s; });
+  const std::size_t singles = patches.size();
+  std::vector<Length> depths;
+  for (const Patch& of : patches) depths.push_back(depth_at(of));
+  bool kinked = false, turned = false;
+  for (std::size_t i = 0; i < singles; ++i) {
+    kinked = kinked || patches[i].at_high.has_value();
+    turned = turned || patches[i].is_torque();
+    for (std::size_t j = 0; j < singles; ++j) {
+      if (i != j && stand_beside(patches[i], patches[j], std::max(depths[i], depths[j])) &&
+          pushes(patches[i]) != pushes(patches[j]))
+        patches[i].opposed = true;
+    }
+  }
+  using Ends = std::vector<std::optional<bool>>;
+  for (const std::optional<bool>& high : kinked ? Ends{true, false} : Ends{std::nullopt}) {
+    for (const double turning :
+         turned ? std::vector<double>{0.0, 1.0, -1.0} : std::vector<double>{0.0})
+      add_groups_at(high, turning, singles, depths, patches);
+  }
+}
+
+void PatchSearch::add_groups_at(std::optional<bool> high, double turning, std::size_t singles,
+                                const std::vector<Length>& depths,
+                                std::vector<Patch>& patches) const {
+  const auto comes_in_here = [&](const Patch& of) {
+    return !high || !of.at_high || *of.at_high == *high;
+  };
+  const auto turns_here = [&](const Patch& of) { return of.torque.value() * turning > 0.0; };
+  // Every group of few; of more those of some numbers, each with all its forces on the length of
+  // the smallest group for which it stands, so that none between is used more.
+  constexpr int few = 24;
+  for (std::size_t i = 0; i < singles; ++i) {
+    const bool of_torques = patches[i].is_torque();
+    if (!comes_in_here(patches[i]) || (of_torques && !turns_here(patches[i]))) continue;
+    Patch sum = patches[i];
+    const Length first = sum.s;
+    Length length, shortest;
+    int count = 1, kept = 1;
+    bool turned = of_torques;
+    const auto keep = [&] {
+      kept = count;
+      // Without a kink it is the same at either end of the section, without a torque in any sense.
+      if ((high && !sum.at_high && !*high) || turned != (turning != 0.0)) return;
+      patches.push_back(sum);
+      patches.back().stiff_length = shortest;
+    };
+    length = sum.stiff_length;
+    const auto add = [&](const Patch& other) {
+      const Length from = std::min(first, other.s), to = std::max(first, other.s);
+      length = std::max({Length(to - from), length, other.stiff_length});
+      if (++count == kept + 1) shortest = length;
+      if (other.is_torque() && !of_torques) {
+        sum.couple += other.torque;
+        turned = true;
+      } else {
+        sum.force += other.force;
+        sum.torque += other.torque;
+        sum.couple += other.couple;
+      }
+      sum.standing.insert(sum.standing.end(), other.standing.begin(), other.standing.end());
+      sum.bent = std::max(sum.bent, other.bent);
+      sum.kink = sum.kink != nullptr ? other.kink : nullptr;
+      if (other.at_high) sum.at_high = other.at_high;
+      sum.given = sum.given && other.given;
+      sum.opposed = sum.opposed || other.opposed;
+      sum.stout = sum.stout || other.stout;
+      sum.s = 0.5 * (from + to);
+      sum.together = true;
+      sum.name = name_of(patches[i], sum, other, count);
+      if (count <= few || 2 * count >= 3 * kept) keep();
+    };
+    for (std::size_t j = 0; j < singles; ++j) {
+      const Patch other = patches[j];  // of which more are added meanwhile
+      // A torque stands for either of its two senses once beside forces, and on both sides of them.
+      const bool beside_force = other.is_torque() && !of_torques;
+      if (beside_force ? !turns_here(other) || !pushes(other)
+                       : j <= i || other.is_torque() != of_torques ||
+                             pushes(sum) != pushes(other) || (of_torques && !turns_here(other)))
+        continue;
+      if (stand_beside(patches[i], other, std::max(depths[i], depths[j])) && comes_in_here(other))
+        add(other);
+    }
+    if (count > kept) keep();
+  }
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,206 @@
+// Loads along the beam as what comes into webs.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "patch_search.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// Of a load along the beam at a place: what pushes along the axis and what pushes against it,
+/// each with its size, and the couple about the beam's axis [N/m, N].
+struct PerLength {
+  std::array<double, 2> pushes{};
+  double couple = 0.0;
+};
+
+PerLength per_length_of(const LineLoad& line, bool along_z, double x) {
+  PerLength of;
+  const std::size_t axis = along_z ? 2 : 1;
+  const auto& outside = line.outside[axis - 1];
+  const double along = outside[0](x), against = outside[1](x);
+  // Weight and inertia act within the plates, which is on the safe side here.
+  const double own = line.force[axis](x) - (along - against);
+  of.pushes = {along + std::max(0.0, own), against + std::max(0.0, -own)};
+  of.couple = line.couple[0](x);
+  return of;
+}
+
+}  // namespace
+
+/// What stands on a length of the beam.
+struct PatchSearch::OnLength {
+  Length from, to;                   ///< of what is loaded
+  std::array<double, 2> forces{};    ///< along the axis and against it, sizes [N]
+  double turns = 0.0;                ///< the couple alone [N m]
+  const std::vector<Patch>* others;  ///< forces by themselves
+  std::size_t count = 0;             ///< so many of them
+  Length begin, end;                 ///< the length itself
+};
+
+void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
+                            std::vector<Patch>& patches) {
+  constexpr std::array parts{0.0, 0.25, 0.5, 0.75, 1.0};
+  // Most beams bear their weight alone.
+  PressedPlates all;
+  for (const PressedPlates& of : plates_.of_segments()) all.add(of);
+  double most = 0.0, most_couple = 0.0;
+  for (const LineLoad& line : lines) {
+    for (const double part : parts) {
+      const PerLength at = per_length_of(line, along_z, part * line.length.value());
+      most = std::max({most, at.pushes[0], at.pushes[1]});
+      most_couple = std::max(most_couple, std::abs(at.couple));
+    }
+  }
+  ForcesAcross largest{along_z ? si<Force>(most * all.depth.value()) : Force{},
+                       along_z ? Force{} : si<Force>(most * all.depth.value()),
+                       si<Moment>(most_couple * all.depth.value()), false};
+  const Force size = along_z ? largest.along_z : largest.along_y;
+  const bool turns = project_->in_space && most_couple > 0.0;
+  if (!(size > all.none) && !turns) return;
+  if (!all.meet(along_z, largest)) return;
+
+  const std::vector<Patch> others = [&] {
+    std::vector<Patch> of;
+    for (const Patch& patch : patches) {
+      if (patch.along_z == along_z && !patch.together && !patch.is_torque() &&
+          patch.diaphragm == nullptr)
+        of.push_back(patch);
+    }
+    return of;
+  }();
+  // The largest on a length of the webs' depth begins or ends where a load does, or is about its
+  // middle where it is steady or grows.
+  std::vector<Length> edges, middles;
+  for (const LineLoad& line : lines) {
+    const PerLength middle = per_length_of(line, along_z, 0.5 * line.length.value());
+    if (middle.pushes[0] == 0.0 && middle.pushes[1] == 0.0 && middle.couple == 0.0) continue;
+    edges.insert(edges.end(), {line.start, Length(line.start + line.length)});
+    for (const double part : parts) middles.push_back(line.start + part * line.length);
+  }
+  for (const Patch& of : others) {
+    edges.push_back(of.s);
+    middles.push_back(of.s);
+  }
+  const Length end = project_->beam.length();
+  const auto look = [&](Length begin, Length depth) {
+    begin = std::clamp(begin, Length{}, std::max(Length{}, Length(end - depth)));
+    OnLength of;
+    of.begin = begin;
+    of.end = std::min(end, Length(begin + depth));
+    of.from = of.end;
+    of.to = of.begin;
+    of.others = &others;
+    for (const LineLoad& line : lines) {
+      const Length from = std::max(of.begin, line.start),
+                   to = std::min(of.end, Length(line.start + line.length));
+      if (!(to > from)) continue;
+      // By Gauss with three places.
+      const double half = 0.5 * (to - from).value(),
+                   centre = 0.5 * (from + to - 2.0 * line.start).value();
+      bool any = false;
+      for (const auto& [at, weight] : {std::pair{-0.7745966692414834, 5.0 / 9.0},
+                                       {0.0, 8.0 / 9.0},
+                                       {0.7745966692414834, 5.0 / 9.0}}) {
+        const PerLength here = per_length_of(line, along_z, centre + half * at);
+        for (const std::size_t k : {0U, 1U}) of.forces[k] += weight * half * here.pushes[k];
+        of.turns += weight * half * here.couple;
+        any = any || here.pushes[0] > 0.0 || here.pushes[1] > 0.0 || here.couple != 0.0;
+      }
+      if (!any) continue;
+      of.from = std::min(of.from, from);
+      of.to = std::max(of.to, to);
+    }
+    add_length(of, along_z, patches);
+  };
+  const auto depth_near = [&](Length s) {
+    Patch at;
+    at.s = std::clamp(s, Length{}, end);
+    at.along_z = along_z;
+    return depth_at(at);
+  };
+  for (const Length& edge : edges) {
+    const Length depth = depth_near(edge);
+    look(edge, depth);
+    look(edge - depth, depth);
+  }
+  for (const Length& middle : middles) {
+    const Length depth = depth_near(middle);
+    look(middle - 0.5 * depth, depth);
+  }
+}
+
+void PatchSearch::add_length(const OnLength& of, bool along_z, std::vector<Patch>& patches) {
+  if (!(of.to > of.from)) return;
+  Patch line;
+  line.name = "a load along the beam";
+  line.along_z = along_z;
+  line.is_line = true;
+  line.s = 0.5 * (of.from + of.to);
+  line.stiff_length = of.to - of.from;
+  const LoadIntroduction* const by = introduction_at(line.s);
+  if (by != nullptr) {
+    if (!by->stiff_length && along_z) return;
+    used_.insert(by);
+  }
+  const PressedPlates& near = plates_.near(line.s);
+  const auto presses = [&](Force force) {
+    return force > near.none &&
+           near.meet(along_z, {along_z ? force : Force{}, along_z ? Force{} : force, {}, false});
+  };
+  bool any = false;
+  for (const std::size_t k : {0U, 1U}) {
+    const Force force = si<Force>(of.forces[k]);
+    line.opposed = si<Force>(of.forces[1 - k]) > near.none;
+    line.force = k == 0 ? force : Force(-force);
+    line.couple = si<Moment>(of.turns);
+    line.standing = {{line.force, {}, line.couple}};
+    Patch sum = line;
+    for (const Patch& other : *of.others) {
+      if (other.s < of.begin || other.s > of.end) continue;
+      if ((other.force.value() > 0.0) != (k == 0)) {
+        sum.opposed = line.opposed = true;
+        continue;
+      }
+      const bool unlike = sum.at_high && other.at_high && *sum.at_high != *other.at_high;
+      if (unlike) continue;
+      sum.name += " and " + other.name;
+      sum.force += other.force;
+      sum.couple += other.couple;
+      if (other.at_high) sum.at_high = other.at_high;
+      const Length from = std::min({Length(line.s - 0.5 * line.stiff_length), other.s}),
+                   to = std::max({Length(line.s + 0.5 * line.stiff_length), other.s});
+      sum.s = 0.5 * (from + to);
+      sum.stiff_length = std::max(sum.stiff_length, Length(to - from));
+      sum.standing.clear();
+      sum.together = true;
+    }
+    if (!(force > 1e-6 * near.none)) continue;
+    if (presses(force)) {
+      patches.push_back(line);
+      any = true;
+    }
+    if (sum.together && presses(abs(sum.force))) patches.push_back(std::move(sum));
+  }
+  if (any || of.turns == 0.0 || !project_->in_space) return;
+  // Torque along the beam, as couples at one place are.
+  const auto apart = webs_apart_at({line.s, Side::both}, along_z);
+  if (!apart) return;
+  if (by != nullptr && by->torque_by &&
+      *by->torque_by != (along_z ? TorqueBy::webs : TorqueBy::flanges))
+    return;
+  const Moment torque = si<Moment>(of.turns);
+  if (!presses(abs(torque) / *apart)) return;
+  line.name = "a torque along the beam";
+  line.opposed = true;
+  line.couple = {};
+  line.standing.clear();
+  line.torque = torque;
+  for (const double sense : {1.0, -1.0}) {
+    line.force = sense * abs(torque) / *apart;
+    patches.push_back(line);
+  }
+}
+
+}  // namespace boxbeam
