@@ -254,16 +254,19 @@ void PatchNotes::take_cycles(const Patch& patch, const std::vector<Borne>& ways,
   double in_web = 0.0, in_weld = 0.0;
   for (const Borne& way : ways) {
     const double force = (way.basis.share * way.basis.force).value();
-    if (const auto* const weld = std::get_if<StiffenerWeld>(&way.basis.bears)) {
+    const bool counted = counted_ != nullptr && way.basis.box && PressedWebs::counts(patch);
+    const auto* const weld = std::get_if<StiffenerWeld>(&way.basis.bears);
+    if (weld != nullptr && !(counted && way.part == Borne::Part::weld)) {
       // Where nothing is said of them as thick together as the diaphragm.
       const Length throat = way.part == Borne::Part::unsaid_weld
                                 ? Length(0.5 * patch.diaphragm->thickness)
                                 : weld->throat;
-      in_weld = std::max(in_weld, force / (static_cast<double>(weld->welds) * throat * weld->length).value());
+      in_weld = std::max(
+          in_weld, force / (static_cast<double>(weld->welds) * throat * weld->length).value());
     }
     const PatchedWeb* const web = web_in(way);
     if (web == nullptr) continue;
-    if (counted_ != nullptr && way.basis.box && PressedWebs::counts(patch)) continue;
+    if (counted) continue;
     in_web = std::max(in_web, force / (web->thickness * loaded_length_of(*web)).value());
   }
   // From above or from below: what pushes and what pulls.

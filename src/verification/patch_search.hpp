@@ -84,6 +84,9 @@ struct PressedWeb {
   Stress stress;          ///< F/(t l), as the force has its sign
   Length before, behind;  ///< of the force: what of the web it loads
   Length stiff_length;
+  /// Instead of the web a weld of a diaphragm with it, or with the flange: the stress in that.
+  const Diaphragm* diaphragm = nullptr;
+  StiffenerWeld weld = {};
 };
 
 struct PathWeb;
@@ -128,6 +131,10 @@ class PatchSearch {
 
   /// The webs of a box that a patch presses where no diaphragm takes it, the worse of both sides.
   std::vector<PressedWeb> pressed_by(const Patch& patch);
+  /// The fillets of diaphragms that a single force stresses which stands there, or would as it
+  /// moves on; of each web and diaphragm the worse one, of those of which the case says how thick
+  /// they are.
+  std::vector<PressedWeb> welds_stressed_by(const Patch& patch);
 
   /// Torque that comes into a slender path around cells where no diaphragm stands: the largest of
   /// these loads.

@@ -86,6 +86,40 @@ void PatchSearch::bear_by_welds(const Patch& patch, const BearingStiffener& stif
   }
 }
 
+std::vector<PressedWeb> PatchSearch::welds_stressed_by(const Patch& patch) {
+  std::vector<PressedWeb> stressed;
+  for (const Diaphragm& of : project_->beam.diaphragms) {
+    const Length near = 0.5 * patch.stiff_length + of.thickness;
+    const bool there = abs(of.s - patch.s) <= near;
+    if (!(of.throat > Length{}) || !(there || patch.moves) || !holds(of, patch.along_z)) continue;
+    const Station station{of.s, of.s < project_->beam.length() ? Side::behind : Side::before};
+    const JudgedSection& judged = judged_at(station);
+    if (!judged.box) continue;
+    const FourWalls& walls = judged.box->box();
+    const auto [webs, shares] = shared_by_webs(patch, walls);
+    for (const std::size_t k : {0U, 1U}) {
+      const BoxWall& across =
+          walls.of(is_flange(webs[k]) ? BoxPlate::left_web : BoxPlate::top_flange);
+      const BearingStiffener by =
+          stiffener_of(*project_, web_of(judged, webs[k], flanges_of(patch).front(), patch),
+                       across.clear(), of, station);
+      PressedWeb weld{webs[k], {}, near, near, {}, &of, {}};
+      for (const bool to_flange : {false, true}) {
+        StiffenerWeld each{
+            to_flange, by.both_sides ? 4 : 2, of.throat, to_flange ? by.width : by.web_depth, {}};
+        const Area throats = static_cast<double>(each.welds) * each.throat *
+                             std::max(si<Length>(1e-6), Length(each.length - 2.0 * each.throat));
+        const Stress stress = shares[k] * patch.force / throats;
+        if (weld.weld.welds > 0 && abs(stress) <= abs(weld.stress)) continue;
+        weld.stress = stress;
+        weld.weld = each;
+      }
+      stressed.push_back(weld);
+    }
+  }
+  return stressed;
+}
+
 BearingStiffener stiffener_of(const Project& project, const PatchedWeb& web, Length inside,
                               const Diaphragm& diaphragm, const Station& station) {
   BearingStiffener of;

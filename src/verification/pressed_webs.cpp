@@ -86,13 +86,15 @@ void PressedWebs::add(const Patch& patch, std::optional<std::size_t> side, Insta
   }
   Source& source = sources_[found->second];
   Pressing pressing{found->second, patch.s.value(), search_->pressed_by(patch)};
+  for (const PressedWeb& weld : search_->welds_stressed_by(patch)) pressing.webs.push_back(weld);
   if (source.presses.empty()) source.from = source.to = pressing.s;
   source.from = std::min(source.from, pressing.s);
   source.to = std::max(source.to, pressing.s);
   for (const PressedWeb& web : pressing.webs) {
-    auto& [least, most] = source.presses[web.plate];
+    auto& [least, most] = source.presses[{web.plate, web.diaphragm}];
     least = std::min(least, web.stress.value());
     most = std::max(most, web.stress.value());
+    if (web.diaphragm != nullptr) continue;
     source.before = std::max(source.before, web.before.value());
     source.behind = std::max(source.behind, web.behind.value());
   }
@@ -109,7 +111,7 @@ void PressedWebs::end(Time period) {
 
 bool PressedWebs::acts(const Place& place, std::size_t force) const {
   const Source& source = sources_[force];
-  const auto presses = source.presses.find(place.web);
+  const auto presses = source.presses.find({place.web, place.diaphragm});
   if (presses == source.presses.end()) return false;
   if (source.at_high && *source.at_high != place.at_high) return false;
   if (source.side && *source.side != place.side) return false;
@@ -123,7 +125,7 @@ double PressedWebs::stress_at(const Place& place, const std::vector<Pressing>& f
   for (const Pressing& of : forces) {
     if (!acts(place, of.force)) continue;
     for (const PressedWeb& web : of.webs)
-      if (web.plate == place.web && reaches(web, of.s, place.s)) stress += web.stress.value();
+      if (place.is_of(web) && reaches(web, of.s, place.s)) stress += web.stress.value();
   }
   return stress;
 }
@@ -152,7 +154,7 @@ void PressedWebs::add_passages(const Place& place, const Instant& before, const 
     for (const std::vector<PressedWeb>* const webs :
          {later ? &same->webs : &of.webs, later ? &of.webs : &same->webs}) {
       for (const PressedWeb& web : *webs) {
-        if (web.plate != place.web) continue;
+        if (!place.is_of(web)) continue;
         if (!most) most = web;
         if (web.stiff_length != most->stiff_length) continue;
         if (abs(web.stress) > abs(most->stress)) most->stress = web.stress;
@@ -208,12 +210,12 @@ std::vector<double> PressedWebs::places_of(BoxPlate web) const {
   std::vector<double> places;
   std::map<std::string, std::pair<double, double>> ways;
   for (const Source& of : sources_) {
-    if (of.presses.find(web) == of.presses.end()) continue;
+    if (of.presses.find({web, nullptr}) == of.presses.end()) continue;
     places.push_back(of.from);
     if (of.to - of.from <= near) {
       for (const Source& other : sources_) {
         const bool apart = std::abs(other.from - of.from) > near || other.to - other.from > near;
-        if (!apart || other.presses.find(web) == other.presses.end() ||
+        if (!apart || other.presses.find({web, nullptr}) == other.presses.end() ||
             other.from - other.before > of.to + of.behind ||
             other.to + other.behind < of.from - of.before)
           continue;
@@ -337,6 +339,15 @@ const std::vector<LifeChannel>& PressedWebs::shear_at(const Place& place,
   return channels;
 }
 
+const PressedWebs::Resisting& PressedWebs::resisting_weld() {
+  static const Resisting root = [] {
+    auto detail = std::make_shared<BeamDetail>();
+    detail->detail = detail_of_row("8.5/3", "weld of a diaphragm");
+    return Resisting{std::move(detail), {}, {}};
+  }();
+  return root;
+}
+
 template <class Look>
 void PressedWebs::for_all_at(const Place& place, const Look& look) const {
   for (const Run& run : runs_) {
@@ -347,7 +358,7 @@ void PressedWebs::for_all_at(const Place& place, const Look& look) const {
         for (const PressedWeb& web : of.webs) {
           const bool there = place.s >= source.from - web.before.value() &&
                              place.s <= source.to + web.behind.value();
-          if (web.plate == place.web && there && acts(place, of.force)) look(source, web);
+          if (place.is_of(web) && there && acts(place, of.force)) look(source, web);
         }
       }
     }
@@ -368,6 +379,19 @@ void PressedWebs::name(const Place& place, CheckResult& result) const {
   Check& check = result.check;
   PressedBasis& basis = *result.pressed;
   const std::string web = project_->in_space || is_flange(place.web) ? to_text(place.web) : "web";
+  if (place.diaphragm != nullptr) {
+    basis.welds = most->weld.welds;
+    basis.throat = most->weld.throat;
+    basis.loaded = most->weld.length - 2.0 * basis.throat;
+    basis.force =
+        abs(most->stress) * static_cast<double>(basis.welds) * basis.throat * basis.loaded;
+    check.point = fmt::format("{} under {}",
+                              most->weld.to_flange ? "weld of flange and diaphragm beside " + web
+                                                   : fmt::format("weld of {} and diaphragm", web),
+                              all);
+    check.id = id_of(check.criterion, check.station, check.point);
+    return;
+  }
   check.point = fmt::format("{}{} under {}", basis.throat > Length{} ? "seam of " : "", web, all);
   check.id = id_of(check.criterion, check.station, check.point);
   basis.loaded = most->before + most->behind;
@@ -394,7 +418,8 @@ Turns PressedWebs::turns_at(const Place& place) const {
 
 std::optional<CheckResult> PressedWebs::check_at(const Place& place, Turns turns,
                                                  bool unsaid_as_fillets) const {
-  const Resisting& resisting = resisting_at(place, unsaid_as_fillets);
+  const Resisting& resisting =
+      place.diaphragm != nullptr ? resisting_weld() : resisting_at(place, unsaid_as_fillets);
   const double factor = resisting.detail->stress_factor;
   for (SituationTurns& of : turns) {
     of.begin *= factor;
@@ -414,7 +439,9 @@ std::optional<CheckResult> PressedWebs::check_at(const Place& place, Turns turns
   std::vector<LifeChannel> channels{std::move(channel)};
   ChannelLife life = life_of(*project_, channels);
   std::vector<LifeChannel> both{channels.front(), {}};
-  for (const LifeChannel& shear : shear_at(place, unsaid_as_fillets)) {
+  static const std::vector<LifeChannel> none;
+  for (const LifeChannel& shear :
+       place.diaphragm != nullptr ? none : shear_at(place, unsaid_as_fillets)) {
     both.back() = shear;
     if (ChannelLife of = life_of(*project_, both); of.factor < life.factor) {
       life = of;
@@ -455,7 +482,8 @@ void PressedWebs::look(Place place, const std::vector<double>& places, bool any_
     for (const bool as_fillets : ways) {
       auto at = check_at(place, turns, as_fillets);
       if (!at) continue;
-      const auto key = std::pair(search_->is_given_at(si<Length>(s)), as_fillets);
+      const bool given = place.diaphragm != nullptr || search_->is_given_at(si<Length>(s));
+      const auto key = std::pair(given, as_fillets);
       const auto known = worst.find(key);
       if (known == worst.end())
         worst.emplace(key, *std::move(at));
@@ -470,8 +498,42 @@ void PressedWebs::look(Place place, const std::vector<double>& places, bool any_
     for_all_at(place, [&](const Source& source, const PressedWeb&) {
       turned = turned && source.at_high.has_value();
     });
-    // A kink comes in on an edge whatever the case says of its loads.
+    // A kink comes in on an edge whatever the case says of its loads, but where a diaphragm is.
+    turned = turned && place.diaphragm == nullptr;
     take(Found{std::move(of), key.first && !turned, key.second, turned});
+  }
+}
+
+template <class Take>
+void PressedWebs::look_at(BoxPlate web, const Diaphragm* diaphragm, bool any_unsaid,
+                          const Take& take) const {
+  const bool any = std::any_of(sources_.begin(), sources_.end(), [&](const Source& of) {
+    return of.presses.find({web, diaphragm}) != of.presses.end();
+  });
+  if (!any) return;
+  const bool kinked = std::any_of(sources_.begin(), sources_.end(),
+                                  [](const Source& of) { return of.at_high.has_value(); });
+  // All of them together are one more only where some push and others pull.
+  const auto has_own = [&](double sense) {
+    return std::any_of(sources_.begin(), sources_.end(), [&](const Source& of) {
+      return std::any_of(of.presses.begin(), of.presses.end(), [&](const auto& pressed) {
+        const auto& [least, most] = pressed.second;
+        return sense > 0.0 ? most > 0.0 && !(least < 0.0) : least < 0.0 && !(most > 0.0);
+      });
+    });
+  };
+  std::vector<double> senses{1.0, -1.0};
+  if (has_own(1.0) && has_own(-1.0)) senses.push_back(0.0);
+  const std::vector<double> places =
+      diaphragm != nullptr ? std::vector{diaphragm->s.value()} : places_of(web);
+  const std::vector<std::size_t> sides =
+      sides_differ_ ? std::vector<std::size_t>{0, 1} : std::vector<std::size_t>{0};
+  const std::vector<bool> known_ends = kinked ? std::vector{true, false} : std::vector{true};
+  for (const double sense : senses) {
+    for (const bool at_high : known_ends) {
+      for (const std::size_t side : sides)
+        look({web, 0.0, sense, at_high, side, diaphragm}, places, any_unsaid, take);
+    }
   }
 }
 
@@ -490,19 +552,6 @@ std::vector<PressedWebs::Found> PressedWebs::checks() const {
     else if (more.result.check.utilisation() > same->result.check.utilisation())
       *same = std::move(more);
   };
-  const bool kinked = std::any_of(sources_.begin(), sources_.end(),
-                                  [](const Source& of) { return of.at_high.has_value(); });
-  // All of them together are one more only where some push and others pull.
-  const auto has_own = [&](double sense) {
-    return std::any_of(sources_.begin(), sources_.end(), [&](const Source& of) {
-      return std::any_of(of.presses.begin(), of.presses.end(), [&](const auto& pressed) {
-        const auto& [least, most] = pressed.second;
-        return sense > 0.0 ? most > 0.0 && !(least < 0.0) : least < 0.0 && !(most > 0.0);
-      });
-    });
-  };
-  std::vector<double> senses{1.0, -1.0};
-  if (has_own(1.0) && has_own(-1.0)) senses.push_back(0.0);
   const auto unsaid_in = [](const Section& of) {
     const auto* const box = std::get_if<Box>(&of.outer);
     return box != nullptr && !(box->seam_throat > Length{});
@@ -511,17 +560,10 @@ std::vector<PressedWebs::Found> PressedWebs::checks() const {
   const bool unsaid = std::any_of(segments.begin(), segments.end(), [&](const Segment& of) {
     return unsaid_in(of.from) || unsaid_in(of.to);
   });
-  const std::vector<std::size_t> sides =
-      sides_differ_ ? std::vector<std::size_t>{0, 1} : std::vector<std::size_t>{0};
-  const std::vector<bool> known_ends = kinked ? std::vector{true, false} : std::vector{true};
   for (const BoxPlate web : box_plates) {
-    const std::vector<double> places = places_of(web);
-    for (const double sense : senses) {
-      for (const bool at_high : known_ends) {
-        for (const std::size_t side : sides)
-          look({web, 0.0, sense, at_high, side}, places, unsaid, take);
-      }
-    }
+    look_at(web, nullptr, unsaid, take);
+    for (const Diaphragm& of : project_->beam.diaphragms)
+      if (of.throat > Length{}) look_at(web, &of, false, take);
   }
   return found;
 }

@@ -24,12 +24,15 @@ bool has_cycles(const Project& project, const Situation& situation);
 /// fillets. At a place it is that of all forces whose loaded length reaches it: of those that push
 /// down at some time, of those that push up, and of all, each with its signs, for they may come by
 /// unlike flanges or by the same one; of what turns off from flanges, with what turns off from one.
-/// What moves on loads a place from none to all of it and back at every passage, however far it
-/// gets between two instants; beside that the instants count. With it counts the shear stress there
-/// (8.3): of the web at its seams, or in the throat; of tubes the one that does most anywhere
-/// around the section. Stresses along the beam are judged by details of their own. At an end of the
-/// beam it loads the web as far as that goes, but where a diaphragm stands there. Source: EN
-/// 1993-1-9:2005+AC:2009, table 8.10, equation 8.3; loaded length EN 1993-1-5:2006, 6.3.
+/// Fillets of diaphragms whose thickness the case says are judged likewise, each by what forces
+/// that stand there, or pass, put into it: root, 36 (8.5/3), with the flange across them, or along
+/// the web by the same. What moves on loads a place from none to all of it and back at every
+/// passage, however far it gets between two instants; beside that the instants count. With it
+/// counts the shear stress there (8.3): of the web at its seams, or in the throat; of tubes the one
+/// that does most anywhere around the section. Stresses along the beam are judged by details of
+/// their own. At an end of the beam it loads the web as far as that goes, but where a diaphragm
+/// stands there. Source: EN 1993-1-9:2005+AC:2009, table 8.10, equation 8.3; loaded length EN
+/// 1993-1-5:2006, 6.3.
 class PressedWebs {
  public:
   PressedWebs(const Project& project, const std::deque<SituationRun>& runs,
@@ -77,9 +80,10 @@ class PressedWebs {
   /// One force of all runs.
   struct Source {
     std::string name;
-    double from = 0.0, to = 0.0;                            ///< its way [m]
-    double before = 0.0, behind = 0.0;                      ///< of it what is loaded at most [m]
-    std::map<BoxPlate, std::pair<double, double>> presses;  ///< least and most of each web [Pa]
+    double from = 0.0, to = 0.0;        ///< its way [m]
+    double before = 0.0, behind = 0.0;  ///< of it what is loaded at most [m]
+    /// Least and most of each web, or of the weld of a diaphragm with it [Pa].
+    std::map<std::pair<BoxPlate, const Diaphragm*>, std::pair<double, double>> presses;
     std::optional<bool> at_high;      ///< by the flange at which end of the section, where known
     std::optional<std::size_t> side;  ///< of a kink: by the forces on which side of it
   };
@@ -87,9 +91,14 @@ class PressedWebs {
   struct Place {
     BoxPlate web;
     double s = 0.0;
-    double sense = 1.0;    ///< 0: both
-    bool at_high = true;   ///< of what is known to come by one flange, which
-    std::size_t side = 0;  ///< of what kinks turn off, by which side
+    double sense = 1.0;                    ///< 0: both
+    bool at_high = true;                   ///< of what is known to come by one flange, which
+    std::size_t side = 0;                  ///< of what kinks turn off, by which side
+    const Diaphragm* diaphragm = nullptr;  ///< its weld with the web
+
+    bool is_of(const PressedWeb& web_) const {
+      return web_.plate == web && web_.diaphragm == diaphragm;
+    }
   };
   struct Series {
     std::vector<double> times, values;
@@ -107,9 +116,14 @@ class PressedWebs {
   void add_passages(const Place& place, const Instant& before, const Instant& behind,
                     Series& series) const;
   std::vector<double> places_of(BoxPlate web) const;
+  /// In every sense that there is, of one plate, or of the weld of a diaphragm with it.
+  template <class Take>
+  void look_at(BoxPlate web, const Diaphragm* diaphragm, bool any_unsaid, const Take& take) const;
   /// `unsaid_as_fillets`: seams of which nothing is said, all of one as thick as its web.
   const Resisting& resisting_at(const Place& place, bool unsaid_as_fillets) const;
   Resisting resisting_on(const Station& at, BoxPlate plate, bool unsaid_as_fillets) const;
+  /// Fillets of diaphragms.
+  static const Resisting& resisting_weld();
   /// The cycles of the shear stresses beside a place, each one of them with what resists it.
   const std::vector<LifeChannel>& shear_at(const Place& place, bool unsaid_as_fillets) const;
   /// The worst of all places like one.

@@ -146,6 +146,8 @@ struct PressedBasis {
   Force force;       ///< of those that press the place the largest on this web
   Length loaded;     ///< by it: s_s + 2 t_f, within the ends of the beam
   Length throat;     ///< of its fillet seam, where that is judged
+  /// Of the fillets of a diaphragm, each as long as `loaded` and as thick as `throat`: how many.
+  int welds = 0;
 };
 
 /// What the check of a box that is distorted rests on.
