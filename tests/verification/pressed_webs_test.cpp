@@ -138,9 +138,9 @@ TEST_CASE("shear along the seam counts with what presses it: equation 8.3 by han
     double low = 0.0, high = 100.0;
     for (int i = 0; i < 100; ++i) {
       const double k = 0.5 * (low + high);
-      const double damage =
-          n / 2e6 * (std::pow(k * gamma * across / category, 3) +
-                     std::pow(k * gamma * along / category_shear, 5));
+      const double damage = n / 2e6 *
+                            (std::pow(k * gamma * across / category, 3) +
+                             std::pow(k * gamma * along / category_shear, 5));
       (damage < 1.0 ? low : high) = k;
     }
     return 1.0 / low;
