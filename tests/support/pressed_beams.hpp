@@ -23,7 +23,7 @@ struct Piece {
   Sizes from, to;
 };
 
-struct Force {
+struct Load {
   std::string name = "f";
   double at = 0.0, down = 0.0, y = 0.0, z = 0.0;  // [m], [kN], [m]
   double moment = 0.0, torque = 0.0;              // about y, about x [kN m]
@@ -35,7 +35,7 @@ struct Beam {
   std::vector<double> diaphragms;
   double thickness = 16.0;
   std::vector<std::pair<double, double>> supports;  // s [m], z of its pin [m]
-  std::vector<Force> forces;
+  std::vector<Load> forces;
   std::string more = {};
   bool space = false;
   double required = 1.0;
@@ -53,7 +53,7 @@ struct Beam {
     for (Piece& of : other.pieces) std::swap(of.from, of.to);
     for (double& s : other.diaphragms) s = L - s;
     for (auto& [s, z] : other.supports) s = L - s;
-    for (Force& of : other.forces) {
+    for (Load& of : other.forces) {
       of.at = L - of.at;
       of.moment = -of.moment;
     }
@@ -99,7 +99,7 @@ struct Beam {
         out += fmt::format("[supports.z{}]\nkind = \"roller\"\nat = {}\n", i, at);
       }
     }
-    for (const Force& of : forces) {
+    for (const Load& of : forces) {
       if (space) {
         out += fmt::format(
             "[loads.{}]\nkind = \"force\"\nat = [\"{:.12g} m\", \"{:.12g} m\", \"{:.12g} "

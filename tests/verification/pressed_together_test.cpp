@@ -16,7 +16,7 @@ using namespace pressed_beams;
 namespace {
 
 /// Of 6 m in space, webs 590 mm apart.
-Beam in_space(const std::vector<Force>& forces, double thickness = 16.0) {
+Beam in_space(const std::vector<Load>& forces, double thickness = 16.0) {
   Beam beam;
   beam.space = true;
   beam.pieces = {{6.0, {600, 1000, 25, 10, 0.0}, {600, 1000, 25, 10, 0.0}}};
