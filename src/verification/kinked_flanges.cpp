@@ -396,7 +396,12 @@ std::vector<Patch> PatchSearch::kinks_under(const CutForceDiagram& diagram) cons
     const bool at_start = of.s == Length{}, at_end = of.s == project_->beam.length();
     const CutForces before = diagram.at({of.s, at_start ? Side::behind : Side::before}),
                     behind = diagram.at({of.s, at_end ? Side::before : Side::behind});
-    const std::array<FlangeKink::Turned, 2> sides = of.under(before, behind);
+    std::array<FlangeKink::Turned, 2> sides = of.under(before, behind);
+    // Each of both beams of a knee takes half of it.
+    for (FlangeKink::Turned& side : sides) {
+      side.force *= of.knee ? 0.5 : 1.0;
+      side.couple *= of.knee ? 0.5 : 1.0;
+    }
     const FlangeKink::Turned& turned = sides[abs(sides[1].force) > abs(sides[0].force) ? 1 : 0];
     Patch& patch = patches.emplace_back();
     patch.name = of.name;

@@ -166,7 +166,8 @@ void PatchNotes::take_corner(const Patch& patch, const Borne& way, double load_f
     return;
   }
   const StrengthDemand& demand = project_->strength;
-  const Force bears = depth * thickness * strength / (std::numbers::sqrt3 * demand.gamma_M0);
+  // All that turns off, of which this is half.
+  const Force bears = 0.5 * depth * thickness * strength / (std::numbers::sqrt3 * demand.gamma_M0);
   keep_most(corners_, patch.name,
             demand.required * load_factor * (way.basis.share * way.basis.force / bears).value(),
             patch.s);
