@@ -123,7 +123,7 @@ void PatchNotes::take(const Patch& patch, const std::vector<Borne>& ways,
   }
   if (patch.diaphragm != nullptr) {
     for (const Borne& way : ways) take_diaphragm(patch, way, situation.load_factor);
-    if (has_cycles(*project_, situation)) take_cycles(patch, ways, all);
+    if (!patch.together && has_cycles(*project_, situation)) take_cycles(patch, ways, all);
     return;
   }
   const bool again = project_->fatigue.asked && has_cycles(*project_, situation);
