@@ -448,13 +448,11 @@ std::vector<NotJudged> PatchNotes::not_judged() const {
     const auto most = std::max_element(
         couples_.begin(), couples_.end(),
         [](const auto& a, const auto& b) { return a.second.first < b.second.first; });
-    found.push_back(
-        {Criterion::patch_loading,
-         fmt::format("webs under {} at s = {} m", most->first,
-                     to_text(Station{most->second.second, Side::both})),
-         fmt::format("how its moment, {:.4g} kN m, comes into them is not judged: write "
-                     "it as the forces that bring it",
-                     1e-3 * most->second.first.value())});
+    found.push_back({Criterion::patch_loading,
+                     fmt::format("webs under {} at s = {} m", most->first,
+                                 to_text(Station{most->second.second, Side::both})),
+                     fmt::format("its moment, {:.4g} kN m, is not judged as forces",
+                                 1e-3 * most->second.first.value())});
   }
   if (!bare_.empty())
     found.push_back({Criterion::shear_buckling,

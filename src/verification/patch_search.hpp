@@ -23,17 +23,13 @@ namespace boxbeam {
 struct Patch {
   std::string name;
   Length s;
-  bool along_z = true;  ///< borne by the webs; else by the flanges
-  Force force;          ///< along its axis, signed
-  Moment couple;        ///< about the beam's axis
+  Force force;    ///< along its axis, signed
+  Moment couple;  ///< about the beam's axis
   Length stiff_length;
-  bool given = true;                             ///< the case says how it comes in
-  const Diaphragm* diaphragm = nullptr;          ///< that takes it
-  bool opposed = false;                          ///< one of the other sense is near
-  bool together = false;                         ///< several as one
-  const FlangeKink* kink = nullptr;              ///< that it comes from
+  Moment torque = {};                    ///< couples alone: the webs take it with unlike senses
+  const Diaphragm* diaphragm = nullptr;  ///< that takes it
+  const FlangeKink* kink = nullptr;      ///< that it comes from
   std::array<FlangeKink::Turned, 2> by_sides{};  ///< of that, the larger one of which it is
-  std::optional<bool> at_high = {};  ///< at which end of the section, where that is known
   /// A force as it stands on the section: along the patch, along the other axis, and its moment
   /// about the beam's axis.
   struct Standing {
@@ -43,11 +39,15 @@ struct Patch {
   /// How a flange is bent across: by kinks there, over its strength; by what stands on it.
   double bent = 0.0;
   std::vector<Standing> standing = {};
-  bool is_line = false;  ///< a load along the beam
-  Moment torque = {};    ///< couples alone: the webs take it with unlike senses
-  bool moves = false;    ///< along the beam
-  bool stout = false;    ///< looked at for its size alone: the case does not say how it comes in
   std::optional<std::size_t> load = {};  ///< the point load that it is, among those of its name
+  std::optional<bool> at_high = {};      ///< at which end of the section, where that is known
+  bool along_z = true;                   ///< borne by the webs; else by the flanges
+  bool given = true;                     ///< the case says how it comes in
+  bool opposed = false;                  ///< one of the other sense is near
+  bool together = false;                 ///< several as one
+  bool is_line = false;                  ///< a load along the beam
+  bool moves = false;                    ///< along the beam
+  bool stout = false;  ///< looked at for its size alone: the case does not say how it comes in
 
   /// What of it is none, there is for what panels pull at a diaphragm alone.
   bool is_none() const { return force == Force{}; }

@@ -185,8 +185,14 @@ TEST_CASE("wheels on a girder: no instant between those looked at is worse", "[p
         "path.toml", beam(two, diaphragms({0.0, at, 9.0}, 20.0) + introduction(0.0, 9.0, stiff),
                           wheel, taper(5.0, "a", "b") + segment(4.0, "b")));
     const Verification of = verify(project);
-    const CheckResult* const crab = patch_under(of, "crab");
-    REQUIRE(crab != nullptr);
+    // A diaphragm takes it when it is near enough.
+    const auto in_web = [](const CheckResult& at) {
+      return at.check.criterion == Criterion::patch_loading &&
+             at.check.point.find("diaphragm") == std::string::npos &&
+             at.check.point.ends_with("under crab");
+    };
+    const auto crab = std::find_if(of.checks.begin(), of.checks.end(), in_web);
+    REQUIRE(crab != of.checks.end());
     double most = 0.0;
     for (int k = 1; k < 2000; ++k) {
       const double s = 9.0 * k / 2000.0;

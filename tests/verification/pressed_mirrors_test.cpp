@@ -37,6 +37,9 @@ TEST_CASE("a beam and its mirror image are judged alike where forces and kinks c
                    {between(0.6, 1.5), sizes(high, thin, web), sizes(low, thin, web)},
                    {between(1.0, 2.0), sizes(low, thin, web), sizes(low, thin, web)}};
     for (Piece& of : beam.pieces) of.to.throat = of.from.throat;
+    // A force at a border stands on neither side of it: without rounding in both images.
+    if (i % 4 == 0)
+      for (Piece& of : beam.pieces) of.length = std::round(64.0 * of.length) / 64.0;
     const double L = beam.length(), border = beam.pieces[0].length;
     const bool jumps = i % 4 == 1;  // M, where the flanges kink
     beam.diaphragms = {0.0, L};

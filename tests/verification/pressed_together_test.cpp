@@ -57,8 +57,9 @@ TEST_CASE("torques at one place are one torque, and press with the forces there"
   CHECK(one > 0.2);
   // Over the left web the force presses it alone; the torque adds T/b.
   const auto over_web = [](double kN, double kNm) {
-    return patch_use_of(
-        in_space({{"f", 3.0, kN, 0.295, 0.5}, {"t", 3.0, 0.0, 0.0, 0.0, 0.0, kNm}}));
+    std::vector<Load> loads{{"f", 3.0, kN, 0.295, 0.5}};
+    if (kNm != 0.0) loads.push_back({"t", 3.0, 0.0, 0.0, 0.0, 0.0, kNm});
+    return patch_use_of(in_space(loads));
   };
   const double both = over_web(200.0, -118.0);
   CHECK(both == Approx(patch_use_of(in_space({{"f", 3.0, 400.0, 0.295, 0.5}}))).epsilon(0.35));
@@ -68,11 +69,16 @@ TEST_CASE("torques at one place are one torque, and press with the forces there"
 
 TEST_CASE("a small force does not hide what a torque does to flanges", "[patch]") {
   const auto of = [](double kN) {
-    Beam beam = in_space({{"t", 3.0, kN, 0.0, 0.0, 0.0, 600.0}});
-    const std::string at = "stiff_length = \"200 mm\"\n";
-    beam.more += "";
-    return patch_use_of(beam);
+    const Verification found = in_space({{"t", 3.0, kN, 0.0, 0.0, 0.0, 600.0}}).verified();
+    double most = 0.0;
+    for (const CheckResult& result : found.checks) {
+      if (result.check.criterion == Criterion::patch_loading &&
+          result.check.point.find("flange under the torque of t") != std::string::npos)
+        most = std::max(most, result.check.utilisation());
+    }
+    return most;
   };
+  CHECK(of(0.0) > 0.1);
   CHECK(of(0.1) == Approx(of(0.0)).epsilon(2e-3));
 }
 
@@ -91,7 +97,8 @@ TEST_CASE("a force that reaches over a border is borne by the weaker side", "[pa
   for (const Criterion criterion :
        {Criterion::patch_loading, Criterion::weld, Criterion::patch_fatigue}) {
     CHECK(use_of(before, criterion) == Approx(use_of(at, criterion)).epsilon(5e-3));
-    CHECK(use_of(away, criterion) < 0.8 * use_of(at, criterion));
+    // The seams are as thick everywhere.
+    if (criterion != Criterion::weld) CHECK(use_of(away, criterion) < 0.8 * use_of(at, criterion));
   }
 }
 
@@ -109,7 +116,8 @@ TEST_CASE("loads along the beam add up, whatever the case writes between them", 
         patch_use_of(under_lines(spread("q", 2.4, 3.0, 1500.0) + spread("r", 3.0, 3.6, other)));
     CHECK(use > small);
     CHECK(use < one);
-    CHECK(use == Approx(0.5 * (small + one)).epsilon(0.1));
+    // All of the larger one on 600 of the 950 mm that the webs are deep.
+    CHECK(use == Approx((600.0 * 1500.0 + 350.0 * other) / (950.0 * 1500.0) * one).epsilon(0.03));
   }
   // A force just beyond the end as one just before it.
   const auto with = [](double at) {
@@ -121,8 +129,9 @@ TEST_CASE("loads along the beam add up, whatever the case writes between them", 
 }
 
 TEST_CASE("loads along the beam that are in balance pass through the webs", "[patch]") {
-  const Verification of =
-      under_lines(spread("q", 2.5, 3.5, 2500.0) + spread("r", 2.5, 3.5, -2500.0)).verified();
+  Beam beam = under_lines(spread("q", 2.5, 3.5, 2500.0) + spread("r", 2.5, 3.5, -2500.0));
+  beam.forces = {{"f", 1.0, 1.0}};
+  const Verification of = beam.verified();
   CHECK(use_of(of, Criterion::patch_loading) > 1.0);
 }
 
@@ -204,13 +213,14 @@ TEST_CASE("what is not judged beside webs is said", "[patch]") {
   // A couple between the ends, as that of a bracket.
   Beam bracket = under_lines("");
   bracket.forces = {{"bracket", 3.0, 0.0, 0.0, 0.0, 900.0}};
-  CHECK(says(bracket.verified(), "how its moment, 900 kN m, comes into them is not judged"));
+  CHECK(says(bracket.verified(), "its moment, 900 kN m, is not judged as forces"));
   // Slender webs held without a diaphragm.
   Beam bare = under_lines("");
   bare.diaphragms.clear();
   bare.forces = {{"f", 3.0, 10.0}};
   CHECK(says(bare.verified(), "no diaphragm where they are held"));
-  CHECK_FALSE(says(under_lines("").verified(), "no diaphragm where they are held"));
+  bare.diaphragms = {0.0, 6.0};
+  CHECK_FALSE(says(bare.verified(), "no diaphragm where they are held"));
 }
 
 TEST_CASE("a diaphragm between unlike webs is firm or not from either end", "[patch]") {
