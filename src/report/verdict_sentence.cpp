@@ -106,9 +106,13 @@ std::string verdict_sentence_of(const Project& project, const Verification& veri
                          in_short(verdict.reasons), use_of(worst));
     case Verdict::pass: break;
   }
-  // "PASS for strength; fatigue: no stress range"
-  return fmt::format("{}passes{}; most used is {}", beam, verdict.line.substr(verdict.word.size()),
-                     use_of(worst));
+  // "PASS for strength; fatigue: no stress range"; what is long stands with the verdict, just
+  // above.
+  std::string rest = verdict.line.substr(verdict.word.size());
+  constexpr std::size_t short_enough = 60;
+  if (rest.size() > short_enough)
+    rest = rest.substr(0, rest.find(';')) + "; what is not judged stands with the verdict";
+  return fmt::format("{}passes{}; most used is {}", beam, rest, use_of(worst));
 }
 
 }  // namespace boxbeam

@@ -400,9 +400,10 @@ PatchedWeb PatchSearch::web_under(PatchedWeb web, const Patch& patch) {
 std::vector<PatchedWeb> PatchSearch::in_every_way(PatchedWeb web, const Patch& patch) const {
   // What would stand beyond a free end stands nowhere.
   const Length half = 0.5 * web.stiff_length, end = project_->beam.length();
-  const Length on_beam =
-      std::min(end, Length(patch.s + half)) - std::max(Length{}, Length(patch.s - half));
-  web.stiff_length = std::max(Length{}, on_beam);
+  Length from = patch.s - half, to = patch.s + half;
+  if (diaphragm_at(Length{}) == nullptr) from = std::max(Length{}, from);
+  if (diaphragm_at(end) == nullptr) to = std::min(end, to);
+  web.stiff_length = std::max(Length{}, Length(to - from));
   std::vector<PatchedWeb> ways{web};
   if (const auto to_end = distance_to_end(patch)) {
     // From 2/3 h_w on k_F is that of a force far from the end; a long bearing at the end has its
