@@ -235,7 +235,7 @@ void PatchSearch::add_groups_at(std::optional<bool> high, double turning, std::s
       if (count <= few || 2 * count >= 3 * kept) keep();
     };
     for (std::size_t j = 0; j < singles; ++j) {
-      const Patch other = patches[j];  // of which more are added meanwhile
+      const Patch& other = patches[j];  // until more are added, which is the last of it
       // A torque stands for either of its two senses once beside forces, and on both sides of them.
       const bool beside_force = other.is_torque() && !of_torques;
       if (beside_force ? !turns_here(other) || !pushes(other)

@@ -85,19 +85,22 @@ void PressedWebs::add(const Patch& patch, std::optional<std::size_t> side, Insta
     sources_.back().side = side;
   }
   Source& source = sources_[found->second];
-  Pressing pressing{found->second, patch.s.value(), search_->pressed_by(patch)};
-  for (const PressedWeb& weld : search_->welds_stressed_by(patch)) pressing.webs.push_back(weld);
+  Pressing pressing{found->second, patch.s.value(), search_->pressed_by(patch),
+                    search_->welds_stressed_by(patch)};
   if (source.presses.empty()) source.from = source.to = pressing.s;
   source.from = std::min(source.from, pressing.s);
   source.to = std::max(source.to, pressing.s);
-  for (const PressedWeb& web : pressing.webs) {
+  const auto note = [&](const PressedWeb& web) {
     auto& [least, most] = source.presses[{web.plate, web.diaphragm}];
     least = std::min(least, web.stress.value());
     most = std::max(most, web.stress.value());
-    if (web.diaphragm != nullptr) continue;
+  };
+  for (const PressedWeb& web : pressing.webs) {
+    note(web);
     source.before = std::max(source.before, web.before.value());
     source.behind = std::max(source.behind, web.behind.value());
   }
+  for (const PressedWeb& weld : pressing.welds) note(weld);
   instant.forces.push_back(std::move(pressing));
 }
 
@@ -124,7 +127,7 @@ double PressedWebs::stress_at(const Place& place, const std::vector<Pressing>& f
   double stress = 0.0;
   for (const Pressing& of : forces) {
     if (!acts(place, of.force)) continue;
-    for (const PressedWeb& web : of.webs)
+    for (const PressedWeb& web : of.of(place.diaphragm))
       if (place.is_of(web) && reaches(web, of.s, place.s)) stress += web.stress.value();
   }
   return stress;
@@ -152,7 +155,7 @@ void PressedWebs::add_passages(const Place& place, const Instant& before, const 
     const bool later = std::abs(same->s - place.s) < std::abs(of.s - place.s);
     std::optional<PressedWeb> most;
     for (const std::vector<PressedWeb>* const webs :
-         {later ? &same->webs : &of.webs, later ? &of.webs : &same->webs}) {
+         {&(later ? *same : of).of(place.diaphragm), &(later ? of : *same).of(place.diaphragm)}) {
       for (const PressedWeb& web : *webs) {
         if (!place.is_of(web)) continue;
         if (!most) most = web;
@@ -300,6 +303,54 @@ PressedWebs::Resisting PressedWebs::resisting_on(const Station& at, BoxPlate pla
   return of;
 }
 
+std::vector<PressedWebs::Sheared> PressedWebs::sheared_at(const Place& place,
+                                                          const Resisting& resisting) const {
+  std::vector<Sheared> all;
+  const Length s = si<Length>(place.s);
+  const Length resists = resisting.throat > Length{} ? resisting.throat : resisting.thickness;
+  for (const Side side : {Side::before, Side::behind}) {
+    if (side == Side::before ? s == Length{} : s == project_->beam.length()) continue;
+    const Station station{s, side};
+    const bool seamed = std::holds_alternative<Box>(section_at(project_->beam, station).outer);
+    for (const StressPoint& point : seamed ? seam_throats_at(*project_, *zones_, station)
+                                           : stress_points_at(*project_, *zones_, station)) {
+      if (seamed ? !joins(point, place.web) : point.shear_detail == nullptr) continue;
+      Sheared& of = all.emplace_back(Sheared{station, point.influence});
+      if (!seamed) continue;
+      const double over = seam_throat_of(point) / resists;
+      for (double& factor : of.influence.shear) factor *= over;
+    }
+  }
+  return all;
+}
+
+bool PressedWebs::shear_may_count(const Place& place, bool unsaid_as_fillets, double k) const {
+  const Resisting& resisting = resisting_at(place, unsaid_as_fillets);
+  const bool in_throat = resisting.throat > Length{};
+  const SnCurve curve = curve_of(in_throat ? project_->fatigue.throat : project_->fatigue.shear);
+  if (!curve.cut_off) return true;
+  const auto [at, is_new] =
+      most_shear_.try_emplace(std::tuple(place.s, place.web, unsaid_as_fillets), 0.0);
+  if (is_new) {
+    double force = 0.0, moment = 0.0;
+    for (const SituationRun& run : *all_runs_) {
+      force = std::max(force, run.loads.largest_force());
+      moment = std::max(moment, run.loads.largest_moment());
+    }
+    for (const Sheared& of : sheared_at(place, resisting)) {
+      double most = 0.0;
+      for (std::size_t j = 0; j < cut_force::count; ++j)
+        most += std::abs(of.influence.shear[j]) * (j < cut_force::T ? force : moment);
+      at->second = std::max(at->second, most);
+    }
+  }
+  // Between instants and situations; from one sense to the other.
+  constexpr double more = 1.5, both_ways = 2.0;
+  const FatigueDemand& demand = project_->fatigue.demand;
+  return k * demand.gamma_Ff * demand.gamma_Mf * more * both_ways * at->second >
+         *curve.cut_off;
+}
+
 const std::vector<LifeChannel>& PressedWebs::shear_at(const Place& place,
                                                       bool unsaid_as_fillets) const {
   const auto [at, is_new] = shear_.try_emplace(std::tuple(place.s, place.web, unsaid_as_fillets));
@@ -308,33 +359,22 @@ const std::vector<LifeChannel>& PressedWebs::shear_at(const Place& place,
   const Resisting& resisting = resisting_at(place, unsaid_as_fillets);
   const bool in_throat = resisting.throat > Length{};
   const SnCurve curve = curve_of(in_throat ? project_->fatigue.throat : project_->fatigue.shear);
-  const Length s = si<Length>(place.s);
-  for (const Side side : {Side::before, Side::behind}) {
-    if (side == Side::before ? s == Length{} : s == project_->beam.length()) continue;
-    const Station station{s, side};
-    const bool seamed = std::holds_alternative<Box>(section_at(project_->beam, station).outer);
-    const StationSamples samples(*project_, histories_at(*all_runs_, station));
-    for (const StressPoint& point : seamed ? seam_throats_at(*project_, *zones_, station)
-                                           : stress_points_at(*project_, *zones_, station)) {
-      if (seamed ? !joins(point, place.web) : point.shear_detail == nullptr) continue;
-      StressInfluence shear = point.influence;
-      if (seamed) {
-        const double over =
-            seam_throat_of(point) / (in_throat ? resisting.throat : resisting.thickness);
-        for (double& factor : shear.shear) factor *= over;
+  std::optional<StationSamples> samples;
+  std::optional<Side> side;
+  for (const Sheared& of : sheared_at(place, resisting)) {
+    if (side != of.station.side) samples.emplace(*project_, histories_at(*all_runs_, of.station));
+    side = of.station.side;
+    LifeChannel channel{{}, curve};
+    double largest = 0.0;
+    for (const SituationCycles& cycles :
+         life_cycles_of(*project_, samples->shear_turns_of(of.influence), false)) {
+      for (SpectrumRow& row :
+           rows_of(project_->situations[cycles.situation].name, StressKind::shear, cycles.cycles)) {
+        largest = std::max(largest, row.cycle.range.value());
+        channel.spectrum.push_back(std::move(row));
       }
-      LifeChannel channel{{}, curve};
-      double largest = 0.0;
-      for (const SituationCycles& of :
-           life_cycles_of(*project_, samples.shear_turns_of(shear), false)) {
-        for (SpectrumRow& row :
-             rows_of(project_->situations[of.situation].name, StressKind::shear, of.cycles)) {
-          largest = std::max(largest, row.cycle.range.value());
-          channel.spectrum.push_back(std::move(row));
-        }
-      }
-      if (largest >= no_stress) channels.push_back(std::move(channel));
     }
+    if (largest >= no_stress) channels.push_back(std::move(channel));
   }
   return channels;
 }
@@ -355,7 +395,7 @@ void PressedWebs::for_all_at(const Place& place, const Look& look) const {
     for (const Instant& at : run.instants) {
       for (const Pressing& of : at.forces) {
         const Source& source = sources_[of.force];
-        for (const PressedWeb& web : of.webs) {
+        for (const PressedWeb& web : of.of(place.diaphragm)) {
           const bool there = place.s >= source.from - web.before.value() &&
                              place.s <= source.to + web.behind.value();
           if (place.is_of(web) && there && acts(place, of.force)) look(source, web);
@@ -440,8 +480,9 @@ std::optional<CheckResult> PressedWebs::check_at(const Place& place, Turns turns
   ChannelLife life = life_of(*project_, channels);
   std::vector<LifeChannel> both{channels.front(), {}};
   static const std::vector<LifeChannel> none;
-  for (const LifeChannel& shear :
-       place.diaphragm != nullptr ? none : shear_at(place, unsaid_as_fillets)) {
+  const bool sheared =
+      place.diaphragm == nullptr && shear_may_count(place, unsaid_as_fillets, life.factor);
+  for (const LifeChannel& shear : sheared ? shear_at(place, unsaid_as_fillets) : none) {
     both.back() = shear;
     if (ChannelLife of = life_of(*project_, both); of.factor < life.factor) {
       life = of;

@@ -62,9 +62,13 @@ class PressedWebs {
  private:
   /// A force at an instant.
   struct Pressing {
-    std::size_t force = 0;  ///< its number
-    double s = 0.0;         ///< [m]
-    std::vector<PressedWeb> webs;
+    std::size_t force = 0;                ///< its number
+    double s = 0.0;                       ///< [m]
+    std::vector<PressedWeb> webs, welds;  ///< of diaphragms, where it is or may come to be
+
+    const std::vector<PressedWeb>& of(const Diaphragm* diaphragm) const {
+      return diaphragm != nullptr ? welds : webs;
+    }
   };
   struct Instant {
     Time time;
@@ -124,6 +128,15 @@ class PressedWebs {
   Resisting resisting_on(const Station& at, BoxPlate plate, bool unsaid_as_fillets) const;
   /// Fillets of diaphragms.
   static const Resisting& resisting_weld();
+  /// A place where shear is looked at beside what presses, and what of it counts there.
+  struct Sheared {
+    Station station;
+    StressInfluence influence;
+  };
+  /// Of the seams of a plate on both sides of a place; of tubes all around the section.
+  std::vector<Sheared> sheared_at(const Place& place, const Resisting& resisting) const;
+  /// Whether shear there can do damage with the loads taken k times: by the largest cut forces.
+  bool shear_may_count(const Place& place, bool unsaid_as_fillets, double k) const;
   /// The cycles of the shear stresses beside a place, each one of them with what resists it.
   const std::vector<LifeChannel>& shear_at(const Place& place, bool unsaid_as_fillets) const;
   /// The worst of all places like one.
@@ -146,6 +159,7 @@ class PressedWebs {
   bool sides_differ_ = false;  ///< of a kink, at some instant
   mutable std::map<std::tuple<double, BoxPlate, bool>, Resisting> resisting_;
   mutable std::map<std::tuple<double, BoxPlate, bool>, std::vector<LifeChannel>> shear_;
+  mutable std::map<std::tuple<double, BoxPlate, bool>, double> most_shear_;  ///< [Pa]
   std::map<std::tuple<std::string, bool, double, std::size_t>, std::size_t> numbers_;
 };
 
