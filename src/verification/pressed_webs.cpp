@@ -347,8 +347,7 @@ bool PressedWebs::shear_may_count(const Place& place, bool unsaid_as_fillets, do
   // Between instants and situations; from one sense to the other.
   constexpr double more = 1.5, both_ways = 2.0;
   const FatigueDemand& demand = project_->fatigue.demand;
-  return k * demand.gamma_Ff * demand.gamma_Mf * more * both_ways * at->second >
-         *curve.cut_off;
+  return k * demand.gamma_Ff * demand.gamma_Mf * more * both_ways * at->second > *curve.cut_off;
 }
 
 const std::vector<LifeChannel>& PressedWebs::shear_at(const Place& place,
