@@ -154,6 +154,8 @@ void PatchSearch::add_beside_diaphragms(std::vector<Patch>& patches) {
       taken.given = true;
       taken.stout = false;
       taken.together = true;  // with what leads it there
+      taken.led_there =
+          patches[i].may_come_beside_flanges();  // else counted in cycles where it stands
       patches.push_back(std::move(taken));
     }
   }
@@ -216,6 +218,7 @@ void PatchSearch::add_groups_at(std::optional<bool> high, double turning, std::s
       if (++count == kept + 1) shortest = length;
       if (other.is_torque() && !of_torques) {
         sum.couple += other.torque;
+        sum.turns += other.torque;
         turned = true;
       } else {
         sum.force += other.force;

@@ -64,8 +64,9 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
   const std::vector<Patch> others = [&] {
     std::vector<Patch> of;
     for (const Patch& patch : patches) {
-      if (patch.along_z == along_z && !patch.together && !patch.is_torque() &&
-          patch.diaphragm == nullptr)
+      // A torque stands for either of its two senses once.
+      const bool counts = !patch.is_torque() || patch.force > Force{};
+      if (patch.along_z == along_z && !patch.together && counts && patch.diaphragm == nullptr)
         of.push_back(patch);
     }
     return of;
@@ -83,6 +84,7 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
     edges.push_back(of.s);
     middles.push_back(of.s);
   }
+  for (const Segment& of : project_->beam.segments) edges.push_back(of.end());
   const Length end = project_->beam.length();
   const auto look = [&](Length begin, Length depth) {
     begin = std::clamp(begin, Length{}, std::max(Length{}, Length(end - depth)));
@@ -150,6 +152,14 @@ void PatchSearch::add_length(const OnLength& of, bool along_z, std::vector<Patch
            near.meet(along_z, {along_z ? force : Force{}, along_z ? Force{} : force, {}, false});
   };
   bool any = false;
+  // With the torques of each sense there, and without.
+  Moment torques;
+  std::array<Moment, 2> turning{};
+  for (const Patch& other : *of.others) {
+    if (other.s < of.begin || other.s > of.end || !other.is_torque()) continue;
+    turning[other.torque > Moment{} ? 0 : 1] += other.torque;
+    if (other.torque.value() * of.turns > 0.0) torques += other.torque;
+  }
   for (const std::size_t k : {0U, 1U}) {
     const Force force = si<Force>(of.forces[k]);
     line.opposed = si<Force>(of.forces[1 - k]) > near.none;
@@ -158,7 +168,7 @@ void PatchSearch::add_length(const OnLength& of, bool along_z, std::vector<Patch
     line.standing = {{line.force, {}, line.couple}};
     Patch sum = line;
     for (const Patch& other : *of.others) {
-      if (other.s < of.begin || other.s > of.end) continue;
+      if (other.s < of.begin || other.s > of.end || other.is_torque()) continue;
       if ((other.force.value() > 0.0) != (k == 0)) {
         sum.opposed = line.opposed = true;
         continue;
@@ -181,7 +191,15 @@ void PatchSearch::add_length(const OnLength& of, bool along_z, std::vector<Patch
       patches.push_back(line);
       any = true;
     }
-    if (sum.together && presses(abs(sum.force))) patches.push_back(std::move(sum));
+    if (!presses(abs(sum.force))) continue;
+    if (sum.together) patches.push_back(sum);
+    for (const Moment& torque : turning) {
+      if (torque == Moment{}) continue;
+      patches.push_back(sum);
+      patches.back().name += " and torques";
+      patches.back().couple += torque;
+      patches.back().together = true;
+    }
   }
   if (any || of.turns == 0.0 || !project_->in_space) return;
   // Torque along the beam, as couples at one place are.
@@ -190,7 +208,7 @@ void PatchSearch::add_length(const OnLength& of, bool along_z, std::vector<Patch
   if (by != nullptr && by->torque_by &&
       *by->torque_by != (along_z ? TorqueBy::webs : TorqueBy::flanges))
     return;
-  const Moment torque = si<Moment>(of.turns);
+  const Moment torque = si<Moment>(of.turns) + torques;
   if (!presses(abs(torque) / *apart)) return;
   line.name = "a torque along the beam";
   line.opposed = true;

@@ -123,7 +123,8 @@ void PatchNotes::take(const Patch& patch, const std::vector<Borne>& ways,
   }
   if (patch.diaphragm != nullptr) {
     for (const Borne& way : ways) take_diaphragm(patch, way, situation.load_factor);
-    if (!patch.together && has_cycles(*project_, situation)) take_cycles(patch, ways, all);
+    const bool alone = !patch.together || patch.led_there;
+    if (alone && has_cycles(*project_, situation)) take_cycles(patch, ways, all);
     return;
   }
   const bool again = project_->fatigue.asked && has_cycles(*project_, situation);
@@ -183,10 +184,14 @@ void PatchNotes::take_diaphragm(const Patch& patch, const Borne& way, double loa
   for (const Patch::Standing& of : patch.standing) {
     const Length place = farthest_place(patch, of, *flanges);
     if (!(flanges->beside(place) > flanges->thickness)) continue;
-    const double by_high = (place - flanges->low) / flanges->apart();
+    // What stands beyond a web is a torque besides, of which half goes by the plate.
+    const Length at = std::clamp(place, flanges->low, flanges->high);
+    const double by_high = (at - flanges->low) / flanges->apart();
     between += abs(of.force);
-    sheared += std::max(std::abs(by_high), std::abs(1.0 - by_high)) * abs(of.force);
+    sheared += (std::max(by_high, 1.0 - by_high) + 0.5 * abs(place - at) / flanges->apart()) *
+               abs(of.force);
   }
+  sheared += 0.5 * abs(patch.turns) / flanges->apart();
   if (patch.is_torque()) sheared = 0.5 * abs(patch.force);
   if (!(sheared > Force{})) return;
   // Beside an access hole, taken as deep as it is wide.
@@ -255,7 +260,8 @@ void PatchNotes::take_cycles(const Patch& patch, const std::vector<Borne>& ways,
   double in_web = 0.0, in_weld = 0.0;
   for (const Borne& way : ways) {
     const double force = (way.basis.share * way.basis.force).value();
-    const bool counted = counted_ != nullptr && way.basis.box && PressedWebs::counts(patch);
+    const bool counted =
+        counted_ != nullptr && way.basis.box && PressedWebs::counts(patch) && !patch.led_there;
     const auto* const weld = std::get_if<StiffenerWeld>(&way.basis.bears);
     if (weld != nullptr && !(counted && way.part == Borne::Part::weld)) {
       // Where nothing is said of them as thick together as the diaphragm.
@@ -342,7 +348,7 @@ std::vector<Gate> PatchNotes::gates() const {
   }
   add_used(sheared_, [](const std::string& name, const std::string& s, double use) {
     return fmt::format(
-        "diaphragm at s = {} m: \"{}\" stands between its webs and uses its plate in shear by "
+        "diaphragm at s = {} m: what \"{}\" puts between its webs uses its plate in shear by "
         "{:.3g} (EN 1993-1-5, 5.2): a thicker one",
         s, name, use);
   });
@@ -420,8 +426,9 @@ std::vector<NotJudged> PatchNotes::not_judged() const {
         {Criterion::patch_loading,
          fmt::format("edge of the diaphragm at s = {} m",
                      to_text(Station{edge->second.second, Side::both})),
-         fmt::format("as no more than a point \"{}\" presses it by {:.3g} of its strength: "
-                     "[[beam.load_introductions]] say how long its pad is",
+         fmt::format("\"{}\" presses it by {:.3g} of its strength, over 2 t_f and as much as "
+                     "[[beam.load_introductions]] say its pad is long: a longer one, or a thicker "
+                     "diaphragm",
                      edge->first, edge->second.first)});
   if (const Anew of = anew_of(pressed_); !of.names.empty())
     found.push_back(

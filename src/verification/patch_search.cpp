@@ -133,38 +133,44 @@ std::vector<Borne> PatchSearch::worst_of(const Patch& patch, const std::vector<P
     else if (factor_of(of.basis) < factor_of(same->basis))
       *same = std::move(of);
   };
-  for (const Station& station : stations_of(patch)) {
+  for (const Reached& reached : reached_by(patch)) {
+    const Station& station = reached.at;
     const JudgedSection& judged = judged_at(station);
+    Patch there = patch;
+    there.force = reached.part * patch.force;
+    there.couple = reached.part * patch.couple;
+    there.stiff_length = reached.stiff_length;
     if (judged.path) {
-      for (Borne& of : path_ways_at(patch, station, judged, diagram)) take(std::move(of));
+      for (Borne& of : path_ways_at(there, station, judged, diagram)) take(std::move(of));
     }
     if (!judged.box) continue;
-    for (Borne& of : ways_at(patch, station, judged, diagram)) take(std::move(of));
+    for (Borne& of : ways_at(there, station, judged, diagram)) take(std::move(of));
     for (Borne& of : seams_at(patch, all, judged, diagram.at(station))) take(std::move(of));
   }
   return worst;
 }
 
-std::vector<Station> PatchSearch::stations_of(const Patch& patch) {
-  std::vector<Station> stations;
+std::vector<PatchSearch::Reached> PatchSearch::reached_by(const Patch& patch) {
+  std::vector<Reached> stations;
   const Length end = project_->beam.length();
   Length flange;
   for (const Side side : {Side::before, Side::behind}) {
     if (side == Side::before ? patch.s == Length{} : patch.s == end) continue;
-    stations.push_back({patch.s, side});
-    const JudgedSection& judged = judged_at(stations.back());
-    if (!judged.box) continue;
+    stations.push_back({{patch.s, side}, 1.0, patch.stiff_length});
+    const JudgedSection& judged = judged_at(stations.back().at);
+    if (!judged.box || patch.is_line) continue;
     for (const BoxPlate plate : flanges_of(patch))
       flange = std::max(flange, judged.box->box().of(plate).thickness);
   }
   if (patch.diaphragm != nullptr) return stations;
-  // What it loads beyond a border bears it as well: of both by what is weaker.
-  const Length reach = 0.5 * patch.stiff_length + flange;
+  const Length half = 0.5 * patch.stiff_length, reach = half + flange;
   const std::vector<Segment>& segments = project_->beam.segments;
   for (std::size_t k = 0; k + 1 < segments.size(); ++k) {
-    const Length border = segments[k].end();
-    if (border == patch.s || abs(border - patch.s) >= reach) continue;
-    stations.push_back({border, border > patch.s ? Side::behind : Side::before});
+    const Length border = segments[k].end(), away = abs(border - patch.s);
+    if (border == patch.s || away >= reach) continue;
+    stations.push_back({{border, border > patch.s ? Side::behind : Side::before},
+                        ((reach - away) / (2.0 * reach)).value(),
+                        std::max(Length{}, Length(half - away))});
   }
   return stations;
 }

@@ -26,6 +26,7 @@ struct Patch {
   Force force;    ///< along its axis, signed
   Moment couple;  ///< about the beam's axis
   Length stiff_length;
+  Moment turns = {};                     ///< couples beside the forces, part of `couple`
   Moment torque = {};                    ///< couples alone: the webs take it with unlike senses
   const Diaphragm* diaphragm = nullptr;  ///< that takes it
   const FlangeKink* kink = nullptr;      ///< that it comes from
@@ -45,6 +46,7 @@ struct Patch {
   bool given = true;                     ///< the case says how it comes in
   bool opposed = false;                  ///< one of the other sense is near
   bool together = false;                 ///< several as one
+  bool led_there = false;                ///< beside the diaphragm that takes it
   bool is_line = false;                  ///< a load along the beam
   bool moves = false;                    ///< along the beam
   bool stout = false;  ///< looked at for its size alone: the case does not say how it comes in
@@ -264,8 +266,15 @@ class PatchSearch {
   /// other. patched_seams.cpp
   std::vector<Borne> seams_at(const Patch& patch, const std::vector<Patch>& all,
                               const JudgedSection& judged, const CutForces& cut) const;
-  /// Both sides of the place of a patch, and of the borders of segments that it reaches over.
-  std::vector<Station> stations_of(const Patch& patch);
+  /// A station that bears a patch: a part of its force, over this stiff length.
+  struct Reached {
+    Station at;
+    double part = 1.0;
+    Length stiff_length;
+  };
+  /// Both sides of its place bear all of it, the far sides of borders of segments what stands
+  /// beyond these.
+  std::vector<Reached> reached_by(const Patch& patch);
 
   /// What a patch loads of a seam, within the ends of the beam.
   struct Spread {

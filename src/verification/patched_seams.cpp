@@ -31,8 +31,8 @@ PatchSearch::Spread PatchSearch::spread_of(const Patch& patch, const PatchedWeb&
 std::vector<PressedWeb> PatchSearch::pressed_by(const Patch& patch) {
   std::vector<PressedWeb> pressed;
   if (patch.diaphragm != nullptr) return pressed;
-  for (const Station& station : stations_of(patch)) {
-    const JudgedSection& judged = judged_at(station);
+  for (const Reached& reached : reached_by(patch)) {
+    const JudgedSection& judged = judged_at(reached.at);
     if (!judged.box) continue;
     const auto [webs, shares] = shared_by_webs(patch, judged.box->box());
     for (const std::size_t k : {0U, 1U}) {

@@ -83,23 +83,56 @@ TEST_CASE("a small force does not hide what a torque does to flanges", "[patch]"
 }
 
 TEST_CASE("a force that reaches over a border is borne by the weaker side", "[patch]") {
-  const auto of = [](double at) {
+  const auto of = [](double at, double kN, double stiff_length) {
     Beam beam;
     beam.pieces = {{2.0, {400, 800, 25, 20, 6.0}, {400, 800, 25, 20, 6.0}},
                    {2.0, {400, 800, 25, 6, 6.0}, {400, 800, 25, 6, 6.0}}};
     beam.diaphragms = {0.0, 4.0};
     beam.supports = {{0.0, 0.0}, {4.0, 0.0}};
-    beam.forces = {{"f", at, 600.0}};
-    beam.more = introduced(0.0, 4.0, 200.0) + cycles(1e5, "f = 1");
+    beam.forces = {{"f", at, kN}};
+    beam.more = introduced(0.0, 4.0, stiff_length) + cycles(1e5, "f = 1");
     return beam.verified();
   };
-  const Verification before = of(1.999), at = of(2.0), away = of(1.5);
-  for (const Criterion criterion :
-       {Criterion::patch_loading, Criterion::weld, Criterion::patch_fatigue}) {
+  const Verification before = of(1.999, 600.0, 200.0), at = of(2.0, 600.0, 200.0),
+                     away = of(1.5, 600.0, 200.0);
+  // Of 250 mm that are loaded 124 mm lie on the thin web, 99 mm of them stiff.
+  const Verification part = of(2.1, 600.0 * 124.0 / 250.0, 99.0);
+  CHECK(use_of(before, Criterion::patch_loading) ==
+        Approx(use_of(part, Criterion::patch_loading)).epsilon(0.03));
+  CHECK(use_of(away, Criterion::patch_loading) < 0.8 * use_of(before, Criterion::patch_loading));
+  // What it loads of seams and webs is as much per length wherever it is.
+  for (const Criterion criterion : {Criterion::weld, Criterion::patch_fatigue})
     CHECK(use_of(before, criterion) == Approx(use_of(at, criterion)).epsilon(5e-3));
-    // The seams are as thick everywhere.
-    if (criterion != Criterion::weld) CHECK(use_of(away, criterion) < 0.8 * use_of(at, criterion));
-  }
+  CHECK(use_of(away, Criterion::patch_fatigue) < 0.8 * use_of(at, Criterion::patch_fatigue));
+  // A hair beyond the border is none.
+  CHECK(use_of(of(1.876, 600.0, 200.0), Criterion::patch_loading) ==
+        Approx(use_of(away, Criterion::patch_loading)).epsilon(0.1));
+}
+
+TEST_CASE("torques press with loads along the beam, and shear diaphragms with forces", "[patch]") {
+  const auto spread_in_space = [](double kNm) {
+    Beam beam = in_space({});
+    if (kNm != 0.0) beam.forces = {{"t", 3.0, 0.0, 0.0, 0.0, 0.0, kNm}};
+    beam.more +=
+        "[loads.q]\nkind = \"line\"\nfrom = \"2.5 m\"\nto = \"3.5 m\"\n"
+        "force_per_length = [\"0 kN/m\", \"0 kN/m\", \"-600 kN/m\"]\n";
+    return patch_use_of(beam);
+  };
+  CHECK(spread_in_space(200.0) > 1.3 * spread_in_space(0.0));
+  CHECK(spread_in_space(-200.0) == Approx(spread_in_space(200.0)).epsilon(1e-6));
+  // Half of the force, and half of the torque over the webs' distance, by the diaphragm's plate.
+  const auto of = [](const std::vector<Load>& loads) {
+    Beam beam = in_space(loads, 12.0);
+    beam.pieces = {{6.0, {1000, 1000, 30, 30, 0.0}, {1000, 1000, 30, 30, 0.0}}};
+    beam.diaphragms = {0.0, 3.0, 6.0};
+    beam.more = introduced(0.0, 6.0, 400.0);
+    return stops(beam.verified(), "uses its plate in shear");
+  };
+  const Load force{"f", 3.0, 2550.0}, torque{"t", 3.0, 0.0, 0.0, 0.0, 0.0, 2550.0};
+  CHECK_FALSE(of({force}));
+  CHECK_FALSE(of({torque}));
+  CHECK(of({force, torque}));
+  CHECK_FALSE(of({{"f", 3.0, 1600.0, 0.0, 0.0, 0.0, 1600.0}}));
 }
 
 TEST_CASE("loads along the beam add up, whatever the case writes between them", "[patch]") {
