@@ -133,7 +133,7 @@ std::optional<Moment> PatchSearch::couple_of(const PointLoad& load) {
     if (abs(of.s - load.s) <= depth) return std::nullopt;
   const Force force = couple / depth;
   const PressedPlates& near = plates_.near(load.s);
-  // Those of stout webs it is no matter of; slender ones say so from what is no more than weight.
+  // Stout webs are spared what they hardly feel, slender ones what is no more than weight.
   if (!(force > near.none) ||
       !near.meet(about_y, {about_y ? force : Force{}, about_y ? Force{} : force, {}, false}))
     return std::nullopt;

@@ -34,8 +34,7 @@ struct PatchSearch::OnLength {
   Length from, to;                   ///< of what is loaded
   std::array<double, 2> forces{};    ///< along the axis and against it, sizes [N]
   double turns = 0.0;                ///< the couple alone [N m]
-  const std::vector<Patch>* others;  ///< forces by themselves
-  std::size_t count = 0;             ///< so many of them
+  const std::vector<Patch>* others;  ///< forces and torques by themselves
   Length begin, end;                 ///< the length itself
 };
 
@@ -59,8 +58,6 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
   const Force size = along_z ? largest.along_z : largest.along_y;
   const bool turns = project_->in_space && most_couple > 0.0;
   if (!(size > all.none) && !turns) return;
-  if (!all.meet(along_z, largest)) return;
-
   const std::vector<Patch> others = [&] {
     std::vector<Patch> of;
     for (const Patch& patch : patches) {
@@ -71,6 +68,9 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
     }
     return of;
   }();
+  // What they hardly feel of it counts beside the forces there.
+  for (const Patch& of : others) (along_z ? largest.along_z : largest.along_y) += abs(of.force);
+  if (!all.meet(along_z, largest)) return;
   // The largest on a length of the webs' depth begins or ends where a load does, or is about its
   // middle where it is steady or grows.
   std::vector<Length> edges, middles;

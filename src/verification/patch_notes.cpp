@@ -257,6 +257,8 @@ void PatchNotes::take_flange(const Patch& patch, const Borne& way, double load_f
 
 void PatchNotes::take_cycles(const Patch& patch, const std::vector<Borne>& ways, bool all) {
   if (!project_->fatigue.asked) return;
+  // A torque stands for either of its two senses once.
+  if (patch.is_torque() && !(patch.force > Force{})) return;
   double in_web = 0.0, in_weld = 0.0;
   for (const Borne& way : ways) {
     const double force = (way.basis.share * way.basis.force).value();
@@ -277,7 +279,8 @@ void PatchNotes::take_cycles(const Patch& patch, const std::vector<Borne>& ways,
     in_web = std::max(in_web, force / (web->thickness * loaded_length_of(*web)).value());
   }
   // From above or from below: what pushes and what pulls.
-  const double sense = patch.force.value() > 0.0 ? 1.0 : -1.0, s = patch.s.value();
+  const double of_what = patch.is_torque() ? patch.torque.value() : patch.force.value();
+  const double sense = of_what > 0.0 ? 1.0 : -1.0, s = patch.s.value();
   const auto add = [&](double stress, PressedWeb& of) {
     if (!of.known) of = {stress, stress, s, s, true};
     of.unsaid = of.unsaid || !patch.given;

@@ -168,9 +168,13 @@ std::vector<PatchSearch::Reached> PatchSearch::reached_by(const Patch& patch) {
   for (std::size_t k = 0; k + 1 < segments.size(); ++k) {
     const Length border = segments[k].end(), away = abs(border - patch.s);
     if (border == patch.s || away >= reach) continue;
-    stations.push_back({{border, border > patch.s ? Side::behind : Side::before},
-                        ((reach - away) / (2.0 * reach)).value(),
-                        std::max(Length{}, Length(half - away))});
+    const Station beyond{border, border > patch.s ? Side::behind : Side::before};
+    // Of several that stand together any may be beyond it.
+    if (patch.together && !patch.is_line)
+      stations.push_back({beyond, 1.0, patch.stiff_length});
+    else
+      stations.push_back({beyond, ((reach - away) / (2.0 * reach)).value(),
+                          std::max(Length{}, Length(half - away))});
   }
   return stations;
 }

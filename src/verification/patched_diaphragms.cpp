@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <optional>
 
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/strength/shear_buckling.hpp"
@@ -92,30 +94,33 @@ std::vector<PressedWeb> PatchSearch::welds_stressed_by(const Patch& patch) {
     const Length near = 0.5 * patch.stiff_length + of.thickness;
     const bool there = abs(of.s - patch.s) <= near;
     if (!(of.throat > Length{}) || !(there || patch.moves) || !holds(of, patch.along_z)) continue;
-    const Station station{of.s, of.s < project_->beam.length() ? Side::behind : Side::before};
-    const JudgedSection& judged = judged_at(station);
-    if (!judged.box) continue;
-    const FourWalls& walls = judged.box->box();
-    const auto [webs, shares] = shared_by_webs(patch, walls);
-    for (const std::size_t k : {0U, 1U}) {
-      const BoxWall& across =
-          walls.of(is_flange(webs[k]) ? BoxPlate::left_web : BoxPlate::top_flange);
-      const BearingStiffener by =
-          stiffener_of(*project_, web_of(judged, webs[k], flanges_of(patch).front(), patch),
-                       across.clear(), of, station);
-      PressedWeb weld{webs[k], {}, near, near, {}, &of, {}};
-      for (const bool to_flange : {false, true}) {
-        StiffenerWeld each{
-            to_flange, by.both_sides ? 4 : 2, of.throat, to_flange ? by.width : by.web_depth, {}};
-        const Area throats = static_cast<double>(each.welds) * each.throat *
-                             std::max(si<Length>(1e-6), Length(each.length - 2.0 * each.throat));
-        const Stress stress = shares[k] * patch.force / throats;
-        if (weld.weld.welds > 0 && abs(stress) <= abs(weld.stress)) continue;
-        weld.stress = stress;
-        weld.weld = each;
+    std::array<std::optional<PressedWeb>, 2> worst;
+    for (const Side side : {Side::before, Side::behind}) {
+      if (side == Side::before ? of.s == Length{} : of.s == project_->beam.length()) continue;
+      const Station station{of.s, side};
+      const JudgedSection& judged = judged_at(station);
+      if (!judged.box) continue;
+      const FourWalls& walls = judged.box->box();
+      const auto [webs, shares] = shared_by_webs(patch, walls);
+      for (const std::size_t k : {0U, 1U}) {
+        const BoxWall& across =
+            walls.of(is_flange(webs[k]) ? BoxPlate::left_web : BoxPlate::top_flange);
+        const BearingStiffener by =
+            stiffener_of(*project_, web_of(judged, webs[k], flanges_of(patch).front(), patch),
+                         across.clear(), of, station);
+        for (const bool to_flange : {false, true}) {
+          const StiffenerWeld weld{
+              to_flange, by.both_sides ? 4 : 2, of.throat, to_flange ? by.width : by.web_depth, {}};
+          const Area throats = static_cast<double>(weld.welds) * weld.throat *
+                               std::max(si<Length>(1e-6), Length(weld.length - 2.0 * weld.throat));
+          const Stress stress = shares[k] * patch.force / throats;
+          if (worst[k] && abs(stress) <= abs(worst[k]->stress)) continue;
+          worst[k] = PressedWeb{webs[k], stress, near, near, {}, &of, weld};
+        }
       }
-      stressed.push_back(weld);
     }
+    for (const std::optional<PressedWeb>& weld : worst)
+      if (weld) stressed.push_back(*weld);
   }
   return stressed;
 }

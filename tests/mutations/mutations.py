@@ -347,7 +347,7 @@ MUTATIONS = [
          ("pressed-shear", "both.back() = shear;", "both.back().spectrum.clear();",
           "EN 1993-1-9, 8.3: shear along the seam counts with what presses it", "pressed_webs_test")),
     *_in("src/verification", "patched_diaphragms.cpp",
-         ("diaphragm-weld-fatigue", "Length(each.length - 2.0 * each.throat)", "each.length",
+         ("diaphragm-weld-fatigue", "Length(weld.length - 2.0 * weld.throat)", "weld.length",
           "EN 1993-1-8, 4.5.1(1): a throat at each end", "pressed_together_test")),
     *_in("src/verification", "patched_seams.cpp",
          ("seam-neighbours", "its.from < own.to && its.to > own.from", "false",
