@@ -20,33 +20,39 @@ FOR_WIDE_REGISTERS void add_times(double factor, std::span<const double> values,
   for (std::size_t k = 0; k < sum.size(); ++k) to[k] += factor * from[k];
 }
 
-/// Several neighbours at once; the compiler divides it for narrower registers.
-using Lanes = double __attribute__((vector_size(64)));
+/// As many neighbours as AVX2 compares at once: of wider ones GCC 12 compares every number alone
+/// and passes it through memory.
+using Lanes = double __attribute__((vector_size(32)));
 constexpr std::size_t lanes = sizeof(Lanes) / sizeof(double);
+constexpr std::size_t chains = 4;  // one waits less for the other
 
 FOR_WIDE_REGISTERS std::pair<double, double> extremes_of(std::span<const double> values) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  Lanes low = Lanes{} + infinity, high = Lanes{} - infinity;
-  Lanes other_low = low, other_high = high;  // two chains: one waits less for the other
+  Lanes low[chains], high[chains];
+  for (std::size_t c = 0; c < chains; ++c) {
+    low[c] = Lanes{} + infinity;
+    high[c] = Lanes{} - infinity;
+  }
   const double* of = values.data();
   std::size_t k = 0;
-  for (; k + 2 * lanes <= values.size(); k += 2 * lanes) {
-    Lanes here, next;
-    std::memcpy(&here, of + k, sizeof here);
-    std::memcpy(&next, of + k + lanes, sizeof next);
-    low = here < low ? here : low;
-    high = here > high ? here : high;
-    other_low = next < other_low ? next : other_low;
-    other_high = next > other_high ? next : other_high;
+  for (; k + chains * lanes <= values.size(); k += chains * lanes) {
+    for (std::size_t c = 0; c < chains; ++c) {
+      Lanes here;
+      std::memcpy(&here, of + k + c * lanes, sizeof here);
+      low[c] = here < low[c] ? here : low[c];
+      high[c] = here > high[c] ? here : high[c];
+    }
   }
   double lowest = infinity, highest = -infinity;
   for (; k < values.size(); ++k) {
     lowest = std::min(lowest, of[k]);
     highest = std::max(highest, of[k]);
   }
-  for (std::size_t i = 0; i < lanes; ++i) {
-    lowest = std::min({lowest, low[i], other_low[i]});
-    highest = std::max({highest, high[i], other_high[i]});
+  for (std::size_t c = 0; c < chains; ++c) {
+    for (std::size_t i = 0; i < lanes; ++i) {
+      lowest = std::min(lowest, low[c][i]);
+      highest = std::max(highest, high[c][i]);
+    }
   }
   return {lowest, highest};
 }
