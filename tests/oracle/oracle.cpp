@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -328,14 +329,16 @@ class Search {
     return sum;
   }
 
-  /// Times a number, where there was another.
-  void add_up(std::size_t run, const Factors& factors, double times, Stresses& sum) const {
-    sum.setZero(cuts_[run].rows());
+  void add_up(std::size_t run, const Factors& factors, double times, auto& sum) const {
+    sum.resize(cuts_[run].rows());
+    std::array<Term, cut_force::count> terms;
+    std::size_t count = 0;
     for (std::size_t k = 0; k < factors.size(); ++k) {
       if (!acts_[k] || factors[k] == 0.0) continue;
       const auto column = cuts_[run].col(static_cast<Eigen::Index>(k));
-      add_times(times * factors[k], values_of(column), {sum.data(), values_of(column).size()});
+      terms[count++] = {times * factors[k], values_of(column)};
     }
+    oracle::add_up({terms.data(), count}, {sum.data(), static_cast<std::size_t>(sum.size())});
   }
 
   void look_at(const Place& place, const Bounds& bounds, const BeamDetail* own = nullptr) {
@@ -400,7 +403,7 @@ class Search {
   // cycles
 
   /// A stress over the instants of each situation that runs, by its index in the case.
-  using Histories = std::vector<Stresses>;
+  using Histories = std::vector<std::vector<double>>;
 
   const Histories& histories_of(const Factors& factors, double times, Histories& histories) const {
     histories.resize(project_.situations.size());
@@ -415,7 +418,7 @@ class Search {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     const auto take = [&](std::size_t of) {
       if (histories[of].size() == 0) return;
-      const auto [lowest, highest] = extremes_of(values_of(histories[of]));
+      const auto [lowest, highest] = extremes_of(histories[of]);
       low = std::min(low, lowest);
       high = std::max(high, highest);
     };
@@ -445,9 +448,9 @@ class Search {
         const auto [low, high] = extremes(histories, i);
         cycles = {{si<Stress>(high - low), si<Stress>(0.5 * (high + low)), 1.0}};
       } else {
-        std::vector<double> history(histories[i].begin(), histories[i].end());
+        std::vector<double> history = histories[i];
         for (const std::size_t part : situation.between) {
-          const Stresses& of = histories[part];
+          const std::vector<double>& of = histories[part];
           history.insert(history.end(), of.begin(), of.end());
           if (closed(part)) history.push_back(of[0]);
         }
@@ -494,15 +497,16 @@ class Search {
   static constexpr double reckoned_cycles = 8.0;
 
   /// Half the turning points of all situations, each as often as it happens: no fewer than the
-  /// cycles of the life.
-  double cycles_in(const Histories& histories) {
+  /// cycles of the life. The histories keep those alone.
+  double cycles_in(Histories& histories) {
+    for (std::vector<double>& history : histories) history.resize(keep_turns(history));
     double sum = 0.0;
     for (std::size_t i = 0; i < project_.situations.size(); ++i) {
       const Situation& situation = project_.situations[i];
       if (situation.cycles == 0.0) continue;
       double turns = 2.0;
       const auto count = [&](std::size_t of) {
-        turns += static_cast<double>(changes_of(values_of(histories[of])));
+        turns += static_cast<double>(changes_of(histories[of]));
       };
       if (situation.between.empty()) count(i);
       if (situation.in_order) {
