@@ -15,6 +15,10 @@ Eigen::Vector3d spin_change(const Eigen::Matrix3d& J, const BeamMotion& motion) 
 
 }  // namespace
 
+double torque_of(const PointLoad& load) {
+  return load.moment.x() - (load.at.x() * load.force.z() - load.at.y() * load.force.y());
+}
+
 std::vector<LineLoad> unloaded_lines(const TaperedBeam& beam) {
   std::vector<LineLoad> lines;
   for (const Segment& segment : beam.segments) {

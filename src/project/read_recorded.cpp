@@ -430,6 +430,7 @@ class RecordedLoadsReader {
     for (std::size_t i = 0; i < spots_.size(); ++i) {
       PointLoad& point = nothing.points.emplace_back();
       point.s = place_near(places_of(*beam_), si<Length>(spots_[i].s));
+      point.at = spots_[i].off.tail<2>();
       point.name = (*loads.names)[i];
     }
     recorded::ChannelLoads& acting = loads.acting;

@@ -39,14 +39,16 @@ std::vector<Patch> PatchSearch::forces_of(const BeamLoads& loads) const {
       if (!along_z && !project_->in_space) continue;
       Patch patch;
       patch.force = si<Force>(along_z ? load.force.z() : load.force.y());
-      if (has_couple_beside(load, along_z)) add_torque(load, along_z, patches);
-      if (patch.force == Force{}) continue;
+      if (patch.force == Force{}) {
+        if (project_->in_space) add_torque(load, along_z, patches);
+        continue;
+      }
       patch.name = load.name.empty() ? std::string("a force") : std::string(load.name);
       patch.s = std::clamp(load.s, Length{}, beam.length());
       patch.along_z = along_z;
-      patch.couple = si<Moment>(load.moment.x());
+      patch.couple = couple_along(load, along_z);
       patch.standing = {
-          {patch.force, si<Force>(along_z ? load.force.y() : load.force.z()), patch.couple}};
+          {patch.force, {si<Length>(along_z ? load.at.x() : load.at.y()), patch.stands_at()}}};
       patch.moves = kinds_.moves(load.name, load.part > 0 ? load.part : number);
       patch.load = load.part > 0 ? load.part : number;
       patches.push_back(std::move(patch));
@@ -55,37 +57,30 @@ std::vector<Patch> PatchSearch::forces_of(const BeamLoads& loads) const {
   return patches;
 }
 
-bool PatchSearch::has_couple_beside(const PointLoad& load, bool along_z) const {
-  const double torque = std::abs(load.moment.x());
-  if (!project_->in_space || torque == 0.0) return false;
-  const double force = along_z ? load.force.z() : load.force.y(),
-               other = along_z ? load.force.y() : load.force.z();
-  if (force == 0.0 && other == 0.0) return true;
-  // With a force along the patch the couple is its lever. One along the other axis may stand
-  // anywhere on the section: what is more comes in by these plates as well.
-  if (force != 0.0) return false;
+Moment PatchSearch::couple_along(const PointLoad& load, bool along_z) const {
+  const TaperedBeam& beam = project_->beam;
   const Extent extent =
-      extent_of(section_at(project_->beam,
-                           {std::clamp(load.s, Length{}, project_->beam.length()), Side::both})
-                    .outer);
-  const auto reach = [](Length low, Length high) {
-    return std::max(std::abs(low.value()), std::abs(high.value()));
-  };
-  const double lever =
-      along_z ? reach(extent.z_low, extent.z_high) : reach(extent.y_low, extent.y_high);
+      extent_of(section_at(beam, {std::clamp(load.s, Length{}, beam.length()), Side::both}).outer);
+  const double y = load.at.x(), z = load.at.y();
+  // What the force across gives within the section goes round it in shear.
+  const double across =
+      along_z ? -(z - std::clamp(z, extent.z_low.value(), extent.z_high.value())) * load.force.y()
+              : (y - std::clamp(y, extent.y_low.value(), extent.y_high.value())) * load.force.z();
+  const double along = along_z ? y * load.force.z() : -z * load.force.y();
+  const double couple = torque_of(load) + along + across;
   constexpr double round_off = 1e-9;
-  if (torque > (1.0 + round_off) * lever * std::abs(other)) return true;
-  const LoadIntroduction* const by = introduction_at(load.s);
-  return by != nullptr && by->torque_by &&
-         *by->torque_by == (along_z ? TorqueBy::webs : TorqueBy::flanges);
+  const double size =
+      std::max((extent.y_high - extent.y_low).value(), (extent.z_high - extent.z_low).value());
+  return si<Moment>(std::abs(couple) > round_off * size * load.force.norm() ? couple : 0.0);
 }
 
 void PatchSearch::add_torque(const PointLoad& load, bool along_z,
                              std::vector<Patch>& patches) const {
   const LoadIntroduction* const by = introduction_at(load.s);
-  if (by != nullptr && by->torque_by &&
-      *by->torque_by != (along_z ? TorqueBy::webs : TorqueBy::flanges))
-    return;
+  const bool said = by != nullptr && by->torque_by;
+  if (said && *by->torque_by != (along_z ? TorqueBy::webs : TorqueBy::flanges)) return;
+  const Moment torque = said ? si<Moment>(load.moment.x()) : couple_along(load, along_z);
+  if (torque == Moment{}) return;
   const Length s = std::clamp(load.s, Length{}, project_->beam.length());
   const auto apart = webs_apart_at({s, Side::both}, along_z);
   if (!apart) return;
@@ -94,7 +89,7 @@ void PatchSearch::add_torque(const PointLoad& load, bool along_z,
     patch.name = "the torque of " + (load.name.empty() ? "a couple" : std::string(load.name));
     patch.s = s;
     patch.along_z = along_z;
-    patch.torque = si<Moment>(load.moment.x());
+    patch.torque = torque;
     patch.force = sense * abs(patch.torque) / *apart;
   }
 }

@@ -165,7 +165,7 @@ void PatchSearch::add_length(const OnLength& of, bool along_z, std::vector<Patch
     line.opposed = si<Force>(of.forces[1 - k]) > near.none;
     line.force = k == 0 ? force : Force(-force);
     line.couple = si<Moment>(of.turns);
-    line.standing = {{line.force, {}, line.couple}};
+    line.standing = {{line.force, {line.stands_at(), line.stands_at()}}};
     Patch sum = line;
     for (const Patch& other : *of.others) {
       if (other.s < of.begin || other.s > of.end || other.is_torque()) continue;

@@ -22,7 +22,6 @@ const PatchedWeb* web_in(const Borne& way) {
 /// The flanges of a section with two webs, across what comes in.
 struct Flanges {
   Length high, low, half_high, half_low;  ///< the webs: middles and half their thicknesses
-  std::array<Length, 2> levels{};         ///< of both flanges
   Length thickness;                       ///< of the weaker one
   Stress strength;
 
@@ -52,11 +51,8 @@ std::optional<Flanges> flanges_across(const Patch& patch, const Borne& way) {
     of.low = low.middle;
     of.half_high = 0.5 * high.thickness;
     of.half_low = 0.5 * low.thickness;
-    std::size_t k = 0;
-    for (const BoxPlate plate : flanges_of(patch)) {
-      of.levels[k++] = walls.of(plate).middle;
+    for (const BoxPlate plate : flanges_of(patch))
       of.take(walls.of(plate).thickness, walls.of(plate).yield_strength);
-    }
     return of;
   }
   if (!way.basis.path) return std::nullopt;
@@ -68,32 +64,16 @@ std::optional<Flanges> flanges_across(const Patch& patch, const Borne& way) {
     of.low = last.place;
     of.half_high = 0.5 * first.bears.thickness;
     of.half_low = 0.5 * last.bears.thickness;
-    const Eigen::Index along = patch.along_z ? 1 : 0;
-    const double a = first.plate->at(first.plate->low)[along],
-                 b = first.plate->at(first.plate->high)[along];
-    of.levels[onto_high ? 0 : 1] = si<Length>(onto_high ? std::max(a, b) : std::min(a, b));
     for (const PathWeb& web : webs.webs)
       of.take(web.bears.flange_thickness, web.bears.flange_strength);
   }
   return of;
 }
 
-/// Where a force may stand across itself: its couple is also that of the force along the other
-/// axis, which stands at one of the flanges or on the beam's axis. Of these the place farthest from
-/// the webs.
-Length farthest_place(const Patch& patch, const Patch::Standing& of, const Flanges& flanges) {
-  const auto place_if_at = [&](Length level) {
-    // M_x = y F_z - z F_y.
-    const Moment other = level * of.beside;
-    return Length(patch.along_z ? (of.couple + other) / of.force : (other - of.couple) / of.force);
-  };
-  Length farthest = place_if_at({});
-  if (of.beside == Force{}) return farthest;
-  for (const Length& level : flanges.levels) {
-    const Length place = place_if_at(level);
-    if (flanges.beside(place) > flanges.beside(farthest)) farthest = place;
-  }
-  return farthest;
+/// The one of a force's places that is farther from the webs.
+Length farthest_place(const Patch::Standing& of, const Flanges& flanges) {
+  const auto& [one, other] = of.places;
+  return flanges.beside(one) > flanges.beside(other) ? one : other;
 }
 
 }  // namespace
@@ -182,7 +162,7 @@ void PatchNotes::take_diaphragm(const Patch& patch, const Borne& way, double loa
   // What stands between the webs goes to them by its plate, and so does half of a torque.
   Force between, sheared;
   for (const Patch::Standing& of : patch.standing) {
-    const Length place = farthest_place(patch, of, *flanges);
+    const Length place = farthest_place(of, *flanges);
     if (!(flanges->beside(place) > flanges->thickness)) continue;
     // What stands beyond a web is a torque besides, of which half goes by the plate.
     const Length at = std::clamp(place, flanges->low, flanges->high);
@@ -228,7 +208,7 @@ void PatchNotes::take_flange(const Patch& patch, const Borne& way, double load_f
     const double t_f = flanges->thickness.value();
     double m = 0.0;
     for (const Patch::Standing& at : patch.standing) {
-      const Length place = farthest_place(patch, at, *flanges);
+      const Length place = farthest_place(at, *flanges);
       const Length beside = flanges->beside(place) - flanges->thickness;
       if (!(beside > Length{})) continue;
       of.beside = std::max(of.beside, beside);

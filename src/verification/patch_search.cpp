@@ -309,9 +309,7 @@ PatchSearch::Shared PatchSearch::shared_by_webs(const Patch& patch, const FourWa
     return of;
   }
   const Length high = walls.of(of.webs[0]).middle, low = walls.of(of.webs[1]).middle;
-  // M_x = y F_z - z F_y.
-  const Length at = (patch.along_z ? 1.0 : -1.0) * patch.couple / patch.force;
-  const double by_first = ((at - low) / (high - low)).value();
+  const double by_first = ((patch.stands_at() - low) / (high - low)).value();
   of.shares = {by_first, 1.0 - by_first};
   return of;
 }

@@ -31,11 +31,10 @@ struct Patch {
   const Diaphragm* diaphragm = nullptr;  ///< that takes it
   const FlangeKink* kink = nullptr;      ///< that it comes from
   std::array<FlangeKink::Turned, 2> by_sides{};  ///< of that, the larger one of which it is
-  /// A force as it stands on the section: along the patch, along the other axis, and its moment
-  /// about the beam's axis.
+  /// A force on the section, and across it where it stands and where it would have its couple.
   struct Standing {
-    Force force, beside;
-    Moment couple;
+    Force force;
+    std::array<Length, 2> places{};
   };
   /// How a flange is bent across: by kinks there, over its strength; by what stands on it.
   double bent = 0.0;
@@ -54,6 +53,8 @@ struct Patch {
   /// What of it is none, there is for what panels pull at a diaphragm alone.
   bool is_none() const { return force == Force{}; }
   bool is_torque() const { return torque != Moment{}; }
+  /// Across itself, by its couple.
+  Length stands_at() const { return (along_z ? 1.0 : -1.0) * couple / force; }
   /// Of stout webs: by a lug or boss, as what rolls along the beam, turns off from a flange or the
   /// case speaks of does not.
   bool may_come_beside_flanges() const { return stout && !moves && kink == nullptr; }
@@ -191,11 +192,11 @@ class PatchSearch {
 
   /// Forces and, where something holds the beam, what holds it; no clamps.
   std::vector<Patch> forces_of(const BeamLoads& loads) const;
-  /// A couple about the beam's axis without a force: both ways, for it may come by either flange.
+  /// The couple of a load that comes in with its force along an axis: the torque, and the levers of
+  /// that force and of what stands beyond the section along the other axis.
+  Moment couple_along(const PointLoad& load, bool along_z) const;
+  /// The torque beside the forces along an axis: both ways, for it may come by either flange.
   void add_torque(const PointLoad& load, bool along_z, std::vector<Patch>& patches) const;
-  /// Whether the couple of a load is more than that of its force somewhere on the section, or is
-  /// said to come in by the other plates.
-  bool has_couple_beside(const PointLoad& load, bool along_z) const;
   /// The middles of both webs of a section along a force; nothing where there are not two.
   std::optional<Length> webs_apart_at(const Station& station, bool along_z) const;
   /// What plates that turn off between segments put into those beside them. kinked_flanges.cpp

@@ -52,7 +52,4 @@ std::optional<Length> path_panel_length_at(const Project& project, const Station
 /// why it is not known what they bear as stiffeners of these.
 std::vector<NotJudged> not_judged_of_diaphragms(const Project& project);
 
-/// The place of a force across its own direction, by its couple.
-Length place_of(const Patch& patch);
-
 }  // namespace boxbeam

@@ -110,11 +110,6 @@ PathWebs webs_of_path(const PathSection& path, bool along_z, bool onto_high) {
   return found;
 }
 
-Length place_of(const Patch& patch) {
-  // M_x = y F_z - z F_y.
-  return (patch.along_z ? 1.0 : -1.0) * patch.couple / patch.force;
-}
-
 std::string PatchSearch::path_obstacle_of(const Patch& patch, const PathWebs& of) const {
   if (!of.obstacle.empty()) return of.obstacle;
   if (of.webs.empty())
@@ -125,7 +120,7 @@ std::string PatchSearch::path_obstacle_of(const Patch& patch, const PathWebs& of
   // In the plane forces act in that of the web.
   if (!project_->in_space && of.webs.size() == 1) return "";
   const PathWeb &first = of.webs.front(), &last = of.webs.back();
-  const Length at = place_of(patch);
+  const Length at = patch.stands_at();
   const Length above = at - first.place - 0.5 * first.bears.thickness;
   const Length below = last.place - at - 0.5 * last.bears.thickness;
   const Length beside = std::max(above, below);
@@ -217,7 +212,7 @@ std::vector<Borne> PatchSearch::path_ways_at(const Patch& patch, const Station& 
     if (of.webs.size() == 2 && !patch.is_none()) {
       // A torque presses both by all of it, with unlike senses.
       const double by_first =
-          patch.is_torque() ? 1.0 : ((place_of(patch) - last.place) / between).value();
+          patch.is_torque() ? 1.0 : ((patch.stands_at() - last.place) / between).value();
       basis.share = patch.is_torque() ? 1.0 : std::abs(&web == &first ? by_first : 1.0 - by_first);
     }
     borne.wall = web.plate->name;

@@ -16,10 +16,14 @@ struct PointLoad {
   Length s;
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [N]
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the axis point at s [N m]
+  Eigen::Vector2d at = Eigen::Vector2d::Zero();      ///< (y, z) of where the force stands [m]
   /// Of the joint or force that it comes from, which owns the text; "" of what bending adds.
   std::string_view name = {};
   std::size_t part = 0;  ///< of that force, where it has many that come and go: from 1 on
 };
+
+/// What of a load's moment about the beam's axis is no lever of its force [N m].
+double torque_of(const PointLoad& load);
 
 /// Load per length on a stretch of one segment, in beam axes, as polynomials of the distance from
 /// the stretch's start. With mass quadratic and acceleration linear along the axis these degrees

@@ -35,7 +35,8 @@ PointLoad point_load(const Member& member, const Place& at, const Vector3d& forc
                      const Vector3d& moment, std::string_view name) {
   const Vector3d turned = member.axes.transpose() * force;
   const Vector3d arm(0.0, at.p.y(), at.p.z());
-  return {si<Length>(at.p.x()), turned, member.axes.transpose() * moment + arm.cross(turned), name};
+  return {si<Length>(at.p.x()), turned, member.axes.transpose() * moment + arm.cross(turned),
+          arm.tail<2>(), name};
 }
 
 std::vector<double> borders_of(const CutForceDiagram& diagram) {

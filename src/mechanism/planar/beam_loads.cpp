@@ -29,6 +29,7 @@ BeamLoads beam_loads_of(const Mechanism& mechanism, const State& state, const Be
     PointLoad load;
     load.name = name;
     load.s = place_near(beam.places, si<Length>(beam.centre + point.x()));
+    load.at.y() = point.y();
     load.force = in_beam_axes(force, angle);
     // y points into the plane: a counter-clockwise moment is negative about it.
     load.moment.y() = -moment + point.y() * load.force.x();

@@ -113,7 +113,8 @@ BeamLoads loads_of_cuts(const TaperedBeam& beam, std::span<const double> station
   assert(stations.size() >= 2 && stations.size() == values.size());
   BeamLoads loads;
   const auto add_end = [&](double s, double sign, const SixForces& of) {
-    PointLoad load{si<Length>(s), {of[0], of[1], of[2]}, {of[3], of[4], of[5]}, "cut forces"};
+    PointLoad load{
+        si<Length>(s), {of[0], of[1], of[2]}, {of[3], of[4], of[5]}, {0.0, 0.0}, "cut forces"};
     load.force *= sign;
     load.moment *= sign;
     loads.points.push_back(load);
@@ -220,7 +221,7 @@ void add_inertia(const TaperedBeam& beam, const MotionChannels& motion, Channels
 PointLoad balance_at(Length s, const BeamLoads& loads) {
   const Imbalance open = imbalance_of(loads);
   const Eigen::Vector3d arm(s.value(), 0.0, 0.0);
-  return {s, -open.force, -open.moment + arm.cross(open.force), {}};
+  return {s, -open.force, -open.moment + arm.cross(open.force), {0.0, 0.0}, {}};
 }
 
 }  // namespace boxbeam::recorded

@@ -162,6 +162,7 @@ BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& 
     PointLoad load;
     load.name = name;
     load.s = place_near(beam.places, si<Length>(at.x()));
+    load.at = at.tail<2>();
     load.force = R_WS.transpose() * wrench.force;
     load.moment =
         R_WS.transpose() * wrench.moment + Eigen::Vector3d(0.0, at.y(), at.z()).cross(load.force);
