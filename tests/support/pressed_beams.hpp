@@ -27,6 +27,7 @@ struct Load {
   std::string name = "f";
   double at = 0.0, down = 0.0, y = 0.0, z = 0.0;  // [m], [kN], [m]
   double moment = 0.0, torque = 0.0;              // about y, about x [kN m]
+  double across = 0.0;                            // along y, in space [kN]
 };
 
 /// A weightless beam; in space on forks.
@@ -103,9 +104,9 @@ struct Beam {
       if (space) {
         out += fmt::format(
             "[loads.{}]\nkind = \"force\"\nat = [\"{:.12g} m\", \"{:.12g} m\", \"{:.12g} "
-            "m\"]\nforce = [\"0 kN\", \"0 kN\", \"{:.12g} kN\"]\nmoment = [\"{:.12g} kN m\", "
+            "m\"]\nforce = [\"0 kN\", \"{:.12g} kN\", \"{:.12g} kN\"]\nmoment = [\"{:.12g} kN m\", "
             "\"{:.12g} kN m\", \"0 kN m\"]\n",
-            of.name, of.at, of.y, of.z, -of.down, of.torque, of.moment);
+            of.name, of.at, of.y, of.z, of.across, -of.down, of.torque, of.moment);
       } else {
         out += fmt::format(
             "[loads.{}]\nkind = \"force\"\nat = \"{:.12g} m\"\nforce = [\"0 kN\", \"{:.12g} "

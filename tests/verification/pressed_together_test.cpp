@@ -30,6 +30,17 @@ Beam in_space(const std::vector<Load>& forces, double thickness = 16.0) {
 
 double patch_use_of(const Beam& beam) { return use_of(beam.verified(), Criterion::patch_loading); }
 
+/// The largest use of patches with a text in their names.
+double uses_of(const Verification& of, const std::string& text) {
+  double most = 0.0;
+  for (const CheckResult& result : of.checks) {
+    if (result.check.criterion == Criterion::patch_loading &&
+        result.check.point.find(text) != std::string::npos)
+      most = std::max(most, result.check.utilisation());
+  }
+  return most;
+}
+
 std::string spread(const std::string& name, double from, double to, double kN_per_m) {
   return fmt::format(
       "[loads.{}]\nkind = \"line\"\nfrom = \"{:.6g} m\"\nto = \"{:.6g} "
@@ -67,17 +78,43 @@ TEST_CASE("torques at one place are one torque, and press with the forces there"
 
 TEST_CASE("a small force does not hide what a torque does to flanges", "[patch]") {
   const auto of = [](double kN) {
-    const Verification found = in_space({{"t", 3.0, kN, 0.0, 0.0, 0.0, 600.0}}).verified();
-    double most = 0.0;
-    for (const CheckResult& result : found.checks) {
-      if (result.check.criterion == Criterion::patch_loading &&
-          result.check.point.find("flange under the torque of t") != std::string::npos)
-        most = std::max(most, result.check.utilisation());
-    }
-    return most;
+    return uses_of(in_space({{"t", 3.0, kN, 0.0, 0.0, 0.0, 600.0}}).verified(),
+                   "flange under the torque of");
   };
   CHECK(of(0.0) > 0.1);
   CHECK(of(0.1) == Approx(of(0.0)).epsilon(2e-3));
+}
+
+TEST_CASE("a torque of a load comes into flanges as one beside it does", "[patch]") {
+  const auto of = [](const std::vector<Load>& loads) {
+    return uses_of(in_space(loads).verified(), "flange under the torque of");
+  };
+  // As a moment it is less than 900 kN could have as their lever somewhere on the section.
+  const double in_one = of({{"t", 3.0, 900.0, 0.0, 0.0, 0.0, 250.0}}),
+               beside = of({{"f", 3.0, 900.0}, {"t", 3.0, 0.0, 0.0, 0.0, 0.0, 250.0}});
+  CHECK(in_one > 0.1);
+  CHECK(in_one == Approx(beside).epsilon(1e-6));
+  // The lever of the force itself is none.
+  CHECK(of({{"t", 3.0, 900.0, 0.25}}) == 0.0);
+}
+
+TEST_CASE("a side force in the same load does not move a force", "[patch]") {
+  const auto of = [](const std::vector<Load>& loads) {
+    Beam beam = in_space(loads);
+    beam.pieces = {{6.0, {600, 600, 20, 30, 0.0}, {600, 600, 20, 30, 0.0}}};
+    return beam.verified();
+  };
+  // On the upper flange between the webs, which it bends; 60 kN beside it would put it over a web,
+  // were they its lever.
+  const Verification split =
+                         of({{"f", 3.0, 200.0, 0.18, 0.3}, {"g", 3.0, 0.0, 0.0, 0.3, 0, 0, 60}}),
+                     joint = of({{"f", 3.0, 200.0, 0.18, 0.3, 0.0, 0.0, 60.0}});
+  CHECK(stops(split, "mm beside the webs"));
+  CHECK(stops(joint, "mm beside the webs"));
+  CHECK(use_of(joint, Criterion::patch_loading) ==
+        Approx(use_of(split, Criterion::patch_loading)).epsilon(1e-6));
+  // Over a web it bends nothing, whatever stands beside it.
+  CHECK_FALSE(stops(of({{"f", 3.0, 200.0, 0.285, 0.3, 0.0, 0.0, 60.0}}), "mm beside the webs"));
 }
 
 TEST_CASE("a force that reaches over a border is borne by the weaker side", "[patch]") {
