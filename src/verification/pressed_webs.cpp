@@ -3,25 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <memory>
 
-#include "boxbeam/project/plate_detail.hpp"
-#include "boxbeam/verification/judged_section.hpp"
-#include "boxbeam/verification/station_samples.hpp"
 #include "boxbeam/verification/turning_samples.hpp"
-#include "plate_panels.hpp"
 
 namespace boxbeam {
 namespace {
 
 /// Forces whose places are so near each other, by the beam's length, stand at one.
 constexpr double at_one_place = 1e-6;
-
-/// As small as no stress is one (`no_stress_at`), of mild steel [Pa].
-constexpr double no_stress = 235.0;
 
 bool reaches(const PressedWeb& web, double s, double at) {
   return at >= s - web.before.value() && at <= s + web.behind.value();
@@ -255,138 +245,6 @@ std::vector<double> PressedWebs::places_of(BoxPlate web) const {
   return places;
 }
 
-const PressedWebs::Resisting& PressedWebs::resisting_at(const Place& place,
-                                                        bool unsaid_as_fillets) const {
-  const std::tuple key(place.s, place.web, unsaid_as_fillets);
-  const auto known = resisting_.find(key);
-  if (known != resisting_.end()) return known->second;
-  // Where two segments meet the side that resists less, by the stress in its web.
-  const Length s = si<Length>(place.s);
-  std::optional<Resisting> weaker;
-  const auto strength = [](const Resisting& of) {
-    return of.detail->detail.curve.reference.value() / of.detail->stress_factor;
-  };
-  for (const Side side : {Side::before, Side::behind}) {
-    if (side == Side::before ? s == Length{} : s == project_->beam.length()) continue;
-    Resisting of = resisting_on({s, side}, place.web, unsaid_as_fillets);
-    if (!weaker || strength(of) < strength(*weaker)) weaker = std::move(of);
-  }
-  return resisting_.emplace(key, *std::move(weaker)).first->second;
-}
-
-PressedWebs::Resisting PressedWebs::resisting_on(const Station& at, BoxPlate plate,
-                                                 bool unsaid_as_fillets) const {
-  const Section section = section_at(project_->beam, at);
-  const auto walls = judged_walls_at(*project_, at);
-  Resisting of;
-  if (walls) of.thickness = walls->of(plate).thickness;
-  auto detail = std::make_shared<BeamDetail>();
-  const auto* const box = std::get_if<Box>(&section.outer);
-  static const Detail rolled = detail_of_row("8.10/1", "web without a seam");
-  static const Detail seamed = detail_of_row("8.10/2", "web at its seam");
-  static const Detail root = detail_of_row("8.10/4", "throat of a seam");
-  detail->detail = box == nullptr ? rolled : seamed;
-  if (box != nullptr) {
-    const double web = detail->detail.curve.reference.value();
-    const Length throat =
-        box->seam_throat > Length{} || !unsaid_as_fillets ? box->seam_throat : of.thickness;
-    if (throat > Length{}) {
-      const double over = of.thickness / throat;
-      if (root.curve.reference.value() / over < web) {
-        detail->detail = root;
-        detail->stress_factor = over;
-        of.throat = throat;
-      }
-    }
-  }
-  of.detail = std::move(detail);
-  return of;
-}
-
-std::vector<PressedWebs::Sheared> PressedWebs::sheared_at(const Place& place,
-                                                          const Resisting& resisting) const {
-  std::vector<Sheared> all;
-  const Length s = si<Length>(place.s);
-  const Length resists = resisting.throat > Length{} ? resisting.throat : resisting.thickness;
-  for (const Side side : {Side::before, Side::behind}) {
-    if (side == Side::before ? s == Length{} : s == project_->beam.length()) continue;
-    const Station station{s, side};
-    const bool seamed = std::holds_alternative<Box>(section_at(project_->beam, station).outer);
-    for (const StressPoint& point : seamed ? seam_throats_at(*project_, *zones_, station)
-                                           : stress_points_at(*project_, *zones_, station)) {
-      if (seamed ? !joins(point, place.web) : point.shear_detail == nullptr) continue;
-      Sheared& of = all.emplace_back(Sheared{station, point.influence});
-      if (!seamed) continue;
-      const double over = seam_throat_of(point) / resists;
-      for (double& factor : of.influence.shear) factor *= over;
-    }
-  }
-  return all;
-}
-
-bool PressedWebs::shear_may_count(const Place& place, bool unsaid_as_fillets, double k) const {
-  const Resisting& resisting = resisting_at(place, unsaid_as_fillets);
-  const bool in_throat = resisting.throat > Length{};
-  const SnCurve curve = curve_of(in_throat ? project_->fatigue.throat : project_->fatigue.shear);
-  if (!curve.cut_off) return true;
-  const auto [at, is_new] =
-      most_shear_.try_emplace(std::tuple(place.s, place.web, unsaid_as_fillets), 0.0);
-  if (is_new) {
-    double force = 0.0, moment = 0.0;
-    for (const SituationRun& run : *all_runs_) {
-      force = std::max(force, run.loads.largest_force());
-      moment = std::max(moment, run.loads.largest_moment());
-    }
-    for (const Sheared& of : sheared_at(place, resisting)) {
-      double most = 0.0;
-      for (std::size_t j = 0; j < cut_force::count; ++j)
-        most += std::abs(of.influence.shear[j]) * (j < cut_force::T ? force : moment);
-      at->second = std::max(at->second, most);
-    }
-  }
-  // Between instants and situations; from one sense to the other.
-  constexpr double more = 1.5, both_ways = 2.0;
-  const FatigueDemand& demand = project_->fatigue.demand;
-  return k * demand.gamma_Ff * demand.gamma_Mf * more * both_ways * at->second > *curve.cut_off;
-}
-
-const std::vector<LifeChannel>& PressedWebs::shear_at(const Place& place,
-                                                      bool unsaid_as_fillets) const {
-  const auto [at, is_new] = shear_.try_emplace(std::tuple(place.s, place.web, unsaid_as_fillets));
-  std::vector<LifeChannel>& channels = at->second;
-  if (!is_new) return channels;
-  const Resisting& resisting = resisting_at(place, unsaid_as_fillets);
-  const bool in_throat = resisting.throat > Length{};
-  const SnCurve curve = curve_of(in_throat ? project_->fatigue.throat : project_->fatigue.shear);
-  std::optional<StationSamples> samples;
-  std::optional<Side> side;
-  for (const Sheared& of : sheared_at(place, resisting)) {
-    if (side != of.station.side) samples.emplace(*project_, histories_at(*all_runs_, of.station));
-    side = of.station.side;
-    LifeChannel channel{{}, curve};
-    double largest = 0.0;
-    for (const SituationCycles& cycles :
-         life_cycles_of(*project_, samples->shear_turns_of(of.influence), false)) {
-      for (SpectrumRow& row :
-           rows_of(project_->situations[cycles.situation].name, StressKind::shear, cycles.cycles)) {
-        largest = std::max(largest, row.cycle.range.value());
-        channel.spectrum.push_back(std::move(row));
-      }
-    }
-    if (largest >= no_stress) channels.push_back(std::move(channel));
-  }
-  return channels;
-}
-
-const PressedWebs::Resisting& PressedWebs::resisting_weld() {
-  static const Resisting root = [] {
-    auto detail = std::make_shared<BeamDetail>();
-    detail->detail = detail_of_row("8.5/3", "weld of a diaphragm");
-    return Resisting{std::move(detail), {}, {}};
-  }();
-  return root;
-}
-
 template <class Look>
 void PressedWebs::for_all_at(const Place& place, const Look& look) const {
   for (const Run& run : runs_) {
@@ -457,8 +315,9 @@ Turns PressedWebs::turns_at(const Place& place) const {
 
 std::optional<CheckResult> PressedWebs::check_at(const Place& place, Turns turns,
                                                  bool unsaid_as_fillets) const {
-  const Resisting& resisting =
-      place.diaphragm != nullptr ? resisting_weld() : resisting_at(place, unsaid_as_fillets);
+  const PressedEdge edge{place.s, place.web, unsaid_as_fillets};
+  const PressedEdges::Resisting& resisting =
+      place.diaphragm != nullptr ? PressedEdges::weld() : edges_.at(edge);
   const double factor = resisting.detail->stress_factor;
   for (SituationTurns& of : turns) {
     of.begin *= factor;
@@ -474,14 +333,13 @@ std::optional<CheckResult> PressedWebs::check_at(const Place& place, Turns turns
       channel.spectrum.push_back(std::move(row));
     }
   }
-  if (largest < no_stress) return std::nullopt;
+  if (largest < PressedEdges::no_stress) return std::nullopt;
   std::vector<LifeChannel> channels{std::move(channel)};
   ChannelLife life = life_of(*project_, channels);
   std::vector<LifeChannel> both{channels.front(), {}};
   static const std::vector<LifeChannel> none;
-  const bool sheared =
-      place.diaphragm == nullptr && shear_may_count(place, unsaid_as_fillets, life.factor);
-  for (const LifeChannel& shear : sheared ? shear_at(place, unsaid_as_fillets) : none) {
+  const bool sheared = place.diaphragm == nullptr && edges_.shear_may_count(edge, life.factor);
+  for (const LifeChannel& shear : sheared ? edges_.shear_at(edge) : none) {
     both.back() = shear;
     if (ChannelLife of = life_of(*project_, both); of.factor < life.factor) {
       life = of;

@@ -9,6 +9,7 @@
 
 #include "channel_life.hpp"
 #include "patch_search.hpp"
+#include "pressed_edges.hpp"
 
 namespace boxbeam {
 
@@ -37,7 +38,7 @@ class PressedWebs {
  public:
   PressedWebs(const Project& project, const std::deque<SituationRun>& runs,
               const std::vector<BendingZone>& zones, PatchSearch& search)
-      : project_(&project), all_runs_(&runs), zones_(&zones), search_(&search) {}
+      : project_(&project), search_(&search), edges_(project, runs, zones) {}
 
   /// Whether a patch is one of those: not loads along the beam, whose places are none of their own.
   static bool counts(const Patch& patch);
@@ -107,11 +108,6 @@ class PressedWebs {
   struct Series {
     std::vector<double> times, values;
   };
-  struct Resisting {
-    std::shared_ptr<const BeamDetail> detail;
-    Length thickness, throat;  ///< no throat: the web
-  };
-
   void add(const Patch& patch, std::optional<std::size_t> side, Instant& instant);
   bool acts(const Place& place, std::size_t force) const;
   /// The stress of a place under some loads.
@@ -123,22 +119,6 @@ class PressedWebs {
   /// In every sense that there is, of one plate, or of the weld of a diaphragm with it.
   template <class Take>
   void look_at(BoxPlate web, const Diaphragm* diaphragm, bool any_unsaid, const Take& take) const;
-  /// `unsaid_as_fillets`: seams of which nothing is said, all of one as thick as its web.
-  const Resisting& resisting_at(const Place& place, bool unsaid_as_fillets) const;
-  Resisting resisting_on(const Station& at, BoxPlate plate, bool unsaid_as_fillets) const;
-  /// Fillets of diaphragms.
-  static const Resisting& resisting_weld();
-  /// A place where shear is looked at beside what presses, and what of it counts there.
-  struct Sheared {
-    Station station;
-    StressInfluence influence;
-  };
-  /// Of the seams of a plate on both sides of a place; of tubes all around the section.
-  std::vector<Sheared> sheared_at(const Place& place, const Resisting& resisting) const;
-  /// Whether shear there can do damage with the loads taken k times: by the largest cut forces.
-  bool shear_may_count(const Place& place, bool unsaid_as_fillets, double k) const;
-  /// The cycles of the shear stresses beside a place, each one of them with what resists it.
-  const std::vector<LifeChannel>& shear_at(const Place& place, bool unsaid_as_fillets) const;
   /// The worst of all places like one.
   template <class Take>
   void look(Place place, const std::vector<double>& places, bool any_unsaid,
@@ -151,15 +131,11 @@ class PressedWebs {
   void name(const Place& place, CheckResult& result) const;
 
   const Project* project_;
-  const std::deque<SituationRun>* all_runs_;
-  const std::vector<BendingZone>* zones_;
   PatchSearch* search_;
+  PressedEdges edges_;
   std::vector<Run> runs_;
   std::vector<Source> sources_;
   bool sides_differ_ = false;  ///< of a kink, at some instant
-  mutable std::map<std::tuple<double, BoxPlate, bool>, Resisting> resisting_;
-  mutable std::map<std::tuple<double, BoxPlate, bool>, std::vector<LifeChannel>> shear_;
-  mutable std::map<std::tuple<double, BoxPlate, bool>, double> most_shear_;  ///< [Pa]
   std::map<std::tuple<std::string, bool, double, std::size_t>, std::size_t> numbers_;
 };
 
