@@ -87,24 +87,27 @@ Traced derive_stress(Derivation& steps, const SectionUse& use, const CutForces& 
                                : pressed ? "gross: what is idle under N alone would relieve here"
                                          : "tension: gross");
   const auto moment = [&](const char* symbol, const char* of, const char* arm, Moment acting,
-                          Length lever, bool shifted) {
+                          Length lever, bool shifted, bool along_z) {
     Traced M = steps.given(of, acting);
     if (lever.value() == 0.0) return M;
-    const Traced e = steps.given(arm, lever,
-                                 shifted ? "from the beam axis to the centroid under N alone"
-                                         : "from the beam axis to the gross centroid");
+    // M_z turns the other way.
+    const char* const from = along_z ? (shifted ? "from the beam axis to the centroid under N alone"
+                                                : "from the beam axis to the gross centroid")
+                                     : (shifted ? "from the centroid under N alone to the beam axis"
+                                                : "from the gross centroid to the beam axis");
+    const Traced e = steps.given(arm, lever, from);
     return steps.define(symbol, plate::shifted_moment(M, N, e));
   };
   const auto sized = [&](const Traced& of) { return use.sizes ? abs(of) : of; };
   const char* const how =
       use.sizes ? "axes that are no principal ones: sizes of the parts, on the safe side" : "";
-  const Traced M_y = moment("M_y,E", "M_y", "e_z", cut.M_y, use.arm_z, use.shifts.along_z);
+  const Traced M_y = moment("M_y,E", "M_y", "e_z", cut.M_y, use.arm_z, use.shifts.along_z, true);
   const Traced by_N = N, modulus_y = W_y();
   if (use.M_z.value() == 0.0) {
     return steps.define("sigma_eff",
                         plate::corner_stress(sized(by_N), A, sized(M_y), sized(modulus_y)), how);
   }
-  const Traced M_z = moment("M_z,E", "M_z", "e_y", cut.M_z, -use.arm_y, use.shifts.along_y);
+  const Traced M_z = moment("M_z,E", "M_z", "e_y", cut.M_z, -use.arm_y, use.shifts.along_y, false);
   const Traced modulus_z = W_z();
   return steps.define("sigma_eff",
                       plate::corner_stress(sized(by_N), A, sized(M_y), sized(modulus_y), sized(M_z),
