@@ -423,15 +423,15 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
   // A use this small is none, as stress is (`no_stress_at`).
   constexpr double no_use = 1e-6;
   std::set<std::string> sideways, slotted;
+  std::map<std::string, std::size_t> known;
   const auto add = [&](CheckResult result) {
     // A force that pushes to and fro comes in by either flange: the worse one stays.
-    const auto same =
-        std::find_if(found.checks.begin(), found.checks.end(),
-                     [&](const CheckResult& of) { return of.check.id == result.check.id; });
-    if (same == found.checks.end())
+    const auto [same, is_new] = known.try_emplace(result.check.id, found.checks.size());
+    if (is_new)
       found.checks.push_back(std::move(result));
-    else if (result.check.utilisation() > same->check.utilisation())
-      *same = std::move(result);
+    else if (CheckResult& other = found.checks[same->second];
+             result.check.utilisation() > other.check.utilisation())
+      other = std::move(result);
   };
   found.not_judged = not_judged_of_diaphragms(project);
   for (auto& [key, of] : worst) {
