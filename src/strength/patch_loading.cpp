@@ -81,9 +81,9 @@ PatchNumbers<Number, Span, Load> numbers_of(Record& record, const PatchedWeb& we
       record.define("m_1", record.known("f_yf", web.flange_strength) * b_f / (f_yw * t)));
   const auto slope = depth / t_f;
   const Number m_2 =
-      with_flange
-          ? Number(record.define("m_2", 0.02 * slope * slope))
-          : Number(record.given("m_2", 0.0, {ValueKind::factor}, "lambda_F is not above 0.5"));
+      with_flange ? Number(record.define("m_2", 0.02 * slope * slope))
+                  : Number(record.given("m_2", 0.0, {ValueKind::factor},
+                                        web.pulled ? "pulled" : "lambda_F is not above 0.5"));
   Span level(s_s + 2.0 * t_f * (1.0 + sqrt(m_1 + m_2)));
   const auto length = [&]() -> Span {
     if (web.entry != ForceEntry::near_end) {
@@ -99,17 +99,18 @@ PatchNumbers<Number, Span, Load> numbers_of(Record& record, const PatchedWeb& we
   };
   const Span l_y(record.define("l_y", length()));
   const Number lambda_F(record.define("lambda_F", sqrt(l_y * t * f_yw / F_cr)));
-  const Number chi_F =
-      lambda_F > slender
-          ? Number(record.define("chi_F", 0.5 / lambda_F))
-          : Number(record.given("chi_F", 1.0, {ValueKind::factor}, "lambda_F is not above 0.5"));
+  const Number chi_F = lambda_F > slender && !web.pulled
+                           ? Number(record.define("chi_F", 0.5 / lambda_F))
+                           : Number(record.given("chi_F", 1.0, {ValueKind::factor},
+                                                 web.pulled ? "pulled, it does not buckle"
+                                                            : "lambda_F is not above 0.5"));
   return {k_F, m_1, m_2, lambda_F, chi_F, l_y, F_cr};
 }
 
 /// Whether lambda_F, found with m_2, is above the limit from which m_2 counts.
 bool counts_flange(const PatchedWeb& web) {
   constexpr NoDerivation plainly;
-  return numbers_of<double, Length, Force>(plainly, web, true).lambda_F > slender;
+  return !web.pulled && numbers_of<double, Length, Force>(plainly, web, true).lambda_F > slender;
 }
 
 template <class Record, class Number, class Span>
@@ -197,16 +198,25 @@ auto factor_of_stiffener(Record& record, const Load& F, const Load& V, const Loa
 
 template <class Record>
 auto weld_resistance(Record& record, const StiffenerWeld& of) {
+  using std::sqrt;
   const auto a = record.given("a", of.throat, "throat of each weld");
   const auto l = record.given("l", of.length, of.to_flange ? "with the flange" : "along the web");
   const auto n = record.constant(std::to_string(of.welds), static_cast<double>(of.welds));
-  if (!of.to_flange)
-    return record.define("F_w,Rd", n * a * (l - 2.0 * a) * weld_shear_strength(record, of.strength),
-                         "along the welds, on both faces, less a throat at each end");
-  const auto sqrt_2 = record.constant("sqrt(2)", std::numbers::sqrt2);
-  return record.define("F_w,Rd",
-                       n * a * (l - 2.0 * a) * weld_strength(record, of.strength) / sqrt_2,
-                       "across the welds, on both faces, less a throat at each end; no contact");
+  const auto alone = [&] {
+    if (!of.to_flange)
+      return record.define("F_w,Rd",
+                           n * a * (l - 2.0 * a) * weld_shear_strength(record, of.strength),
+                           "along the welds, on both faces, less a throat at each end");
+    const auto sqrt_2 = record.constant("sqrt(2)", std::numbers::sqrt2);
+    return record.define("F_w,Rd",
+                         n * a * (l - 2.0 * a) * weld_strength(record, of.strength) / sqrt_2,
+                         "across the welds, on both faces, less a throat at each end; no contact");
+  }();
+  using Load = std::decay_t<decltype(alone * 1.0)>;
+  if (of.beside == 0.0) return Load(alone);
+  const auto u = record.given("u", of.beside, {ValueKind::factor},
+                              "of the welds by what comes in square to it");
+  return Load(record.define("F_w,Rd,u", alone * record.define("r", sqrt(1.0 - u * u))));
 }
 
 }  // namespace

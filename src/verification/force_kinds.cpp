@@ -110,6 +110,46 @@ bool clamps_rigidly(const Project& project, const std::string& name) {
                                                   [](double k) { return std::isinf(k); });
 }
 
+/// Whether a name is one of a joint, not of a load of the case (of records it may be either), and
+/// whether that joins the beam to another body, not to the ground.
+struct Held {
+  bool by_joint = true, by_body = false;
+};
+
+Held held_in(const planar::Mechanism& mechanism, const Project&, const std::string& name) {
+  const auto at = named(mechanism.joints, name);
+  if (at == mechanism.joints.end()) return {false, false};
+  const auto* const rigid = std::get_if<planar::Rigid>(&at->kind);
+  return {true, rigid != nullptr && rigid->a.body >= 0 && rigid->b.body >= 0};
+}
+
+Held held_in(const frame::Structure& frame, const Project&, const std::string& name) {
+  const auto at = named(frame.joints, name);
+  if (at == frame.joints.end()) return {false, false};
+  return {true, at->a.member >= 0 && at->b.member >= 0};
+}
+
+Held held_in(const flexible::Mechanism& mechanism, const Project&, const std::string& name) {
+  const auto at = named(mechanism.joints, name);
+  if (at == mechanism.joints.end()) return {false, false};
+  return {true, at->a.link >= 0 && at->b.link >= 0};
+}
+
+Held held_in(const spatial::Mechanism& mechanism, const Project&, const std::string& name) {
+  const auto closing = named(mechanism.closing, name);
+  if (closing != mechanism.closing.end())
+    return {true, closing->a.body != spatial::ground && closing->b.body != spatial::ground};
+  const auto at = named(mechanism.joints, name);
+  if (at == mechanism.joints.end()) return {false, false};
+  return {true, at->parent != spatial::ground};
+}
+
+Held held_in(const recorded::Loads&, const Project&, const std::string&) { return {}; }
+
+Held held_by(const Project& project, const std::string& name) {
+  return std::visit([&](const auto& of) { return held_in(of, project, name); }, project.mechanism);
+}
+
 }  // namespace
 
 bool stands_at_end(const TaperedBeam& beam, Length s) {
@@ -141,9 +181,13 @@ void ForceKinds::learn(const SituationRun& run) {
       const auto at = places.try_emplace({std::string(load.name), part}, load.s).first;
       if (abs(load.s - at->second) > same_place * project_->beam.length())
         moving_.insert(at->first);
+      if (!stands_at_end(project_->beam, load.s)) continue;
+      const std::string name(load.name);
+      if (held_by(*project_, name).by_body && !turns_freely(*project_, name))
+        leading_on_.insert(name);
       // What nothing holds is loaded there: a force with a couple is no clamp.
-      if (!stands_at_end(project_->beam, load.s) || !holds(load.s)) continue;
-      Largest& of = largest[std::string(load.name)];
+      if (!holds(load.s)) continue;
+      Largest& of = largest[name];
       of.force = std::max(of.force, load.force.norm());
       of.couple = std::max(of.couple, std::hypot(load.moment.y(), load.moment.z()));
       of.half_depth =
@@ -151,7 +195,8 @@ void ForceKinds::learn(const SituationRun& run) {
     }
   }
   for (const auto& [name, of] : largest) {
-    const bool far = of.couple > of.half_depth * of.force && !turns_freely(*project_, name);
+    const bool far = held_by(*project_, name).by_joint && of.couple > of.half_depth * of.force &&
+                     !turns_freely(*project_, name);
     if (far || clamps_rigidly(*project_, name)) clamps_.insert(name);
   }
 }

@@ -25,6 +25,8 @@ class ForceKinds {
   /// is that of a force more than half the beam's depth away, which friction in a pin never is, and
   /// no pin with a lever so long.
   bool clamps(std::string_view name) const { return clamps_.count(name) > 0; }
+  /// Whether one at an end of the beam is a joint that leads moments on into another body.
+  bool leads_on(std::string_view name) const { return leading_on_.count(name) > 0; }
   /// Whether one moves along the beam, by its number among those of its name.
   bool moves(std::string_view name, std::size_t number) const {
     return moving_.count({std::string(name), number}) > 0;
@@ -33,7 +35,7 @@ class ForceKinds {
 
  private:
   const Project* project_;
-  std::set<std::string, std::less<>> clamps_;
+  std::set<std::string, std::less<>> clamps_, leading_on_;
   std::set<std::pair<std::string, std::size_t>> moving_;
 };
 

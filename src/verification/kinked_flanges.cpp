@@ -31,8 +31,9 @@ struct FlatPlate {
   Area area, inside;  ///< all of it; what stands on none of the plates beside it
   Stress yield_strength;
   bool outstand = false;
-  PlateForce force{};  ///< along the beam
-  bool high = false;   ///< of the section, across it
+  PlateForce force{};                  ///< along the beam
+  std::array<PlateForce, 2> halves{};  ///< of each half of its depth
+  bool high = false;                   ///< of the section, across it
   double thickness = 0.0;
 
   Vector2d direction() const { return (ends[1] - ends[0]).normalized(); }
@@ -45,6 +46,12 @@ void set_force(FlatPlate& plate, const AreaSums& gross, const Extent& extent, Ar
   plate.area = area;
   const StressInfluence of = normal_influence(gross, plate.middle().x(), plate.middle().y());
   for (std::size_t k = 0; k < cut_force::count; ++k) plate.force[k] = area.value() * of.normal[k];
+  for (const std::size_t half : {0U, 1U}) {
+    const Vector2d centre = 0.5 * (plate.middle() + plate.ends[half]);
+    const StressInfluence at = normal_influence(gross, centre.x(), centre.y());
+    for (std::size_t k = 0; k < cut_force::count; ++k)
+      plate.halves[half][k] = 0.5 * area.value() * at.normal[k];
+  }
   plate.high = plate.across_z() ? plate.middle().y() > 0.5 * (extent.z_low + extent.z_high).value()
                                 : plate.middle().x() > 0.5 * (extent.y_low + extent.y_high).value();
 }
@@ -221,12 +228,23 @@ TurnedPlate turned(const FlatPlate& before, const FlatPlate& behind, double turn
   return of;
 }
 
-/// How thick the diaphragm is that stands at a place and leads webs on; nothing where none does.
-Length diaphragm_that_leads(const Project& project, Length s) {
+/// The diaphragm that stands at a place and leads webs on; nothing where none does.
+const Diaphragm* diaphragm_that_leads(const Project& project, Length s) {
   const TaperedBeam& beam = project.beam;
   for (const Diaphragm& of : beam.diaphragms)
-    if (abs(of.s - s) <= 1e-6 * beam.length() && is_firm(project, of, true)) return of.thickness;
-  return {};
+    if (abs(of.s - s) <= 1e-6 * beam.length() && is_firm(project, of, true)) return &of;
+  return nullptr;
+}
+
+/// What a diaphragm leads on of a web beside it, by its plate in shear beside its opening.
+Force led_by(const Diaphragm& of, const FlatPlate& web, double gamma_M1) {
+  ShearPanel panel;
+  panel.depth = web.clear;
+  panel.length = web.clear;  // between both webs it is hardly ever longer
+  panel.thickness = of.thickness;
+  panel.yield_strength = web.yield_strength;
+  const double left = std::max(0.0, 1.0 - (of.opening / web.clear));
+  return left * shear_resistance_of(panel, gamma_M1).resistance;
 }
 
 /// A kink and the plates of it that others may hang on.
@@ -243,11 +261,21 @@ struct Growing {
   }
 };
 
-void add_knees(const Project& project, std::vector<FlangeKink>& kinks) {
+constexpr double same_place = 1e-6;  // by the beam's length
+
+/// A rigid joint of the beam's end with the end of another member of a frame.
+struct Knee {
+  const frame::Joint* joint = nullptr;
+  const frame::Place *own = nullptr, *other = nullptr;
+  Eigen::Vector3d from, to;  ///< out of it along both members, world
+};
+
+std::vector<Knee> knees_of(const Project& project) {
+  std::vector<Knee> knees;
   const auto* const frame = std::get_if<frame::Structure>(&project.mechanism);
-  if (frame == nullptr) return;
+  if (frame == nullptr) return knees;
   const TaperedBeam& beam = project.beam;
-  const double near = 1e-6 * beam.length().value();
+  const double near = same_place * beam.length().value();
   // Out of a joint, from the end of a member that stands there.
   const auto leaves = [&](const frame::Place& at) -> std::optional<Eigen::Vector3d> {
     const frame::Member& member = frame->members[static_cast<std::size_t>(at.member)];
@@ -265,11 +293,19 @@ void add_knees(const Project& project, std::vector<FlangeKink>& kinks) {
       continue;
     const frame::Place &own = first ? joint.a : joint.b, &other = first ? joint.b : joint.a;
     const auto from = leaves(own), to = leaves(other);
-    if (!from || !to) continue;
-    const Length s = own.p.x() > near ? beam.length() : Length{};
+    if (from && to) knees.push_back({&joint, &own, &other, *from, *to});
+  }
+  return knees;
+}
+
+void add_knees(const Project& project, std::vector<FlangeKink>& kinks) {
+  const TaperedBeam& beam = project.beam;
+  for (const Knee& at : knees_of(project)) {
+    const Length s = at.own->p.x() > same_place * beam.length().value() ? beam.length() : Length{};
     // Straight on, what leaves on the one side goes against what leaves on the other.
-    const Eigen::Matrix3d& axes = frame->members[static_cast<std::size_t>(project.beam_body)].axes;
-    const Eigen::Vector3d turn = axes.transpose() * (*from + *to);
+    const frame::Structure& frame = std::get<frame::Structure>(project.mechanism);
+    const Eigen::Matrix3d& axes = frame.members[static_cast<std::size_t>(project.beam_body)].axes;
+    const Eigen::Vector3d turn = axes.transpose() * (at.from + at.to);
     const std::size_t segment = s > Length{} ? beam.segments.size() - 1 : 0;
     for (const FlatPlate& of : plates_at(project, segment, s > Length{})) {
       const double across = of.normal().x() * turn.y() + of.normal().y() * turn.z();
@@ -278,7 +314,7 @@ void add_knees(const Project& project, std::vector<FlangeKink>& kinks) {
       FlangeKink& knee = kinks.emplace_back();
       knee.s = s;
       knee.knee = true;
-      knee.name = "the knee at " + joint.name + " of " + of.called;
+      knee.name = "the knee at " + at.joint->name + " of " + of.called;
       knee.along_z = of.across_z();
       knee.at_high = of.high;
       knee.plates.push_back(turned(of, of, across));
@@ -355,13 +391,38 @@ std::vector<FlangeKink> flange_kinks_of(const Project& project) {
   return kinks;
 }
 
+std::vector<std::string> judged_knees_of(const Project& project) {
+  std::vector<std::string> names;
+  for (const Knee& at : knees_of(project)) {
+    const auto& members = std::get<frame::Structure>(project.mechanism).members;
+    const frame::Member &own = members[static_cast<std::size_t>(at.own->member)],
+                        &other = members[static_cast<std::size_t>(at.other->member)];
+    const auto end_of = [](const frame::Member& member, const frame::Place& place) {
+      const bool at_start = place.p.x() < 0.5 * member.beam.length().value();
+      return extent_of(section_at(member.beam, {at_start ? Length{} : member.beam.length(),
+                                                at_start ? Side::behind : Side::before})
+                           .outer);
+    };
+    const Extent one = end_of(own, *at.own), two = end_of(other, *at.other);
+    const double size = std::max(one.z_high - one.z_low, one.y_high - one.y_low).value();
+    const auto alike = [&](Length a, Length b) { return std::abs((a - b).value()) < 1e-3 * size; };
+    // As deep in the plane of the knee and as wide across it, with the same axis across it.
+    const bool turned = std::abs(own.axes.col(1).dot(other.axes.col(1))) > 1.0 - 1e-6 ||
+                        std::abs(own.axes.col(2).dot(other.axes.col(2))) > 1.0 - 1e-6;
+    if (turned && alike(one.z_high - one.z_low, two.z_high - two.z_low) &&
+        alike(one.y_high - one.y_low, two.y_high - two.y_low))
+      names.push_back(at.joint->name);
+  }
+  return names;
+}
+
 std::vector<FlangeStep> flange_steps_of(const Project& project) {
   const TaperedBeam& beam = project.beam;
   std::vector<FlangeStep> steps;
   for (std::size_t k = 0; k + 1 < beam.segments.size(); ++k) {
     const std::array sides{plates_at(project, k, true), plates_at(project, k + 1, false)};
     const Length s = beam.segments[k].end();
-    const Length diaphragm = diaphragm_that_leads(project, s);
+    const Diaphragm* const diaphragm = diaphragm_that_leads(project, s);
     for (const std::size_t side : {0U, 1U}) {
       std::array<double, 2> areas{};  // of the plates across z, and of the others
       for (const FlatPlate& of : sides[side]) areas[of.across_z() ? 0 : 1] += of.area.value();
@@ -376,11 +437,10 @@ std::vector<FlangeStep> flange_steps_of(const Project& project) {
         step.web = web;
         step.area = of.area;
         step.yield_strength = of.yield_strength;
-        // By its plate in shear, sqrt(3) times.
-        if (web) step.led = of.clear * diaphragm * of.yield_strength;
-        step.along = of.force;
-        step.across[web ? cut_force::V_z : cut_force::V_y] =
-            std::numbers::sqrt3 * of.area.value() / areas[web ? 1 : 0];
+        if (web && diaphragm != nullptr)
+          step.led = led_by(*diaphragm, of, project.strength.gamma_M1);
+        step.along = {of.force, of.halves[0], of.halves[1]};
+        step.across[web ? cut_force::V_z : cut_force::V_y] = of.area.value() / areas[web ? 1 : 0];
         if (next.first != nullptr) step.by = si<Length>(next.second);
       }
     }

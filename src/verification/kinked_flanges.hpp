@@ -63,11 +63,15 @@ struct FlangeStep {
   bool web = false;  ///< it lies along the plane of bending: what it bears in shear ends, too
   Area area;
   Stress yield_strength;
-  Force led;                 ///< of a web, what a diaphragm there leads on, sqrt(3) times
-  PlateForce along{};        ///< its force along the beam
-  PlateForce across{};       ///< its part of the shear, sqrt(3) times
-  std::optional<Length> by;  ///< nothing: there is none
+  Force led;                          ///< of a web, what a diaphragm there leads on
+  std::array<PlateForce, 3> along{};  ///< its force along the beam, and those of its halves
+  PlateForce across{};                ///< its part of the shear
+  std::optional<Length> by;           ///< nothing: there is none
 };
+
+/// Joints by which the beam's end goes on, straight or as a knee, in a member of a frame with a
+/// section as deep and wide, neither turned about its axis against the other.
+std::vector<std::string> judged_knees_of(const Project& project);
 
 /// On both sides of each border of segments.
 std::vector<FlangeStep> flange_steps_of(const Project& project);

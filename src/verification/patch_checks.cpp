@@ -136,10 +136,13 @@ class PatchRun {
   void note_places(const BeamLoads& loads) {
     for (const double s : run_->motion->supports(loads))
       if (search_->lacks_diaphragm(si<Length>(s))) notes_->take_bare_support(si<Length>(s));
-    for (const PointLoad& load : loads.points)
+    for (const PointLoad& load : loads.points) {
+      if (const auto moment = search_->led_on_unjudged(load))
+        notes_->take_led_on(std::string(load.name), load.s, run_->situation->load_factor * *moment);
       if (const auto couple = search_->couple_of(load))
         notes_->take_couple(load.name.empty() ? "a couple" : std::string(load.name), load.s,
                             run_->situation->load_factor * *couple);
+    }
   }
 
   void note_torque(const BeamLoads& loads) {
@@ -168,6 +171,9 @@ class PatchRun {
     for (std::size_t k = 0; k < before.size(); ++k) {
       const auto [low, high] = std::minmax(before[k], behind[k]);
       for (const Length& border : borders()) {
+        // What stands on it is looked at beside it, too.
+        if (border == before[k] && low < high) look_at(from + 1e-4 * (to - from));
+        if (border == behind[k] && low < high) look_at(to - 1e-4 * (to - from));
         if (!(border > low && border < high)) continue;
         Time lower = from, upper = to;
         constexpr int halvings = 40;

@@ -34,7 +34,12 @@ std::vector<Patch> PatchSearch::forces_of(const BeamLoads& loads) const {
   std::map<std::string_view, std::size_t> of_name;
   for (const PointLoad& load : loads.points) {
     const std::size_t number = of_name[load.name]++;
-    if (is_at_end(load.s) && kinds_.clamps(load.name)) continue;
+    if (is_at_end(load.s) && kinds_.clamps(load.name)) {
+      // The plates of another body bring the torque as forces, too.
+      for (const bool along_z : {true, false})
+        if (project_->in_space && kinds_.leads_on(load.name)) add_torque(load, along_z, patches);
+      continue;
+    }
     for (const bool along_z : {true, false}) {
       if (!along_z && !project_->in_space) continue;
       Patch patch;
@@ -115,24 +120,53 @@ bool PatchSearch::lacks_diaphragm(Length s) {
 
 std::optional<Moment> PatchSearch::couple_of(const PointLoad& load) {
   if (is_at_end(load.s)) return std::nullopt;
-  const Moment couple = si<Moment>(
-      std::max(std::abs(load.moment.y()), project_->in_space ? std::abs(load.moment.z()) : 0.0));
-  if (couple == Moment{}) return std::nullopt;
-  const bool about_y = couple.value() == std::abs(load.moment.y());
-  Patch at;
-  at.s = load.s;
-  at.along_z = about_y;
-  const Length depth = depth_at(at);
-  if (!(depth > Length{})) return std::nullopt;
-  for (const Diaphragm& of : project_->beam.diaphragms)
-    if (abs(of.s - load.s) <= depth) return std::nullopt;
-  const Force force = couple / depth;
-  const PressedPlates& near = plates_.near(load.s);
-  // Stout webs are spared what they hardly feel, slender ones what is no more than weight.
-  if (!(force > near.none) ||
-      !near.meet(about_y, {about_y ? force : Force{}, about_y ? Force{} : force, {}, false}))
+  std::optional<Moment> most;
+  for (const bool about_y : {true, false}) {
+    if (!about_y && !project_->in_space) continue;
+    const Moment couple = si<Moment>(std::abs(about_y ? load.moment.y() : load.moment.z()));
+    Patch at;
+    at.s = load.s;
+    at.along_z = about_y;
+    const Length depth = depth_at(at);
+    if (couple == Moment{} || !(depth > Length{})) continue;
+    // One diaphragm on either side, as far apart as the forces, takes them.
+    bool before = false, behind = false;
+    for (const Diaphragm& of : project_->beam.diaphragms) {
+      if (abs(of.s - load.s) > depth || !holds(of, about_y)) continue;
+      before = before || of.s < load.s;
+      behind = behind || of.s > load.s;
+    }
+    if (before && behind) continue;
+    const Force force = couple / depth;
+    const PressedPlates& near = plates_.near(load.s);
+    // Stout webs are spared what they hardly feel, slender ones what is no more than weight.
+    if (!(force > near.none) ||
+        !near.meet(about_y, {about_y ? force : Force{}, about_y ? Force{} : force, {}, false}))
+      continue;
+    most = std::max(most.value_or(Moment{}), couple);
+  }
+  return most;
+}
+
+std::optional<Moment> PatchSearch::led_on_unjudged(const PointLoad& load) {
+  if (!is_at_end(load.s) || !kinds_.leads_on(load.name) ||
+      std::find(knees_.begin(), knees_.end(), load.name) != knees_.end())
     return std::nullopt;
-  return couple;
+  const Moment about_y = si<Moment>(std::abs(load.moment.y())),
+               about_z = si<Moment>(project_->in_space ? std::abs(load.moment.z()) : 0.0);
+  const bool larger = about_y >= about_z;
+  Patch at;
+  at.s = std::clamp(load.s, Length{}, project_->beam.length());
+  at.along_z = larger;
+  const Length depth = depth_at(at);
+  const PressedPlates& near = plates_.near(at.s);
+  if (!(depth > Length{})) return std::nullopt;
+  const Moment moment = std::max(about_y, about_z);
+  const Force force = moment / depth;
+  if (!(force > near.none) ||
+      !near.meet(larger, {larger ? force : Force{}, larger ? Force{} : force, {}, false}))
+    return std::nullopt;
+  return moment;
 }
 
 void PatchSearch::add_beside_diaphragms(std::vector<Patch>& patches) {
@@ -169,7 +203,8 @@ void PatchSearch::add_groups(std::vector<Patch>& patches) {
     turned = turned || patches[i].is_torque();
     for (std::size_t j = 0; j < singles; ++j) {
       if (i != j && stand_beside(patches[i], patches[j], std::max(depths[i], depths[j])) &&
-          pushes(patches[i]) != pushes(patches[j]))
+          pushes(patches[i]) != pushes(patches[j]) &&
+          abs(patches[j].force) > plates_.near(patches[j].s).none)
         patches[i].opposed = true;
     }
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "patch_search.hpp"
+#include "patched_path.hpp"
 
 namespace boxbeam {
 namespace {
@@ -27,12 +28,19 @@ PerLength per_length_of(const LineLoad& line, bool along_z, double x) {
   return of;
 }
 
+/// Whether it is the same everywhere, but for weight and inertia.
+bool is_steady(const LineLoad& line, bool along_z) {
+  const auto& outside = line.outside[along_z ? 1 : 0];
+  return outside[0].c[1] == 0.0 && outside[1].c[1] == 0.0;
+}
+
 }  // namespace
 
 /// What stands on a length of the beam.
 struct PatchSearch::OnLength {
   Length from, to;                   ///< of what is loaded
   std::array<double, 2> forces{};    ///< along the axis and against it, sizes [N]
+  std::array<double, 2> peaks{};     ///< of these, at any place [N/m]
   double turns = 0.0;                ///< the couple alone [N m]
   const std::vector<Patch>* others;  ///< forces and torques by themselves
   Length begin, end;                 ///< the length itself
@@ -86,7 +94,7 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
   }
   for (const Segment& of : project_->beam.segments) edges.push_back(of.end());
   const Length end = project_->beam.length();
-  const auto look = [&](Length begin, Length depth) {
+  const auto stands_on = [&](Length begin, Length depth) {
     begin = std::clamp(begin, Length{}, std::max(Length{}, Length(end - depth)));
     OnLength of;
     of.begin = begin;
@@ -98,6 +106,10 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
       const Length from = std::max(of.begin, line.start),
                    to = std::min(of.end, Length(line.start + line.length));
       if (!(to > from)) continue;
+      for (const Length& at : {from, Length(0.5 * (from + to)), to}) {
+        const PerLength here = per_length_of(line, along_z, (at - line.start).value());
+        for (const std::size_t k : {0U, 1U}) of.peaks[k] = std::max(of.peaks[k], here.pushes[k]);
+      }
       // By Gauss with three places.
       const double half = 0.5 * (to - from).value(),
                    centre = 0.5 * (from + to - 2.0 * line.start).value();
@@ -114,7 +126,10 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
       of.from = std::min(of.from, from);
       of.to = std::max(of.to, to);
     }
-    add_length(of, along_z, patches);
+    return of;
+  };
+  const auto look = [&](Length begin, Length depth) {
+    add_length(stands_on(begin, depth), along_z, patches);
   };
   const auto depth_near = [&](Length s) {
     Patch at;
@@ -122,15 +137,93 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
     at.along_z = along_z;
     return depth_at(at);
   };
+  // Of what is heavier than the loads beside it a shorter length is pressed more: from every edge,
+  // and where loads grow from every quarter of them, to every other.
+  std::vector<Length> ends = edges;
+  for (const LineLoad& line : lines) {
+    if (is_steady(line, along_z)) continue;
+    for (const double part : parts) ends.push_back(line.start + part * line.length);
+  }
+  for (std::vector<Length>* const of : {&edges, &ends}) {
+    std::sort(of->begin(), of->end());
+    of->erase(std::unique(of->begin(), of->end()), of->end());
+  }
   for (const Length& edge : edges) {
     const Length depth = depth_near(edge);
     look(edge, depth);
     look(edge - depth, depth);
   }
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const Length depth = depth_near(ends[i]);
+    for (std::size_t j = i + 1; j < ends.size() && ends[j] - ends[i] < depth; ++j)
+      look(ends[i], ends[j] - ends[i]);
+  }
+  for (const Diaphragm& of : project_->beam.diaphragms) {
+    const Length strip = strip_beside(of, along_z);
+    if (!(strip > Length{}) || !holds(of, along_z)) continue;
+    const Length from = std::max(Length{}, Length(of.s - strip));
+    add_onto_diaphragm(stands_on(from, std::min(end, Length(of.s + strip)) - from), of, along_z,
+                       patches);
+  }
   for (const Length& middle : middles) {
     const Length depth = depth_near(middle);
     look(middle - 0.5 * depth, depth);
   }
+}
+
+Length PatchSearch::strip_beside(const Diaphragm& of, bool along_z) {
+  Length strip;
+  for (const Side side : {Side::before, Side::behind}) {
+    if (side == Side::before ? of.s == Length{} : of.s == project_->beam.length()) continue;
+    const JudgedSection& judged = judged_at({of.s, side});
+    const auto take = [&](Length thickness, Stress strength) {
+      strip = std::max(strip, Length(15.0 * std::sqrt(235e6 / strength.value()) * thickness));
+    };
+    if (judged.box) {
+      for (const BoxPlate web : webs_along(along_z)) {
+        const BoxWall& wall = judged.box->box().of(web);
+        take(wall.thickness, wall.yield_strength);
+      }
+    } else if (judged.path) {
+      for (const PathWeb& web : webs_of_path(judged.path->path(), along_z, true).webs)
+        take(web.bears.thickness, web.bears.yield_strength);
+    }
+  }
+  return strip;
+}
+
+/// What stands on the part of the webs that works with a diaphragm (9.1(2)) comes into that.
+void PatchSearch::add_onto_diaphragm(const OnLength& of, const Diaphragm& diaphragm, bool along_z,
+                                     std::vector<Patch>& patches) {
+  if (!(of.to > of.from)) return;
+  Patch line;
+  line.name = "a load along the beam";
+  line.along_z = along_z;
+  line.is_line = true;
+  line.s = diaphragm.s;
+  line.stiff_length = of.to - of.from;
+  line.diaphragm = &diaphragm;
+  line.couple = si<Moment>(of.turns);
+  std::vector<Patch> found;
+  for (const std::size_t k : {0U, 1U}) {
+    line.force = si<Force>(k == 0 ? of.forces[0] : -of.forces[1]);
+    if (!(abs(line.force) > plates_.near(line.s).none)) continue;
+    line.standing = {{line.force, {line.stands_at(), line.stands_at()}}};
+    Patch sum = line;
+    for (const Patch& other : patches) {
+      if (other.diaphragm != &diaphragm || other.along_z != along_z || other.together ||
+          other.is_line || other.is_torque() || other.force * line.force < Force{} * Force{})
+        continue;
+      sum.force += other.force;
+      sum.couple += other.couple;
+      sum.standing.insert(sum.standing.end(), other.standing.begin(), other.standing.end());
+      sum.name += " and " + other.name;
+      sum.stiff_length = std::max(sum.stiff_length, other.stiff_length);
+      sum.together = true;
+    }
+    found.push_back(std::move(sum));
+  }
+  patches.insert(patches.end(), found.begin(), found.end());
 }
 
 void PatchSearch::add_length(const OnLength& of, bool along_z, std::vector<Patch>& patches) {
@@ -143,7 +236,8 @@ void PatchSearch::add_length(const OnLength& of, bool along_z, std::vector<Patch
   line.stiff_length = of.to - of.from;
   const LoadIntroduction* const by = introduction_at(line.s);
   if (by != nullptr) {
-    if (!by->stiff_length && along_z) return;
+    // Bosses in webs lead into them what stands on theirs alone.
+    if (!by->stiff_length && along_z && by->from <= of.from && by->to >= of.to) return;
     used_.insert(by);
   }
   const PressedPlates& near = plates_.near(line.s);
@@ -164,6 +258,7 @@ void PatchSearch::add_length(const OnLength& of, bool along_z, std::vector<Patch
     const Force force = si<Force>(of.forces[k]);
     line.opposed = si<Force>(of.forces[1 - k]) > near.none;
     line.force = k == 0 ? force : Force(-force);
+    line.peak = si<ForcePerLength>(of.peaks[k]);
     line.couple = si<Moment>(of.turns);
     line.standing = {{line.force, {line.stands_at(), line.stands_at()}}};
     Patch sum = line;

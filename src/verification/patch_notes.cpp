@@ -89,9 +89,10 @@ void PatchNotes::take_instant(const CutForceDiagram& diagram, const Situation& s
   for (std::size_t k = 0; k < steps_.size(); ++k) {
     for (const Side side : {Side::before, Side::behind}) {
       const CutForces cut = diagram.at({steps_[k].s, side});
-      for (const PlateForce* const of : {&steps_[k].along, &steps_[k].across})
+      const double across = stress_of(steps_[k].across, cut);
+      for (const PlateForce& along : steps_[k].along)
         at_steps_[k] = std::max(at_steps_[k], project_->strength.required * load_factor *
-                                                  std::abs(stress_of(*of, cut)));
+                                                  std::hypot(stress_of(along, cut), across));
     }
   }
 }
@@ -124,9 +125,9 @@ void PatchNotes::keep(const std::string& name, const BentFlange& of) {
 namespace {
 
 /// Keeps the largest of a name, and where that is.
-void keep_most(UseByName& of, const std::string& name, double use, Length s) {
+void keep_most(auto& of, const std::string& name, const auto& value, Length s) {
   auto& [most, at] = of[name];
-  if (use > most) std::tie(most, at) = std::pair(use, s);
+  if (value > most) std::tie(most, at) = std::pair(value, s);
 }
 
 }  // namespace
@@ -235,6 +236,25 @@ void PatchNotes::take_flange(const Patch& patch, const Borne& way, double load_f
   keep(patch.name, of);
 }
 
+void PatchNotes::PressedWeb::take(double stress, std::size_t instant) {
+  if (at_ != instant) {
+    *this = whole();
+    at_ = instant;
+    now_ = stress;
+    ++seen;
+  } else if (std::abs(stress) > std::abs(now_)) {
+    now_ = stress;
+  }
+}
+
+PatchNotes::PressedWeb PatchNotes::PressedWeb::whole() const {
+  PressedWeb of = *this;
+  if (seen == 0) return of;
+  of.least = std::min(of.least, now_);
+  of.most = std::max(of.most, now_);
+  return of;
+}
+
 void PatchNotes::take_cycles(const Patch& patch, const std::vector<Borne>& ways, bool all) {
   if (!project_->fatigue.asked) return;
   // A torque stands for either of its two senses once.
@@ -262,11 +282,13 @@ void PatchNotes::take_cycles(const Patch& patch, const std::vector<Borne>& ways,
   const double of_what = patch.is_torque() ? patch.torque.value() : patch.force.value();
   const double sense = of_what > 0.0 ? 1.0 : -1.0, s = patch.s.value();
   const auto add = [&](double stress, PressedWeb& of) {
-    if (!of.known) of = {stress, stress, s, s, true};
     of.unsaid = of.unsaid || !patch.given;
-    if (all) ++of.seen;
-    of.least = std::min(of.least, stress);
-    of.most = std::max(of.most, stress);
+    if (all)
+      of.take(stress, instants_);
+    else if (stress > 0.0)
+      of.most = std::max(of.most, stress);
+    else
+      of.least = std::min(of.least, stress);
     of.from = std::min(of.from, s);
     of.to = std::max(of.to, s);
   };
@@ -277,7 +299,8 @@ void PatchNotes::take_cycles(const Patch& patch, const std::vector<Borne>& ways,
 
 PatchNotes::Anew PatchNotes::anew_of(const PressedByName& all) const {
   Anew found;
-  for (const auto& [key, of] : all) {
+  for (const auto& [key, known] : all) {
+    const PressedWeb of = known.whole();
     // What moves on is gone from a place.
     const bool moves = of.to - of.from > 1e-6 * project_->beam.length().value();
     const bool comes_and_goes = moves || of.seen < instants_;
@@ -292,8 +315,11 @@ PatchNotes::Anew PatchNotes::anew_of(const PressedByName& all) const {
 }
 
 void PatchNotes::take_couple(const std::string& name, Length s, Moment couple) {
-  auto& [most, at] = couples_[name];
-  if (abs(couple) > most) std::tie(most, at) = std::pair(Moment(abs(couple)), s);
+  keep_most(couples_, name, couple, s);
+}
+
+void PatchNotes::take_led_on(const std::string& name, Length s, Moment moment) {
+  keep_most(led_on_, name, moment, s);
 }
 
 void PatchNotes::take_bare_support(Length s) { bare_.insert(to_text(Station{s, Side::both})); }
@@ -434,16 +460,20 @@ std::vector<NotJudged> PatchNotes::not_judged() const {
          fmt::format("how its strip beside the access hole bridges it under \"{}\", by "
                      "about {:.2g} of its strength, is not checked",
                      bridge->first, bridge->second.first)});
-  if (!couples_.empty()) {
+  const auto say = [&](const MomentByName& moments, const char* what, const char* why) {
+    if (moments.empty()) return;
     const auto most = std::max_element(
-        couples_.begin(), couples_.end(),
+        moments.begin(), moments.end(),
         [](const auto& a, const auto& b) { return a.second.first < b.second.first; });
     found.push_back({Criterion::patch_loading,
-                     fmt::format("webs under {} at s = {} m", most->first,
+                     fmt::format("{} {} at s = {} m", what, most->first,
                                  to_text(Station{most->second.second, Side::both})),
-                     fmt::format("its moment, {:.4g} kN m, is not judged as forces",
-                                 1e-3 * most->second.first.value())});
-  }
+                     fmt::format("its moment, {:.4g} kN m, is not judged as forces{}",
+                                 1e-3 * most->second.first.value(), why)});
+  };
+  say(couples_, "webs under", "");
+  say(led_on_, "plates at",
+      " by which the next body's plates, not in line with the beam's, bring it");
   if (!bare_.empty())
     found.push_back({Criterion::shear_buckling,
                      fmt::format("webs at s = {} m", fmt::join(bare_, ", ")),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -46,6 +47,8 @@ class PatchNotes {
 
   /// A moment about the beam's y or z that comes in between its ends, by forces that are not known.
   void take_couple(const std::string& name, Length s, Moment couple);
+  /// A moment at an end that a joint leads on into a body whose plates are not known to be in line.
+  void take_led_on(const std::string& name, Length s, Moment moment);
   /// Where slender webs are held without a diaphragm.
   void take_bare_support(Length s);
 
@@ -66,9 +69,20 @@ class PatchNotes {
   };
   /// Of a web under a force over time, tension positive [Pa]; places [m].
   struct PressedWeb {
-    double least = 0.0, most = 0.0, from = 0.0, to = 0.0;
-    bool known = false, unsaid = false;
+    static constexpr double unbounded = std::numeric_limits<double>::infinity();
+    double least = unbounded, most = -unbounded, from = unbounded, to = -unbounded;
+    bool unsaid = false;
     std::size_t seen = 0;  ///< at so many instants
+
+    /// Of several at one instant, as of all lengths of a load along the beam, that of the largest
+    /// size counts.
+    void take(double stress, std::size_t instant);
+    /// What is known with the last instant.
+    PressedWeb whole() const;
+
+   private:
+    std::size_t at_ = 0;
+    double now_ = 0.0;
   };
 
   using PressedByName = std::map<std::pair<std::string, bool>, PressedWeb>;
@@ -99,7 +113,8 @@ class PatchNotes {
   UseByName corners_;                       ///< of knees in shear
   std::map<std::string, BentFlange> bent_;  ///< by the name of the force
   PressedByName pressed_, welded_;          ///< and along z; webs, and welds of diaphragms
-  std::map<std::string, std::pair<Moment, Length>> couples_;
+  using MomentByName = std::map<std::string, std::pair<Moment, Length>>;
+  MomentByName couples_, led_on_;
   std::set<std::string> bare_;
 };
 

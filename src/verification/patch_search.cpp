@@ -28,11 +28,17 @@ std::array<BoxPlate, 2> flanges_of(const Patch& patch) {
   return flanges;
 }
 
+Length thinner_flange(const FourWalls& walls, const Patch& patch) {
+  const auto [one, other] = flanges_of(patch);
+  return std::min(walls.of(one).thickness, walls.of(other).thickness);
+}
+
 PatchSearch::PatchSearch(const Project& project, const std::vector<BendingZone>& zones)
     : project_(&project),
       zones_(&zones),
       pulling_(project, zones),
       kinks_(flange_kinks_of(project)),
+      knees_(judged_knees_of(project)),
       plates_(project),
       kinds_(project) {}
 
@@ -119,6 +125,16 @@ std::vector<Patch> PatchSearch::patches_of(const BeamLoads& loads, const CutForc
   add_lines(loads.lines, true, patches);
   if (project_->in_space) add_lines(loads.lines, false, patches);
   add_bare_diaphragms(patches);
+  for (Patch& of : patches) {
+    if (of.diaphragm == nullptr || of.is_none()) continue;
+    for (const Patch& other : patches) {
+      const bool alone = !other.together || other.led_there;
+      // A torque stands for either of its two senses once.
+      if (other.diaphragm == of.diaphragm && other.along_z != of.along_z && alone &&
+          (!other.is_torque() || other.force > Force{}))
+        of.square_to_it += abs(other.force);
+    }
+  }
   return patches;
 }
 
@@ -216,7 +232,11 @@ const LoadIntroduction* PatchSearch::introduction_at(Length s) const {
   const LoadIntroduction* narrowest = nullptr;
   for (const LoadIntroduction& of : project_->beam.introductions) {
     if (s < of.from - near || s > of.to + near) continue;
-    if (narrowest == nullptr || of.to - of.from < narrowest->to - narrowest->from) narrowest = &of;
+    // Of two as narrow the shorter stiff length.
+    const auto size = [](const LoadIntroduction& at) {
+      return std::pair(at.to - at.from, at.stiff_length.value_or(Length{}));
+    };
+    if (narrowest == nullptr || size(of) < size(*narrowest)) narrowest = &of;
   }
   return narrowest;
 }
@@ -299,10 +319,14 @@ std::vector<std::shared_ptr<const ReducedPlate>> PatchSearch::reduced_at(
   return plates;
 }
 
+bool bears_less(const PatchedWeb& one, const PatchedWeb& other) {
+  return one.flange_thickness < other.flange_thickness ||
+         one.flange_strength < other.flange_strength || one.flange_inside < other.flange_inside ||
+         one.flange_outside < other.flange_outside;
+}
+
 PatchSearch::Shared PatchSearch::shared_by_webs(const Patch& patch, const FourWalls& walls) {
-  using enum BoxPlate;
-  Shared of{patch.along_z ? std::array{left_web, right_web} : std::array{top_flange, bottom_flange},
-            {}};
+  Shared of{webs_along(patch.along_z), {}};
   if (patch.is_none()) return of;
   if (patch.is_torque()) {
     of.shares = {1.0, -1.0};
@@ -335,7 +359,8 @@ std::vector<Borne> PatchSearch::ways_at(const Patch& patch, const Station& stati
       const BearingStiffener stiffener =
           stiffener_of(*project_, web_of(judged, webs[k], flanges_of(patch).front(), patch),
                        across.clear(), *patch.diaphragm, station);
-      bear_by_stiffener(patch, stiffener, to_text(webs[k]), diagram, of, ways);
+      bear_by_stiffener(patch, stiffener, thinner_flange(walls, patch), to_text(webs[k]), diagram,
+                        of, ways);
       continue;
     }
     const PatchedWeb by_flange = web_of(judged, webs[k], flanges_of(patch).front(), patch);
@@ -345,6 +370,14 @@ std::vector<Borne> PatchSearch::ways_at(const Patch& patch, const Station& stati
         bear_by_reduced_stresses(plate, web, patch.force.value() < 0.0, basis);
       else
         bear_by_effective_widths(web, basis);
+      ways.push_back(of);
+    }
+    // It may hang from the other flange as well.
+    PatchedWeb hung = web_of(judged, webs[k], flanges_of(patch).back(), patch);
+    if (!bears_less(hung, by_flange)) continue;
+    hung.pulled = true;
+    for (const PatchedWeb& web : in_every_way(hung, patch)) {
+      bear_by_effective_widths(web, basis);
       ways.push_back(of);
     }
   }

@@ -29,6 +29,7 @@ struct Patch {
   Moment turns = {};                     ///< couples beside the forces, part of `couple`
   Moment torque = {};                    ///< couples alone: the webs take it with unlike senses
   const Diaphragm* diaphragm = nullptr;  ///< that takes it
+  Force square_to_it = {};               ///< all that this takes along the other axis, sizes
   const FlangeKink* kink = nullptr;      ///< that it comes from
   std::array<FlangeKink::Turned, 2> by_sides{};  ///< of that, the larger one of which it is
   /// A force on the section, and across it where it stands and where it would have its couple.
@@ -47,6 +48,7 @@ struct Patch {
   bool together = false;                 ///< several as one
   bool led_there = false;                ///< beside the diaphragm that takes it
   bool is_line = false;                  ///< a load along the beam
+  ForcePerLength peak = {};              ///< of that, the largest on any place
   bool moves = false;                    ///< along the beam
   bool stout = false;  ///< looked at for its size alone: the case does not say how it comes in
 
@@ -67,8 +69,20 @@ struct Patch {
 
 using PatchKey = decltype(Patch().key());
 
+/// The plates of a box that bear forces along z, or along y.
+constexpr std::array<BoxPlate, 2> webs_along(bool along_z) {
+  return along_z ? std::array{BoxPlate::left_web, BoxPlate::right_web}
+                 : std::array{BoxPlate::top_flange, BoxPlate::bottom_flange};
+}
+
 /// The flanges of a patch: the one that it pushes onto first, then the one that it may pull at.
 std::array<BoxPlate, 2> flanges_of(const Patch& patch);
+
+/// Whether one flange of a web may spread less than another.
+bool bears_less(const PatchedWeb& one, const PatchedWeb& other);
+
+/// Of these the thickness of the thinner one.
+Length thinner_flange(const FourWalls& walls, const Patch& patch);
 
 /// How one of the webs bears a patch.
 struct Borne {
@@ -100,7 +114,8 @@ BearingStiffener stiffener_of(const Project& project, const PatchedWeb& web, Len
                               const Diaphragm& diaphragm, const Station& station);
 
 /// Whether a diaphragm is stiff enough for the webs of a box, or in space its flanges, to stand on
-/// (9.3.3(3), I_st >= 0.75 h_w t^3 of long panels); of other sections every one.
+/// (9.3.3(3), I_st >= 0.75 h_w t^3 of long panels), or for both webs of a path; of other sections
+/// every one.
 bool is_firm(const Project& project, const Diaphragm& of, bool along_z);
 
 /// Whether the throat of a seam of a box is one of a plate of it.
@@ -128,9 +143,13 @@ class PatchSearch {
   /// Whether webs that may buckle in shear stand there without a diaphragm.
   bool lacks_diaphragm(Length s);
   /// The moment about y, in space the larger one of both axes, of a load between the beam's ends,
-  /// where webs would feel it as two forces as far apart as the section is deep and no diaphragm
-  /// stands within that length.
+  /// where webs would feel it as two forces as far apart as the section is deep, and no diaphragms
+  /// stand within that length on both its sides.
   std::optional<Moment> couple_of(const PointLoad& load);
+
+  /// The larger moment at an end that a joint leads on into another body whose plates are not
+  /// known, lie elsewhere or are turned, where webs would feel it so.
+  std::optional<Moment> led_on_unjudged(const PointLoad& load);
 
   /// The webs of a box that a patch presses where no diaphragm takes it, the worse of both sides.
   std::vector<PressedWeb> pressed_by(const Patch& patch);
@@ -204,13 +223,17 @@ class PatchSearch {
   /// Diaphragms at which no force comes in, for what their panels pull at them.
   void add_bare_diaphragms(std::vector<Patch>& patches);
   /// A diaphragm's part beside a web as what bears a patch, and what each panel there pulls at it.
-  void bear_by_stiffener(const Patch& patch, const BearingStiffener& stiffener,
+  void bear_by_stiffener(const Patch& patch, const BearingStiffener& stiffener, Length flange,
                          const std::string& plate, const CutForceDiagram& diagram, Borne borne,
                          std::vector<Borne>& ways);
   /// The welds of a diaphragm's part with the web and with the flange, of those the weaker one: as
   /// thick as the case says, else of the least throat.
-  void bear_by_welds(const Patch& patch, const BearingStiffener& stiffener, Borne borne,
-                     std::vector<Borne>& ways) const;
+  void bear_by_welds(const Patch& patch, const BearingStiffener& stiffener, Length flange,
+                     Borne borne, std::vector<Borne>& ways) const;
+  /// How much of the weld with the flange bears a share of a patch: of what stands between the webs
+  /// what lies under it.
+  Length weld_under(const Patch& patch, const BearingStiffener& by, double share,
+                    Length flange) const;
   /// Why what a path bears of a patch is not judged, "" where it is.
   std::string path_obstacle_of(const Patch& patch, const PathWebs& of) const;
   /// Whether what stands on a flange of a path may do more than hardly bend it across.
@@ -227,6 +250,10 @@ class PatchSearch {
   /// the forces there; and torques along it.
   void add_lines(const std::vector<LineLoad>& lines, bool along_z, std::vector<Patch>& patches);
   struct OnLength;
+  /// How much of the webs on either side of a diaphragm works with it.
+  Length strip_beside(const Diaphragm& of, bool along_z);
+  void add_onto_diaphragm(const OnLength& of, const Diaphragm& diaphragm, bool along_z,
+                          std::vector<Patch>& patches);
   void add_length(const OnLength& of, bool along_z, std::vector<Patch>& patches);
   const Diaphragm* diaphragm_at(Length s) const;
   /// `is_firm`, once each.
@@ -306,6 +333,7 @@ class PatchSearch {
   const std::vector<BendingZone>* zones_;
   PullingPanels pulling_;
   std::vector<FlangeKink> kinks_;
+  std::vector<std::string> knees_;  ///< joints of members whose plates lead all on, or as kinks
   PressedPlatesAlong plates_;
   ForceKinds kinds_;
   std::set<const LoadIntroduction*> used_;  ///< by which a force has come in

@@ -5,20 +5,45 @@
 
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/strength/shear_buckling.hpp"
+#include "boxbeam/verification/slender_path.hpp"
 #include "patch_search.hpp"
+#include "patched_path.hpp"
 #include "plate_panels.hpp"
 
 namespace boxbeam {
 
+namespace {
+
+/// The same of two webs of a path, with a plate from the one to the other; beside one web flats are
+/// judged by `bearing_obstacle_of`.
+bool is_firm_in_path(const Project& project, const Diaphragm& of, bool along_z,
+                     const Station& station) {
+  const auto path = judged_path_at(project, {}, station);
+  if (!path) return true;
+  const std::vector<PathWeb> webs = webs_of_path(*path, along_z, true).webs;
+  if (webs.size() != 2) return true;
+  const PathWeb &first = webs.front(), &last = webs.back();
+  const Length inside =
+      first.place - last.place - 0.5 * (first.bears.thickness + last.bears.thickness);
+  return std::all_of(webs.begin(), webs.end(), [&](const PathWeb& web) {
+    return across_obstacle(stiffener_of(project, web.bears, inside, of, station), of,
+                           2.0 * web.bears.depth)
+        .empty();
+  });
+}
+
+}  // namespace
+
 bool is_firm(const Project& project, const Diaphragm& of, bool along_z) {
-  using enum BoxPlate;
-  const std::array webs =
-      along_z ? std::array{left_web, right_web} : std::array{top_flange, bottom_flange};
+  const std::array webs = webs_along(along_z);
   for (const Side side : {Side::before, Side::behind}) {
     if (side == Side::before ? of.s == Length{} : of.s == project.beam.length()) continue;
     const Station station{of.s, side};
     const auto walls = judged_walls_at(project, station);
-    if (!walls) continue;
+    if (!walls) {
+      if (!is_firm_in_path(project, of, along_z, station)) return false;
+      continue;
+    }
     const bool firm = std::all_of(webs.begin(), webs.end(), [&](BoxPlate web) {
       const auto stiffener = bounding_stiffener_at(project, station, *walls, web);
       return stiffener && across_obstacle(*stiffener, of, 2.0 * walls->of(web).clear()).empty();
@@ -48,14 +73,15 @@ void PatchSearch::add_bare_diaphragms(std::vector<Patch>& patches) {
 }
 
 void PatchSearch::bear_by_stiffener(const Patch& patch, const BearingStiffener& stiffener,
-                                    const std::string& plate, const CutForceDiagram& diagram,
-                                    Borne borne, std::vector<Borne>& ways) {
+                                    Length flange, const std::string& plate,
+                                    const CutForceDiagram& diagram, Borne borne,
+                                    std::vector<Borne>& ways) {
   PatchBasis& basis = borne.basis;
   basis.resistance = bearing_resistance_of(stiffener, project_->strength.gamma_M1);
   basis.bears = stiffener;
   if (basis.share * basis.force > Force{}) {
     ways.push_back(borne);
-    bear_by_welds(patch, stiffener, borne, ways);
+    bear_by_welds(patch, stiffener, flange, borne, ways);
   }
   // At the ends of the beam it is no stiffener between panels.
   if (is_at_end(patch.diaphragm->s)) return;
@@ -68,20 +94,40 @@ void PatchSearch::bear_by_stiffener(const Patch& patch, const BearingStiffener& 
   }
 }
 
-void PatchSearch::bear_by_welds(const Patch& patch, const BearingStiffener& stiffener, Borne borne,
-                                std::vector<Borne>& ways) const {
+Length PatchSearch::weld_under(const Patch& patch, const BearingStiffener& by, double share,
+                               Length flange) const {
+  if (!project_->in_space || patch.is_none() || patch.is_torque() || patch.kink != nullptr)
+    return by.width;
+  // The nearer web, by both shares.
+  const Length apart = 2.0 * by.width + patch.diaphragm->opening;
+  if (!(std::min(share, 1.0 - share) * apart > flange + by.web_thickness)) return by.width;
+  return std::min(by.width, share * (patch.stiff_length + 2.0 * flange));
+}
+
+void PatchSearch::bear_by_welds(const Patch& patch, const BearingStiffener& stiffener,
+                                Length flange, Borne borne, std::vector<Borne>& ways) const {
   const Diaphragm& of = *patch.diaphragm;
   const PlateOf joined = weakest_to_weld(plates_around(*project_, of.s, of.thickness));
   const auto tensile = tensile_strength_of(*joined.material, joined.thickness);
   if (!tensile) return;
   const bool said = of.throat > Length{};
   borne.part = said ? Borne::Part::weld : Borne::Part::unsaid_weld;
+  const Length under = weld_under(patch, stiffener, borne.basis.share, flange);
   for (const bool to_flange : {false, true}) {
-    const StiffenerWeld weld{to_flange,
-                             stiffener.both_sides ? 4 : 2,
-                             said ? of.throat : least_throat(),
-                             to_flange ? stiffener.width : stiffener.web_depth,
-                             {*tensile, joined.material->beta_w, project_->strength.gamma_M2}};
+    StiffenerWeld weld{to_flange,
+                       stiffener.both_sides ? 4 : 2,
+                       said ? of.throat : least_throat(),
+                       to_flange ? under : stiffener.web_depth,
+                       {*tensile, joined.material->beta_w, project_->strength.gamma_M2}};
+    if (patch.square_to_it > Force{}) {
+      // By the other edge of the diaphragm's part into this one.
+      StiffenerWeld other = weld;
+      other.to_flange = !to_flange;
+      other.length = to_flange ? 2.0 * stiffener.width : 0.5 * (stiffener.web_depth - of.opening);
+      constexpr double all = 0.999999;  // nothing is left
+      weld.beside =
+          std::min(all, (patch.square_to_it / stiffener_weld_resistance_of(other)).value());
+    }
     borne.basis.resistance = stiffener_weld_resistance_of(weld);
     borne.basis.bears = weld;
     ways.push_back(borne);
@@ -108,9 +154,16 @@ std::vector<PressedWeb> PatchSearch::welds_stressed_by(const Patch& patch) {
         const BearingStiffener by =
             stiffener_of(*project_, web_of(judged, webs[k], flanges_of(patch).front(), patch),
                          across.clear(), of, station);
+        Patch on = patch;
+        on.diaphragm = &of;
+        const Length flange = thinner_flange(walls, patch);
         for (const bool to_flange : {false, true}) {
           const StiffenerWeld weld{
-              to_flange, by.both_sides ? 4 : 2, of.throat, to_flange ? by.width : by.web_depth, {}};
+              to_flange,
+              by.both_sides ? 4 : 2,
+              of.throat,
+              to_flange ? weld_under(on, by, std::abs(shares[k]), flange) : by.web_depth,
+              {}};
           const Area throats = static_cast<double>(weld.welds) * weld.throat *
                                std::max(si<Length>(1e-6), Length(weld.length - 2.0 * weld.throat));
           const Stress stress = shares[k] * patch.force / throats;
@@ -130,8 +183,14 @@ BearingStiffener stiffener_of(const Project& project, const PatchedWeb& web, Len
   BearingStiffener of;
   of.web_depth = web.depth;
   of.web_thickness = web.thickness;
+  // What works with the next one works with that (9.1(2)).
   of.web_before = station.s;
   of.web_behind = project.beam.length() - station.s;
+  for (const Diaphragm& other : project.beam.diaphragms) {
+    const Length half = 0.5 * abs(other.s - diaphragm.s);
+    Length& strip = other.s < diaphragm.s ? of.web_before : of.web_behind;
+    if (half > Length{}) strip = std::min(strip, half);
+  }
   of.thickness = diaphragm.thickness;
   of.width = 0.5 * (inside - diaphragm.opening);
   of.yield_strength = web.yield_strength;

@@ -205,6 +205,7 @@ std::vector<Borne> PatchSearch::path_ways_at(const Patch& patch, const Station& 
   basis.path = judged.path;
   basis.cut = diagram.at(station);
   basis.place = judged.path->worst_place(basis.cut);
+  const PathWebs others = webs_of_path(judged.path->path(), patch.along_z, patch.force > Force{});
   const PathWeb &first = of.webs.front(), &last = of.webs.back();
   const Length between = first.place - last.place;
   for (const PathWeb& web : of.webs) {
@@ -218,13 +219,24 @@ std::vector<Borne> PatchSearch::path_ways_at(const Patch& patch, const Station& 
     borne.wall = web.plate->name;
     if (patch.diaphragm != nullptr) {
       if (!bearing_obstacle_of(patch, of, station).empty()) continue;
-      bear_by_stiffener(patch, path_stiffener_of(patch, of, web, station), borne.wall, diagram,
-                        borne, ways);
+      bear_by_stiffener(patch, path_stiffener_of(patch, of, web, station),
+                        web.bears.flange_thickness, borne.wall, diagram, borne, ways);
       continue;
     }
     PatchedWeb under = web_under(web.bears, patch);
     under.length = path_panel_length_at(*project_, station);
-    for (const PatchedWeb& way : in_every_way(under, patch)) {
+    std::vector<PatchedWeb> all = in_every_way(under, patch);
+    // It may hang from the other flange as well.
+    const auto hung = std::find_if(others.webs.begin(), others.webs.end(), [&](const PathWeb& at) {
+      return at.plate->name == web.plate->name;
+    });
+    if (hung != others.webs.end() && bears_less(hung->bears, web.bears)) {
+      PatchedWeb pulled = web_under(hung->bears, patch);
+      pulled.length = under.length;
+      pulled.pulled = true;
+      for (PatchedWeb& way : in_every_way(pulled, patch)) all.push_back(std::move(way));
+    }
+    for (const PatchedWeb& way : all) {
       bear_by_effective_widths(way, basis);
       ways.push_back(borne);
     }

@@ -99,14 +99,21 @@ std::vector<Borne> PatchSearch::seams_at(const Patch& patch, const std::vector<P
       // Of a load along the beam there are copies at many places: it counts once.
       Stress along_beam;
       for (const Patch& other : all) {
-        if (other.is_line && patch.is_line) continue;
-        const bool alike = other.along_z == patch.along_z && other.diaphragm == nullptr &&
-                           (other.force > Force{}) == (patch.force > Force{});
-        if (&other == &patch || other.together || !alike) continue;
-        const Spread its = spread(other);
+        if (&other == &patch || other.together || other.diaphragm != nullptr) continue;
+        // What comes in square to it puts as much into the throat at the worst, of either sense;
+        // of a torque, which stands for both, once.
+        const bool square = other.along_z != patch.along_z;
+        if (square ? other.is_torque() && other.force < Force{}
+                   : (other.is_line && patch.is_line) ||
+                         (other.force > Force{}) != (patch.force > Force{}))
+          continue;
+        const Spread its =
+            square ? spread_of(other, web_of(judged, flange, web, other)) : spread(other);
         if (!(its.from < own.to && its.to > own.from)) continue;
-        const Stress beside = std::abs(shared_by_webs(other, walls).shares[k]) * abs(other.force) /
-                              ((its.to - its.from) * a);
+        const Shared shared = shared_by_webs(other, walls);
+        const std::size_t part = square ? (shared.webs[0] == flange ? 0 : 1) : k;
+        const Stress beside =
+            std::abs(shared.shares[part]) * abs(other.force) / ((its.to - its.from) * a);
         if (other.is_line)
           along_beam = std::max(along_beam, beside);
         else
@@ -114,6 +121,8 @@ std::vector<Borne> PatchSearch::seams_at(const Patch& patch, const std::vector<P
       }
       seam.beside += along_beam;
       const Force acting = basis.share * basis.force;
+      // Of a load along the beam where it is largest.
+      if (patch.is_line) seam.loaded = std::min(seam.loaded, Length(basis.force / patch.peak));
       const Stress across = acting / (seam.loaded * a) + seam.beside;
       const Stress along = stress_at((*throat)->influence, cut).shear;
       basis.resistance = acting / use_of(across, along, a, seam.strength);

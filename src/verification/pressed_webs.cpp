@@ -202,10 +202,21 @@ std::vector<double> PressedWebs::places_of(BoxPlate web) const {
   const double near = at_one_place * project_->beam.length().value();
   std::vector<double> places;
   std::map<std::string, std::pair<double, double>> ways;
+  // Where webs and seams become others, and what bears the forces;
+  // within the length that one loads as well.
+  std::vector<double> borders;
+  for (const Segment& of : project_->beam.segments) borders.push_back(of.end().value());
+  for (const Diaphragm& of : project_->beam.diaphragms) borders.push_back(of.s.value());
+  for (const LoadIntroduction& of : project_->beam.introductions)
+    borders.push_back(0.5 * (of.from + of.to).value());
   for (const Source& of : sources_) {
     if (of.presses.find({web, nullptr}) == of.presses.end()) continue;
     places.push_back(of.from);
     if (of.to - of.from <= near) {
+      for (const double s : borders) {
+        for (const double at : {s - 2.0 * near, s, s + 2.0 * near})
+          if (at > of.from - of.before && at < of.to + of.behind) places.push_back(at);
+      }
       for (const Source& other : sources_) {
         const bool apart = std::abs(other.from - of.from) > near || other.to - other.from > near;
         if (!apart || other.presses.find({web, nullptr}) == other.presses.end() ||
@@ -224,12 +235,6 @@ std::vector<double> PressedWebs::places_of(BoxPlate web) const {
     from = std::min(from, of.from);
     to = std::max(to, of.to);
   }
-  // Besides, where webs and seams become others, and what bears the forces.
-  std::vector<double> borders;
-  for (const Segment& of : project_->beam.segments) borders.push_back(of.end().value());
-  for (const Diaphragm& of : project_->beam.diaphragms) borders.push_back(of.s.value());
-  for (const LoadIntroduction& of : project_->beam.introductions)
-    borders.push_back(0.5 * (of.from + of.to).value());
   for (const auto& [name, way] : ways) {
     for (int i = 1; i < along; ++i)
       places.push_back(way.first + static_cast<double>(i) / along * (way.second - way.first));

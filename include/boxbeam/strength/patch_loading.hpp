@@ -33,6 +33,8 @@ struct PatchedWeb {
   /// help.
   std::optional<Length> length = {};
   Length to_end;  ///< c, from the stiff length to the end of the beam; of `near_end` only
+  /// The force pulls at that flange: the web yields, and does not buckle.
+  bool pulled = false;
 };
 
 /// The width of a web's edge over which a force comes in, s_s + 2 t_f <= a.
@@ -109,9 +111,10 @@ struct StiffenerWeld {
   int welds = 2;
   Length throat, length;
   WeldStrength strength;
+  double beside = 0.0;  ///< how much they are used by what else goes through them, square to it
 };
 
-/// What they bear, of a weld's length less a throat at each end:
+/// What they bear, beside that times sqrt(1 - u^2), of a weld's length less a throat at each end:
 ///
 ///     along the web  n a (l - 2 a) f_u/(sqrt(3) beta_w gamma_M2)
 ///     with the flange, across them, no contact  n a (l - 2 a) f_u/(sqrt(2) beta_w gamma_M2)
