@@ -261,7 +261,7 @@ struct Growing {
   }
 };
 
-constexpr double same_place = 1e-6;  // by the beam's length
+constexpr double same_end = 1e-6;  // by the beam's length
 
 /// A rigid joint of the beam's end with the end of another member of a frame.
 struct Knee {
@@ -275,7 +275,7 @@ std::vector<Knee> knees_of(const Project& project) {
   const auto* const frame = std::get_if<frame::Structure>(&project.mechanism);
   if (frame == nullptr) return knees;
   const TaperedBeam& beam = project.beam;
-  const double near = same_place * beam.length().value();
+  const double near = same_end * beam.length().value();
   // Out of a joint, from the end of a member that stands there.
   const auto leaves = [&](const frame::Place& at) -> std::optional<Eigen::Vector3d> {
     const frame::Member& member = frame->members[static_cast<std::size_t>(at.member)];
@@ -301,7 +301,7 @@ std::vector<Knee> knees_of(const Project& project) {
 void add_knees(const Project& project, std::vector<FlangeKink>& kinks) {
   const TaperedBeam& beam = project.beam;
   for (const Knee& at : knees_of(project)) {
-    const Length s = at.own->p.x() > same_place * beam.length().value() ? beam.length() : Length{};
+    const Length s = at.own->p.x() > same_end * beam.length().value() ? beam.length() : Length{};
     // Straight on, what leaves on the one side goes against what leaves on the other.
     const frame::Structure& frame = std::get<frame::Structure>(project.mechanism);
     const Eigen::Matrix3d& axes = frame.members[static_cast<std::size_t>(project.beam_body)].axes;
