@@ -214,9 +214,9 @@ auto weld_resistance(Record& record, const StiffenerWeld& of) {
   }();
   using Load = std::decay_t<decltype(alone * 1.0)>;
   if (of.beside == 0.0) return Load(alone);
-  const auto u = record.given("u", of.beside, {ValueKind::factor},
-                              "of the welds by what comes in square to it");
-  return Load(record.define("F_w,Rd,u", alone * record.define("r", sqrt(1.0 - u * u))));
+  const auto k = record.given("k", of.beside, {ValueKind::factor},
+                              "use of the welds by what comes in square to it, over that by it");
+  return Load(record.define("F_w,Rd,k", alone / sqrt(1.0 + k * k)));
 }
 
 }  // namespace

@@ -76,6 +76,14 @@ Length farthest_place(const Patch::Standing& of, const Flanges& flanges) {
   return flanges.beside(one) > flanges.beside(other) ? one : other;
 }
 
+/// What of a patch stands between the webs of a section, or beside them.
+Force between_webs(const Patch& patch, const Flanges& flanges) {
+  Force between;
+  for (const Patch::Standing& of : patch.standing)
+    if (flanges.beside(farthest_place(of, flanges)) > flanges.thickness) between += abs(of.force);
+  return between;
+}
+
 }  // namespace
 
 PatchNotes::PatchNotes(const Project& project, std::vector<FlangeStep> steps,
@@ -156,19 +164,30 @@ void PatchNotes::take_corner(const Patch& patch, const Borne& way, double load_f
 }
 
 void PatchNotes::take_diaphragm(const Patch& patch, const Borne& way, double load_factor) {
+  if (!project_->in_space) return;
+  if (const auto* const weld = std::get_if<StiffenerWeld>(&way.basis.bears)) {
+    const auto flanges = flanges_across(patch, way);
+    if (!flanges || !weld->to_flange || way.part != Borne::Part::weld) return;
+    const Force between = between_webs(patch, *flanges);
+    const Length pressed = patch.stiff_length + 2.0 * flanges->thickness;
+    const Force edge = way.basis.resistance * (pressed / (weld->length - 2.0 * weld->throat));
+    keep_most(edges_, patch.name,
+              project_->strength.required * load_factor * (between / edge).value(), patch.s);
+    return;
+  }
   const auto* const stiffener = std::get_if<BearingStiffener>(&way.basis.bears);
-  if (stiffener == nullptr || !project_->in_space) return;
+  if (stiffener == nullptr) return;
   const auto flanges = flanges_across(patch, way);
   if (!flanges) return;
   // What stands between the webs goes to them by its plate, and so does half of a torque.
-  Force between, sheared;
+  const Force between = between_webs(patch, *flanges);
+  Force sheared;
   for (const Patch::Standing& of : patch.standing) {
     const Length place = farthest_place(of, *flanges);
     if (!(flanges->beside(place) > flanges->thickness)) continue;
     // What stands beyond a web is a torque besides, of which half goes by the plate.
     const Length at = std::clamp(place, flanges->low, flanges->high);
     const double by_high = (at - flanges->low) / flanges->apart();
-    between += abs(of.force);
     sheared += (std::max(by_high, 1.0 - by_high) + 0.5 * abs(place - at) / flanges->apart()) *
                abs(of.force);
   }
@@ -371,7 +390,9 @@ std::vector<Gate> PatchNotes::gates() const {
   std::map<std::pair<Length, std::string>, std::size_t> most;
   for (std::size_t k = 0; k < steps_.size(); ++k) {
     const FlangeStep& of = steps_[k];
-    if (!(at_steps_[k] > hardly_bent * (of.area * of.yield_strength).value()) ||
+    // Of a web a half of it is enough, as in bending.
+    const Area area = of.web ? Area(0.5 * of.area) : of.area;
+    if (!(at_steps_[k] > hardly_bent * (area * of.yield_strength).value()) ||
         at_steps_[k] <= of.led.value())
       continue;
     std::size_t& at = most.try_emplace({of.s, of.name}, k).first->second;
@@ -435,10 +456,11 @@ std::vector<NotJudged> PatchNotes::not_judged() const {
         {Criterion::patch_loading,
          fmt::format("edge of the diaphragm at s = {} m",
                      to_text(Station{edge->second.second, Side::both})),
-         fmt::format("\"{}\" presses it by {:.3g} of its strength, over 2 t_f and as much as "
-                     "[[beam.load_introductions]] say its pad is long: a longer one, or a thicker "
-                     "diaphragm",
-                     edge->first, edge->second.first)});
+         fmt::format(
+             "\"{}\" presses it, or its weld, by {:.3g} of its strength, over 2 t_f and as much as "
+             "[[beam.load_introductions]] say its pad is long: a longer one, or a thicker "
+             "diaphragm",
+             edge->first, edge->second.first)});
   if (const Anew of = anew_of(pressed_); !of.names.empty())
     found.push_back(
         {Criterion::patch_loading, fmt::format("webs under {}", fmt::join(of.names, ", ")),
@@ -460,7 +482,7 @@ std::vector<NotJudged> PatchNotes::not_judged() const {
          fmt::format("how its strip beside the access hole bridges it under \"{}\", by "
                      "about {:.2g} of its strength, is not checked",
                      bridge->first, bridge->second.first)});
-  const auto say = [&](const MomentByName& moments, const char* what, const char* why) {
+  const auto say = [&](const MomentByName& moments, const char* what, const char* how) {
     if (moments.empty()) return;
     const auto most = std::max_element(
         moments.begin(), moments.end(),
@@ -468,12 +490,12 @@ std::vector<NotJudged> PatchNotes::not_judged() const {
     found.push_back({Criterion::patch_loading,
                      fmt::format("{} {} at s = {} m", what, most->first,
                                  to_text(Station{most->second.second, Side::both})),
-                     fmt::format("its moment, {:.4g} kN m, is not judged as forces{}",
-                                 1e-3 * most->second.first.value(), why)});
+                     fmt::format("its moment, {:.4g} kN m,{} is not judged as forces",
+                                 1e-3 * most->second.first.value(), how)});
   };
   say(couples_, "webs under", "");
   say(led_on_, "plates at",
-      " by which the next body's plates, not in line with the beam's, bring it");
+      " comes by plates of another body, which may not lie in line with the beam's, and");
   if (!bare_.empty())
     found.push_back({Criterion::shear_buckling,
                      fmt::format("webs at s = {} m", fmt::join(bare_, ", ")),

@@ -96,7 +96,9 @@ void PatchSearch::bear_by_stiffener(const Patch& patch, const BearingStiffener& 
 
 Length PatchSearch::weld_under(const Patch& patch, const BearingStiffener& by, double share,
                                Length flange) const {
-  if (!project_->in_space || patch.is_none() || patch.is_torque() || patch.kink != nullptr)
+  // Of what the case does not say how it comes in the verdict line says what an edge would do.
+  if (!project_->in_space || patch.is_none() || patch.is_torque() ||
+      !(patch.stiff_length > Length{}))
     return by.width;
   // The nearer web, by both shares.
   const Length apart = 2.0 * by.width + patch.diaphragm->opening;
@@ -124,9 +126,10 @@ void PatchSearch::bear_by_welds(const Patch& patch, const BearingStiffener& stif
       StiffenerWeld other = weld;
       other.to_flange = !to_flange;
       other.length = to_flange ? 2.0 * stiffener.width : 0.5 * (stiffener.web_depth - of.opening);
-      constexpr double all = 0.999999;  // nothing is left
-      weld.beside =
-          std::min(all, (patch.square_to_it / stiffener_weld_resistance_of(other)).value());
+      const Force acting = borne.basis.share * borne.basis.force;
+      weld.beside = (patch.square_to_it / stiffener_weld_resistance_of(other) *
+                     (stiffener_weld_resistance_of(weld) / acting))
+                        .value();
     }
     borne.basis.resistance = stiffener_weld_resistance_of(weld);
     borne.basis.bears = weld;

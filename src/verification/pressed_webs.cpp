@@ -403,7 +403,7 @@ void PressedWebs::look(Place place, const std::vector<double>& places, bool any_
     });
     // A kink comes in on an edge whatever the case says of its loads, but where a diaphragm is.
     turned = turned && place.diaphragm == nullptr;
-    take(Found{std::move(of), key.first && !turned, key.second, turned});
+    take(Found{std::move(of), key.first && !turned, key.second, turned, !is_flange(place.web)});
   }
 }
 

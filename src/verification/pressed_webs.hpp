@@ -55,6 +55,7 @@ class PressedWebs {
     bool given = true;
     bool unsaid = false;  ///< taken as fillets where the case does not say what they are
     bool turned = false;  ///< of what turns off from flanges alone
+    bool along_z = true;  ///< presses webs; else flanges
   };
   /// Of every web the place that is used most, of each sense, of those where the case says that and
   /// of the others.

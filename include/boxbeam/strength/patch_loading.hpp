@@ -111,10 +111,13 @@ struct StiffenerWeld {
   int welds = 2;
   Length throat, length;
   WeldStrength strength;
-  double beside = 0.0;  ///< how much they are used by what else goes through them, square to it
+  /// What else goes through them, square to the force: how much they are used by it over how much
+  /// by the force.
+  double beside = 0.0;
 };
 
-/// What they bear, beside that times sqrt(1 - u^2), of a weld's length less a throat at each end:
+/// What they bear, with what else goes through them over sqrt(1 + k^2), of a weld's length less a
+/// throat at each end:
 ///
 ///     along the web  n a (l - 2 a) f_u/(sqrt(3) beta_w gamma_M2)
 ///     with the flange, across them, no contact  n a (l - 2 a) f_u/(sqrt(2) beta_w gamma_M2)
