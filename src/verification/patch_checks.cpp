@@ -425,7 +425,8 @@ Gate gate_of_square(const Project& project, const std::pair<Check, double>& of) 
   return {project.beam.segments[segment_at(project.beam, check.station)].name, "",
           fmt::format("{} at s = {} m: with what presses there square to it at every cycle used by "
                       "up to {:.3g} in fatigue, which is not judged together",
-                      check.point, to_text(check.station), use)};
+                      check.point, to_text(check.station), use),
+          true};
 }
 
 }  // namespace

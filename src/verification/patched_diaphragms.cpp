@@ -103,7 +103,8 @@ Length PatchSearch::weld_under(const Patch& patch, const BearingStiffener& by, d
   // The nearer web, by both shares.
   const Length apart = 2.0 * by.width + patch.diaphragm->opening;
   if (!(std::min(share, 1.0 - share) * apart > flange + by.web_thickness)) return by.width;
-  return std::min(by.width, share * (patch.stiff_length + 2.0 * flange));
+  const Length throat = std::max(patch.diaphragm->throat, least_throat());
+  return std::min(by.width, share * (patch.stiff_length + 2.0 * flange) + 2.0 * throat);
 }
 
 void PatchSearch::bear_by_welds(const Patch& patch, const BearingStiffener& stiffener,
