@@ -34,7 +34,7 @@ struct Load {
 struct Beam {
   std::vector<Piece> pieces;
   std::vector<double> diaphragms;
-  double thickness = 16.0;
+  double thickness = 16.0, weld = 0.0;  // of them and of the throats of their welds [mm]
   std::vector<std::pair<double, double>> supports;  // s [m], z of its pin [m]
   std::vector<Load> forces;
   std::string more = {};
@@ -82,8 +82,9 @@ struct Beam {
     }
     out += "[beam]\ndensity = \"7850 kg/m^3\"\n" + segments;
     for (const double s : diaphragms)
-      out += fmt::format("[[beam.diaphragms]]\nstation = \"{:.12g} m\"\nthickness = \"{} mm\"\n", s,
-                         thickness);
+      out +=
+          fmt::format("[[beam.diaphragms]]\nstation = \"{:.12g} m\"\nthickness = \"{} mm\"\n{}", s,
+                      thickness, weld > 0.0 ? fmt::format("throat = \"{:.10g} mm\"\n", weld) : "");
     for (std::size_t i = 0; i < supports.size(); ++i) {
       const auto [s, z] = supports[i];
       const std::string at = space ? fmt::format("[\"{:.12g} m\", \"0 m\", \"{} m\"]", s, z)
