@@ -225,7 +225,7 @@ void PatchSearch::add_groups_at(std::optional<bool> high, double turning, std::s
   const auto turns_here = [&](const Patch& of) { return of.torque.value() * turning > 0.0; };
   // Every group of few; of more those of some numbers, each with all its forces on the length of
   // the smallest group for which it stands, so that none between is used more.
-  constexpr int few = 24;
+  constexpr int few = 8;
   for (std::size_t i = 0; i < singles; ++i) {
     const bool of_torques = patches[i].is_torque();
     if (!comes_in_here(patches[i]) || (of_torques && !turns_here(patches[i]))) continue;
