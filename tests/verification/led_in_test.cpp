@@ -206,10 +206,11 @@ TEST_CASE("what hangs on a thin flange is spread by that", "[patch]") {
     beam.forces = {{"f", 0.6, 550.0, 0.194, -0.25}, {"g", 0.6, 550.0, -0.194, -0.25}};
     beam.more = introduced(0.59, 0.61, 0.0);
     std::string text = beam.text();
-    const std::string both = "flange = \"10 mm\"\n";
-    for (std::size_t at = text.find(both); at != std::string::npos; at = text.find(both, at + 1))
-      text.replace(at, both.size(),
-                   fmt::format("top_flange = \"{} mm\"\nbottom_flange = \"{} mm\"\n", top, bottom));
+    const std::string both = "\nflange = \"10 mm\"\n";
+    const std::string unlike =
+        fmt::format("\ntop_flange = \"{} mm\"\nbottom_flange = \"{} mm\"\n", top, bottom);
+    for (auto at = text.find(both); at != std::string::npos; at = text.find(both))
+      text.replace(at, both.size(), unlike);
     return use_at(verify(parse_project("hung.toml", text)), Criterion::patch_loading,
                   "web under f");
   };
