@@ -456,11 +456,11 @@ std::vector<NotJudged> PatchNotes::not_judged() const {
         {Criterion::patch_loading,
          fmt::format("edge of the diaphragm at s = {} m",
                      to_text(Station{edge->second.second, Side::both})),
-         fmt::format(
-             "\"{}\" presses it, or its weld, by {:.3g} of its strength, over 2 t_f and as much as "
-             "[[beam.load_introductions]] say its pad is long: a longer one, or a thicker "
-             "diaphragm",
-             edge->first, edge->second.first)});
+         fmt::format("\"{}\" presses it by {:.3g} of its strength, or of its weld's, over 2 t_f "
+                     "and as much as "
+                     "[[beam.load_introductions]] say its pad is long: a longer one, or a thicker "
+                     "diaphragm",
+                     edge->first, edge->second.first)});
   if (const Anew of = anew_of(pressed_); !of.names.empty())
     found.push_back(
         {Criterion::patch_loading, fmt::format("webs under {}", fmt::join(of.names, ", ")),
