@@ -550,7 +550,8 @@ class Search {
     if (!direct_may && !shear_may) return;
     ++found_.evaluations;
 
-    const double nothing = 1e-9 * rules_.yield_strength(place.plate);
+    // By the rule of the program: so small no range is one.
+    const double nothing = 1e-6 * rules_.yield_strength(place.plate);
     Histories &of_direct = direct_, &of_shear = shear_;
     bool direct_counts = false, shear_counts = false;
     // With the ranges and cycles themselves most places can be seen to be milder.
