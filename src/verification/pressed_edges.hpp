@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <tuple>
 #include <vector>
 
 #include "boxbeam/verification/checks.hpp"
@@ -16,7 +17,10 @@ struct PressedEdge {
   BoxPlate web = BoxPlate::left_web;
   bool unsaid_as_fillets = false;  ///< a seam of which nothing is said, all of one as thick as it
 
-  auto operator<=>(const PressedEdge&) const = default;
+  bool operator<(const PressedEdge& other) const {
+    return std::tie(s, web, unsaid_as_fillets) <
+           std::tie(other.s, other.web, other.unsaid_as_fillets);
+  }
 };
 
 /// What resists a force that comes in there at every cycle, and the shear stress that counts beside
