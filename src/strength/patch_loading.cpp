@@ -286,7 +286,7 @@ std::optional<Length> sufficient_throat_of(const StiffenerWeld& weld, Force forc
   constexpr NoDerivation plainly;
   const Stress f = weld.to_flange ? Stress(weld_strength(plainly, weld.strength) / std::sqrt(2.0))
                                   : weld_shear_strength(weld.strength);
-  const Area asked = force / (static_cast<double>(weld.welds) * f);
+  const Area asked = std::hypot(1.0, weld.beside) * force / (static_cast<double>(weld.welds) * f);
   const double rest = 1.0 - 8.0 * (asked / (weld.length * weld.length)).value();
   if (!(rest >= 0.0)) return std::nullopt;
   return std::max(least_throat(), Length(0.25 * (1.0 - std::sqrt(rest)) * weld.length));

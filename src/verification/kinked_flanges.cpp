@@ -399,11 +399,13 @@ std::vector<std::string> judged_knees_of(const Project& project) {
                         &other = members[static_cast<std::size_t>(at.other->member)];
     const auto end_of = [](const frame::Member& member, const frame::Place& place) {
       const bool at_start = place.p.x() < 0.5 * member.beam.length().value();
-      return extent_of(section_at(member.beam, {at_start ? Length{} : member.beam.length(),
-                                                at_start ? Side::behind : Side::before})
-                           .outer);
+      return section_at(member.beam, {at_start ? Length{} : member.beam.length(),
+                                      at_start ? Side::behind : Side::before})
+          .outer;
     };
-    const Extent one = end_of(own, *at.own), two = end_of(other, *at.other);
+    const Profile mine = end_of(own, *at.own), its = end_of(other, *at.other);
+    if (mine.index() != its.index()) continue;
+    const Extent one = extent_of(mine), two = extent_of(its);
     const double size = std::max(one.z_high - one.z_low, one.y_high - one.y_low).value();
     const auto alike = [&](Length a, Length b) { return std::abs((a - b).value()) < 1e-3 * size; };
     // As deep in the plane of the knee and as wide across it, with the same axis across it.
@@ -472,6 +474,7 @@ std::vector<Patch> PatchSearch::kinks_under(const CutForceDiagram& diagram) cons
     patch.kink = &of;
     patch.by_sides = sides;
     patch.at_high = of.at_high;
+    patch.hangs = (turned.force > Force{}) == of.at_high;
     uses.push_back(use_across_kink(of, before, behind));
   }
   // A curve drawn as many kinks bends the plate as one of all their turns.

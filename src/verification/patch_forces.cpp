@@ -54,12 +54,23 @@ std::vector<Patch> PatchSearch::forces_of(const BeamLoads& loads) const {
       patch.couple = couple_along(load, along_z);
       patch.standing = {
           {patch.force, {si<Length>(along_z ? load.at.x() : load.at.y()), patch.stands_at()}}};
+      // What stands near the middle may come in anywhere.
+      const double height = along_z ? load.at.y() : load.at.x();
+      if (std::abs(height) > 0.25 * 0.5 * depth_of_outer(load.s, along_z).value())
+        patch.hangs = (patch.force > Force{}) == (height > 0.0);
       patch.moves = kinds_.moves(load.name, load.part > 0 ? load.part : number);
       patch.load = load.part > 0 ? load.part : number;
       patches.push_back(std::move(patch));
     }
   }
   return patches;
+}
+
+Length PatchSearch::depth_of_outer(Length s, bool along_z) const {
+  const TaperedBeam& beam = project_->beam;
+  const Extent of =
+      extent_of(section_at(beam, {std::clamp(s, Length{}, beam.length()), Side::both}).outer);
+  return along_z ? of.z_high - of.z_low : of.y_high - of.y_low;
 }
 
 Moment PatchSearch::couple_along(const PointLoad& load, bool along_z) const {
@@ -183,6 +194,7 @@ void PatchSearch::add_beside_diaphragms(std::vector<Patch>& patches) {
       taken.given = true;
       taken.stout = false;
       taken.together = true;  // with what leads it there
+      taken.led_onto = true;
       taken.led_there =
           patches[i].may_come_beside_flanges();  // else counted in cycles where it stands
       patches.push_back(std::move(taken));
@@ -259,6 +271,7 @@ void PatchSearch::add_groups_at(std::optional<bool> high, double turning, std::s
       sum.bent = std::max(sum.bent, other.bent);
       sum.kink = sum.kink != nullptr ? other.kink : nullptr;
       if (other.at_high) sum.at_high = other.at_high;
+      if (other.hangs.value_or(false)) sum.hangs = true;
       sum.given = sum.given && other.given;
       sum.opposed = sum.opposed || other.opposed;
       sum.stout = sum.stout || other.stout;

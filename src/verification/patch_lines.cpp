@@ -40,7 +40,6 @@ bool is_steady(const LineLoad& line, bool along_z) {
 struct PatchSearch::OnLength {
   Length from, to;                   ///< of what is loaded
   std::array<double, 2> forces{};    ///< along the axis and against it, sizes [N]
-  std::array<double, 2> peaks{};     ///< of these, at any place [N/m]
   double turns = 0.0;                ///< the couple alone [N m]
   const std::vector<Patch>* others;  ///< forces and torques by themselves
   Length begin, end;                 ///< the length itself
@@ -106,10 +105,6 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
       const Length from = std::max(of.begin, line.start),
                    to = std::min(of.end, Length(line.start + line.length));
       if (!(to > from)) continue;
-      for (const Length& at : {from, Length(0.5 * (from + to)), to}) {
-        const PerLength here = per_length_of(line, along_z, (at - line.start).value());
-        for (const std::size_t k : {0U, 1U}) of.peaks[k] = std::max(of.peaks[k], here.pushes[k]);
-      }
       // By Gauss with three places.
       const double half = 0.5 * (to - from).value(),
                    centre = 0.5 * (from + to - 2.0 * line.start).value();
@@ -141,7 +136,8 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
   // and where loads grow from every quarter of them, to every other.
   std::vector<Length> ends = edges;
   for (const LineLoad& line : lines) {
-    if (is_steady(line, along_z)) continue;
+    constexpr double short_one = 0.1;  // of the depth
+    if (is_steady(line, along_z) || line.length < short_one * depth_near(line.start)) continue;
     for (const double part : parts) ends.push_back(line.start + part * line.length);
   }
   for (std::vector<Length>* const of : {&edges, &ends}) {
@@ -155,7 +151,10 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
   }
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const Length depth = depth_near(ends[i]);
-    for (std::size_t j = i + 1; j < ends.size() && ends[j] - ends[i] < depth; ++j)
+    // Of many pieces those of lengths that grow by a half.
+    constexpr std::size_t few = 8;
+    for (std::size_t j = i + 1; j < ends.size() && ends[j] - ends[i] < depth;
+         j += std::max<std::size_t>(1, (j - i) / few * few / 2))
       look(ends[i], ends[j] - ends[i]);
   }
   for (const Diaphragm& of : project_->beam.diaphragms) {
@@ -258,7 +257,6 @@ void PatchSearch::add_length(const OnLength& of, bool along_z, std::vector<Patch
     const Force force = si<Force>(of.forces[k]);
     line.opposed = si<Force>(of.forces[1 - k]) > near.none;
     line.force = k == 0 ? force : Force(-force);
-    line.peak = si<ForcePerLength>(of.peaks[k]);
     line.couple = si<Moment>(of.turns);
     line.standing = {{line.force, {line.stands_at(), line.stands_at()}}};
     Patch sum = line;

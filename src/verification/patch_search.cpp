@@ -125,16 +125,6 @@ std::vector<Patch> PatchSearch::patches_of(const BeamLoads& loads, const CutForc
   add_lines(loads.lines, true, patches);
   if (project_->in_space) add_lines(loads.lines, false, patches);
   add_bare_diaphragms(patches);
-  for (Patch& of : patches) {
-    if (of.diaphragm == nullptr || of.is_none()) continue;
-    for (const Patch& other : patches) {
-      const bool alone = !other.together || other.led_there;
-      // A torque stands for either of its two senses once.
-      if (other.diaphragm == of.diaphragm && other.along_z != of.along_z && alone &&
-          (!other.is_torque() || other.force > Force{}))
-        of.square_to_it += abs(other.force);
-    }
-  }
   return patches;
 }
 
@@ -156,6 +146,7 @@ std::vector<Borne> PatchSearch::worst_of(const Patch& patch, const std::vector<P
     there.force = reached.part * patch.force;
     there.couple = reached.part * patch.couple;
     there.stiff_length = reached.stiff_length;
+    there.square_to_it = square_to(patch, all, judged);
     if (judged.path) {
       for (Borne& of : path_ways_at(there, station, judged, diagram)) take(std::move(of));
     }
@@ -164,6 +155,24 @@ std::vector<Borne> PatchSearch::worst_of(const Patch& patch, const std::vector<P
     for (Borne& of : seams_at(patch, all, judged, diagram.at(station))) take(std::move(of));
   }
   return worst;
+}
+
+Force PatchSearch::square_to(const Patch& patch, const std::vector<Patch>& all,
+                             const JudgedSection& judged) {
+  if (patch.diaphragm == nullptr) return {};
+  // Of each sense by themselves, on either plate of a box; of paths all of it.
+  std::array<std::array<Force, 2>, 2> on{};
+  for (const Patch& other : all) {
+    const bool alone = !other.together || other.led_onto;
+    if (other.diaphragm != patch.diaphragm || other.along_z == patch.along_z || !alone ||
+        other.is_none())
+      continue;
+    std::array<double, 2> shares{1.0, 1.0};
+    if (judged.box) shares = shared_by_webs(other, judged.box->box()).shares;
+    for (const std::size_t k : {0U, 1U})
+      on[other.force > Force{} ? 0 : 1][k] += std::abs(shares[k]) * abs(other.force);
+  }
+  return std::max({on[0][0], on[0][1], on[1][0], on[1][1]});
 }
 
 std::vector<PatchSearch::Reached> PatchSearch::reached_by(const Patch& patch) {
@@ -372,7 +381,7 @@ std::vector<Borne> PatchSearch::ways_at(const Patch& patch, const Station& stati
         bear_by_effective_widths(web, basis);
       ways.push_back(of);
     }
-    // It may hang from the other flange as well.
+    if (!patch.hangs.value_or(false)) continue;
     PatchedWeb hung = web_of(judged, webs[k], flanges_of(patch).back(), patch);
     if (!bears_less(hung, by_flange)) continue;
     hung.pulled = true;

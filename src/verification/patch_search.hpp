@@ -29,7 +29,7 @@ struct Patch {
   Moment turns = {};                     ///< couples beside the forces, part of `couple`
   Moment torque = {};                    ///< couples alone: the webs take it with unlike senses
   const Diaphragm* diaphragm = nullptr;  ///< that takes it
-  Force square_to_it = {};               ///< all that this takes along the other axis, sizes
+  Force square_to_it = {};               ///< what one of its plates takes along the other axis
   const FlangeKink* kink = nullptr;      ///< that it comes from
   std::array<FlangeKink::Turned, 2> by_sides{};  ///< of that, the larger one of which it is
   /// A force on the section, and across it where it stands and where it would have its couple.
@@ -42,13 +42,14 @@ struct Patch {
   std::vector<Standing> standing = {};
   std::optional<std::size_t> load = {};  ///< the point load that it is, among those of its name
   std::optional<bool> at_high = {};      ///< at which end of the section, where that is known
+  std::optional<bool> hangs = {};        ///< from the flange that it pulls at, where that is known
   bool along_z = true;                   ///< borne by the webs; else by the flanges
   bool given = true;                     ///< the case says how it comes in
   bool opposed = false;                  ///< one of the other sense is near
   bool together = false;                 ///< several as one
   bool led_there = false;                ///< beside the diaphragm that takes it
+  bool led_onto = false;                 ///< a single one beside the diaphragm it is led onto
   bool is_line = false;                  ///< a load along the beam
-  ForcePerLength peak = {};              ///< of that, the largest on any place
   bool moves = false;                    ///< along the beam
   bool stout = false;  ///< looked at for its size alone: the case does not say how it comes in
 
@@ -211,6 +212,7 @@ class PatchSearch {
 
   /// Forces and, where something holds the beam, what holds it; no clamps.
   std::vector<Patch> forces_of(const BeamLoads& loads) const;
+  Length depth_of_outer(Length s, bool along_z) const;
   /// The couple of a load that comes in with its force along an axis: the torque, and the levers of
   /// that force and of what stands beyond the section along the other axis.
   Moment couple_along(const PointLoad& load, bool along_z) const;
@@ -275,6 +277,10 @@ class PatchSearch {
   static Length depth_of_path(const Patch& patch, const JudgedSection& judged);
 
   const JudgedSection& judged_at(const Station& station);
+
+  /// What a diaphragm under a patch takes along the other axis, by one of its plates.
+  static Force square_to(const Patch& patch, const std::vector<Patch>& all,
+                         const JudgedSection& judged);
 
   std::vector<std::shared_ptr<const ReducedPlate>> reduced_at(const Station& station,
                                                               const Section& section,

@@ -98,7 +98,7 @@ Length PatchSearch::weld_under(const Patch& patch, const BearingStiffener& by, d
                                Length flange) const {
   // Of what the case does not say how it comes in the verdict line says what an edge would do.
   if (!project_->in_space || patch.is_none() || patch.is_torque() ||
-      !(patch.stiff_length > Length{}))
+      !(patch.stiff_length > Length{}) || (patch.together && !patch.led_onto))
     return by.width;
   // The nearer web, by both shares.
   const Length apart = 2.0 * by.width + patch.diaphragm->opening;
@@ -126,7 +126,9 @@ void PatchSearch::bear_by_welds(const Patch& patch, const BearingStiffener& stif
       // By the other edge of the diaphragm's part into this one.
       StiffenerWeld other = weld;
       other.to_flange = !to_flange;
-      other.length = to_flange ? 2.0 * stiffener.width : 0.5 * (stiffener.web_depth - of.opening);
+      other.length = std::max(Length(2.0 * weld.throat + si<Length>(1e-3)),
+                              to_flange ? Length(2.0 * stiffener.width)
+                                        : Length(0.5 * (stiffener.web_depth - of.opening)));
       const Force acting = borne.basis.share * borne.basis.force;
       weld.beside = (patch.square_to_it / stiffener_weld_resistance_of(other) *
                      (stiffener_weld_resistance_of(weld) / acting))

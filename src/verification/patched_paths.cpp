@@ -226,11 +226,11 @@ std::vector<Borne> PatchSearch::path_ways_at(const Patch& patch, const Station& 
     PatchedWeb under = web_under(web.bears, patch);
     under.length = path_panel_length_at(*project_, station);
     std::vector<PatchedWeb> all = in_every_way(under, patch);
-    // It may hang from the other flange as well.
     const auto hung = std::find_if(others.webs.begin(), others.webs.end(), [&](const PathWeb& at) {
       return at.plate->name == web.plate->name;
     });
-    if (hung != others.webs.end() && bears_less(hung->bears, web.bears)) {
+    if (patch.hangs.value_or(false) && hung != others.webs.end() &&
+        bears_less(hung->bears, web.bears)) {
       PatchedWeb pulled = web_under(hung->bears, patch);
       pulled.length = under.length;
       pulled.pulled = true;

@@ -121,8 +121,6 @@ std::vector<Borne> PatchSearch::seams_at(const Patch& patch, const std::vector<P
       }
       seam.beside += along_beam;
       const Force acting = basis.share * basis.force;
-      // Of a load along the beam where it is largest.
-      if (patch.is_line) seam.loaded = std::min(seam.loaded, Length(basis.force / patch.peak));
       const Stress across = acting / (seam.loaded * a) + seam.beside;
       const Stress along = stress_at((*throat)->influence, cut).shear;
       basis.resistance = acting / use_of(across, along, a, seam.strength);
