@@ -119,8 +119,16 @@ struct Held {
 Held held_in(const planar::Mechanism& mechanism, const Project&, const std::string& name) {
   const auto at = named(mechanism.joints, name);
   if (at == mechanism.joints.end()) return {false, false};
-  const auto* const rigid = std::get_if<planar::Rigid>(&at->kind);
-  return {true, rigid != nullptr && rigid->a.body >= 0 && rigid->b.body >= 0};
+  const auto both = [](const planar::Attachment& a, const planar::Attachment& b) {
+    return a.body != planar::ground && b.body != planar::ground;
+  };
+  if (const auto* const rigid = std::get_if<planar::Rigid>(&at->kind))
+    return {true, both(rigid->a, rigid->b)};
+  if (const auto* const driven = std::get_if<planar::Driven>(&at->kind))
+    return {true, both(driven->point, driven->other)};
+  if (const auto* const coupling = std::get_if<planar::AngleCoupling>(&at->kind))
+    return {true, both(coupling->a, coupling->b)};
+  return {true, false};
 }
 
 Held held_in(const frame::Structure& frame, const Project&, const std::string& name) {
