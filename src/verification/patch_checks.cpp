@@ -137,11 +137,14 @@ class PatchRun {
     for (const double s : run_->motion->supports(loads))
       if (search_->lacks_diaphragm(si<Length>(s))) notes_->take_bare_support(si<Length>(s));
     for (const PointLoad& load : loads.points) {
-      if (const auto moment = search_->led_on_unjudged(load))
-        notes_->take_led_on(std::string(load.name), load.s, run_->situation->load_factor * *moment);
-      if (const auto couple = search_->couple_of(load))
-        notes_->take_couple(load.name.empty() ? "a couple" : std::string(load.name), load.s,
-                            run_->situation->load_factor * *couple);
+      const auto moment = search_->unjudged_moment_of(load);
+      if (!moment) continue;
+      const std::string name = load.name.empty() ? "a couple" : std::string(load.name);
+      const Moment size = run_->situation->load_factor * *moment;
+      if (search_->is_at_end(load.s))
+        notes_->take_led_on(name, load.s, size);
+      else
+        notes_->take_couple(name, load.s, size);
     }
   }
 

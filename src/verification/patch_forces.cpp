@@ -17,6 +17,17 @@ bool stand_beside(const Patch& a, const Patch& b, Length depth) {
          (a.diaphragm != nullptr || abs(b.s - a.s) <= depth);
 }
 
+/// Whether a force hangs from the flange that it pulls at: of what stands near the middle of the
+/// section, which may come in anywhere, it is not known.
+std::optional<bool> hangs_in(const Extent& extent, const PointLoad& load, bool along_z) {
+  constexpr double near_middle = 0.125;  // of the depth
+  const double height = along_z ? load.at.y() : load.at.x(),
+               force = along_z ? load.force.z() : load.force.y();
+  const Length depth = along_z ? extent.z_high - extent.z_low : extent.y_high - extent.y_low;
+  if (!(std::abs(height) > near_middle * depth.value())) return std::nullopt;
+  return (force > 0.0) == (height > 0.0);
+}
+
 bool pushes(const Patch& of) { return of.force.value() > 0.0; }
 
 /// The name of several as one: of very many the first and the last.
@@ -54,10 +65,7 @@ std::vector<Patch> PatchSearch::forces_of(const BeamLoads& loads) const {
       patch.couple = couple_along(load, along_z);
       patch.standing = {
           {patch.force, {si<Length>(along_z ? load.at.x() : load.at.y()), patch.stands_at()}}};
-      // What stands near the middle may come in anywhere.
-      const double height = along_z ? load.at.y() : load.at.x();
-      if (std::abs(height) > 0.25 * 0.5 * depth_of_outer(load.s, along_z).value())
-        patch.hangs = (patch.force > Force{}) == (height > 0.0);
+      patch.hangs = hangs_in(extent_at(load.s), load, along_z);
       patch.moves = kinds_.moves(load.name, load.part > 0 ? load.part : number);
       patch.load = load.part > 0 ? load.part : number;
       patches.push_back(std::move(patch));
@@ -66,17 +74,13 @@ std::vector<Patch> PatchSearch::forces_of(const BeamLoads& loads) const {
   return patches;
 }
 
-Length PatchSearch::depth_of_outer(Length s, bool along_z) const {
+Extent PatchSearch::extent_at(Length s) const {
   const TaperedBeam& beam = project_->beam;
-  const Extent of =
-      extent_of(section_at(beam, {std::clamp(s, Length{}, beam.length()), Side::both}).outer);
-  return along_z ? of.z_high - of.z_low : of.y_high - of.y_low;
+  return extent_of(section_at(beam, {std::clamp(s, Length{}, beam.length()), Side::both}).outer);
 }
 
 Moment PatchSearch::couple_along(const PointLoad& load, bool along_z) const {
-  const TaperedBeam& beam = project_->beam;
-  const Extent extent =
-      extent_of(section_at(beam, {std::clamp(load.s, Length{}, beam.length()), Side::both}).outer);
+  const Extent extent = extent_at(load.s);
   const double y = load.at.x(), z = load.at.y();
   // What the force across gives within the section goes round it in shear.
   const double across =
@@ -129,55 +133,49 @@ bool PatchSearch::lacks_diaphragm(Length s) {
   return (of.path ? of.web_along_z : of.along_z) && diaphragm_at(at) == nullptr;
 }
 
-std::optional<Moment> PatchSearch::couple_of(const PointLoad& load) {
-  if (is_at_end(load.s)) return std::nullopt;
+bool PatchSearch::feels_couple(Length s, Moment couple, bool about_y) {
+  Patch at;
+  at.s = std::clamp(s, Length{}, project_->beam.length());
+  at.along_z = about_y;
+  const Length depth = depth_at(at);
+  if (!(depth > Length{})) return false;
+  const Force force = couple / depth;
+  const PressedPlates& near = plates_.near(at.s);
+  // Stout webs are spared what they hardly feel, slender ones what is no more than weight.
+  return force > near.none &&
+         near.meet(about_y, {about_y ? force : Force{}, about_y ? Force{} : force, {}, false});
+}
+
+bool PatchSearch::stands_between_diaphragms(Length s, bool about_y) {
+  Patch at;
+  at.s = s;
+  at.along_z = about_y;
+  const Length depth = depth_at(at);
+  bool before = false, behind = false;
+  for (const Diaphragm& of : project_->beam.diaphragms) {
+    if (abs(of.s - s) > depth || !holds(of, about_y)) continue;
+    before = before || of.s < s;
+    behind = behind || of.s > s;
+  }
+  return before && behind;
+}
+
+std::optional<Moment> PatchSearch::unjudged_moment_of(const PointLoad& load) {
+  const bool at_end = is_at_end(load.s);
+  // At an end of the beam by joints alone; those in line with it, or judged as knees, lead all on.
+  if (at_end && (!kinds_.leads_on(load.name) ||
+                 std::find(knees_.begin(), knees_.end(), load.name) != knees_.end()))
+    return std::nullopt;
   std::optional<Moment> most;
   for (const bool about_y : {true, false}) {
     if (!about_y && !project_->in_space) continue;
     const Moment couple = si<Moment>(std::abs(about_y ? load.moment.y() : load.moment.z()));
-    Patch at;
-    at.s = load.s;
-    at.along_z = about_y;
-    const Length depth = depth_at(at);
-    if (couple == Moment{} || !(depth > Length{})) continue;
-    // One diaphragm on either side, as far apart as the forces, takes them.
-    bool before = false, behind = false;
-    for (const Diaphragm& of : project_->beam.diaphragms) {
-      if (abs(of.s - load.s) > depth || !holds(of, about_y)) continue;
-      before = before || of.s < load.s;
-      behind = behind || of.s > load.s;
-    }
-    if (before && behind) continue;
-    const Force force = couple / depth;
-    const PressedPlates& near = plates_.near(load.s);
-    // Stout webs are spared what they hardly feel, slender ones what is no more than weight.
-    if (!(force > near.none) ||
-        !near.meet(about_y, {about_y ? force : Force{}, about_y ? Force{} : force, {}, false}))
+    if (!feels_couple(load.s, couple, about_y) ||
+        (!at_end && stands_between_diaphragms(load.s, about_y)))
       continue;
     most = std::max(most.value_or(Moment{}), couple);
   }
   return most;
-}
-
-std::optional<Moment> PatchSearch::led_on_unjudged(const PointLoad& load) {
-  if (!is_at_end(load.s) || !kinds_.leads_on(load.name) ||
-      std::find(knees_.begin(), knees_.end(), load.name) != knees_.end())
-    return std::nullopt;
-  const Moment about_y = si<Moment>(std::abs(load.moment.y())),
-               about_z = si<Moment>(project_->in_space ? std::abs(load.moment.z()) : 0.0);
-  const bool larger = about_y >= about_z;
-  Patch at;
-  at.s = std::clamp(load.s, Length{}, project_->beam.length());
-  at.along_z = larger;
-  const Length depth = depth_at(at);
-  const PressedPlates& near = plates_.near(at.s);
-  if (!(depth > Length{})) return std::nullopt;
-  const Moment moment = std::max(about_y, about_z);
-  const Force force = moment / depth;
-  if (!(force > near.none) ||
-      !near.meet(larger, {larger ? force : Force{}, larger ? Force{} : force, {}, false}))
-    return std::nullopt;
-  return moment;
 }
 
 void PatchSearch::add_beside_diaphragms(std::vector<Patch>& patches) {

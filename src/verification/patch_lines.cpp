@@ -151,11 +151,17 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
   }
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const Length depth = depth_near(ends[i]);
-    // Of many pieces those of lengths that grow by a half.
-    constexpr std::size_t few = 8;
-    for (std::size_t j = i + 1; j < ends.size() && ends[j] - ends[i] < depth;
-         j += std::max<std::size_t>(1, (j - i) / few * few / 2))
-      look(ends[i], ends[j] - ends[i]);
+    // Of many pieces those of some numbers, each with all of them on the length of the fewest for
+    // which it stands, so that none between is used more.
+    constexpr std::size_t exact = 8;
+    for (std::size_t j = i + 1; j < ends.size() && ends[j] - ends[i] < depth;) {
+      const std::size_t next = j + std::max<std::size_t>(1, (j - i) / exact);
+      const std::size_t last = std::min(next, ends.size()) - 1;
+      OnLength of = stands_on(ends[i], ends[last] - ends[i]);
+      of.to = std::min(of.to, Length(of.from + (ends[j] - ends[i])));
+      add_length(of, along_z, patches);
+      j = next;
+    }
   }
   for (const Diaphragm& of : project_->beam.diaphragms) {
     const Length strip = strip_beside(of, along_z);
@@ -210,8 +216,9 @@ void PatchSearch::add_onto_diaphragm(const OnLength& of, const Diaphragm& diaphr
     line.standing = {{line.force, {line.stands_at(), line.stands_at()}}};
     Patch sum = line;
     for (const Patch& other : patches) {
-      if (other.diaphragm != &diaphragm || other.along_z != along_z || other.together ||
-          other.is_line || other.is_torque() || other.force * line.force < Force{} * Force{})
+      if (other.diaphragm != &diaphragm || other.along_z != along_z ||
+          (other.together && !other.led_onto) || other.is_line || other.is_torque() ||
+          other.force * line.force < Force{} * Force{})
         continue;
       sum.force += other.force;
       sum.couple += other.couple;

@@ -76,6 +76,12 @@ Length farthest_place(const Patch::Standing& of, const Flanges& flanges) {
   return flanges.beside(one) > flanges.beside(other) ? one : other;
 }
 
+/// How wide it stands on a diaphragm: a pad is as wide as it is long, of a load along the beam it
+/// is not known.
+Length pressed_across(const Patch& patch, const Flanges& flanges) {
+  return (patch.is_line ? Length{} : patch.stiff_length) + 2.0 * flanges.thickness;
+}
+
 /// What of a patch stands between the webs of a section, or beside them.
 Force between_webs(const Patch& patch, const Flanges& flanges) {
   Force between;
@@ -169,7 +175,7 @@ void PatchNotes::take_diaphragm(const Patch& patch, const Borne& way, double loa
     const auto flanges = flanges_across(patch, way);
     if (!flanges || !weld->to_flange || way.part != Borne::Part::weld) return;
     const Force between = between_webs(patch, *flanges);
-    const Length pressed = patch.stiff_length + 2.0 * flanges->thickness;
+    const Length pressed = pressed_across(patch, *flanges);
     const Force edge = way.basis.resistance * (pressed / (weld->length - 2.0 * weld->throat));
     keep_most(edges_, patch.name,
               project_->strength.required * load_factor * (between / edge).value(), patch.s);
@@ -206,8 +212,7 @@ void PatchNotes::take_diaphragm(const Patch& patch, const Borne& way, double loa
   const Force bears =
       (left / panel.depth) * shear_resistance_of(panel, project_->strength.gamma_M1).resistance;
   keep_most(sheared_, patch.name, scale * (sheared / bears).value(), patch.s);
-  // A pad is taken to be as wide as it is long.
-  const Length pressed = patch.stiff_length + 2.0 * flanges->thickness;
+  const Length pressed = pressed_across(patch, *flanges);
   const Force edge = pressed * stiffener->thickness * stiffener->yield_strength;
   keep_most(edges_, patch.name, scale * (between / edge).value(), patch.s);
   // Half of what is left bridges the hole, with plastic hinges at its ends and in the middle.

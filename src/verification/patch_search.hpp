@@ -143,14 +143,12 @@ class PatchSearch {
 
   /// Whether webs that may buckle in shear stand there without a diaphragm.
   bool lacks_diaphragm(Length s);
-  /// The moment about y, in space the larger one of both axes, of a load between the beam's ends,
-  /// where webs would feel it as two forces as far apart as the section is deep, and no diaphragms
-  /// stand within that length on both its sides.
-  std::optional<Moment> couple_of(const PointLoad& load);
-
-  /// The larger moment at an end that a joint leads on into another body whose plates are not
-  /// known, lie elsewhere or are turned, where webs would feel it so.
-  std::optional<Moment> led_on_unjudged(const PointLoad& load);
+  /// The moment about y, in space the larger one of both axes, that is not judged as forces where
+  /// webs would feel it as two of them as far apart as the section is deep: of a load between the
+  /// beam's ends, but where diaphragms stand within that length on both its sides; at an end of a
+  /// joint that leads it on into a body whose plates are not known, lie elsewhere or are turned.
+  std::optional<Moment> unjudged_moment_of(const PointLoad& load);
+  bool is_at_end(Length s) const;
 
   /// The webs of a box that a patch presses where no diaphragm takes it, the worse of both sides.
   std::vector<PressedWeb> pressed_by(const Patch& patch);
@@ -205,19 +203,19 @@ class PatchSearch {
 
   std::optional<FourWalls> walls_at(const Station& station) const;
 
-  bool is_at_end(Length s) const;
-
   /// By the introduction of the narrowest stretch.
   const LoadIntroduction* introduction_at(Length s) const;
 
   /// Forces and, where something holds the beam, what holds it; no clamps.
   std::vector<Patch> forces_of(const BeamLoads& loads) const;
-  Length depth_of_outer(Length s, bool along_z) const;
+  Extent extent_at(Length s) const;
   /// The couple of a load that comes in with its force along an axis: the torque, and the levers of
   /// that force and of what stands beyond the section along the other axis.
   Moment couple_along(const PointLoad& load, bool along_z) const;
   /// The torque beside the forces along an axis: both ways, for it may come by either flange.
   void add_torque(const PointLoad& load, bool along_z, std::vector<Patch>& patches) const;
+  bool feels_couple(Length s, Moment couple, bool about_y);
+  bool stands_between_diaphragms(Length s, bool about_y);
   /// The middles of both webs of a section along a force; nothing where there are not two.
   std::optional<Length> webs_apart_at(const Station& station, bool along_z) const;
   /// What plates that turn off between segments put into those beside them. kinked_flanges.cpp

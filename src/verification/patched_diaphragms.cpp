@@ -97,7 +97,7 @@ void PatchSearch::bear_by_stiffener(const Patch& patch, const BearingStiffener& 
 Length PatchSearch::weld_under(const Patch& patch, const BearingStiffener& by, double share,
                                Length flange) const {
   // Of what the case does not say how it comes in the verdict line says what an edge would do.
-  if (!project_->in_space || patch.is_none() || patch.is_torque() ||
+  if (!project_->in_space || patch.is_none() || patch.is_torque() || patch.is_line ||
       !(patch.stiff_length > Length{}) || (patch.together && !patch.led_onto))
     return by.width;
   // The nearer web, by both shares.

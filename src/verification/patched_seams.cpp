@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "boxbeam/strength/weld_throat.hpp"
@@ -97,7 +98,7 @@ std::vector<Borne> PatchSearch::seams_at(const Patch& patch, const std::vector<P
                        {},
                        {*tensile, joined.material->beta_w, project_->strength.gamma_M2}};
       // Of a load along the beam there are copies at many places: it counts once.
-      Stress along_beam;
+      std::array<Stress, 2> along_beam{};  // of the same axis, and square to it
       for (const Patch& other : all) {
         if (&other == &patch || other.together || other.diaphragm != nullptr) continue;
         // What comes in square to it puts as much into the throat at the worst, of either sense;
@@ -115,11 +116,11 @@ std::vector<Borne> PatchSearch::seams_at(const Patch& patch, const std::vector<P
         const Stress beside =
             std::abs(shared.shares[part]) * abs(other.force) / ((its.to - its.from) * a);
         if (other.is_line)
-          along_beam = std::max(along_beam, beside);
+          along_beam[square ? 1 : 0] = std::max(along_beam[square ? 1 : 0], beside);
         else
           seam.beside += beside;
       }
-      seam.beside += along_beam;
+      seam.beside += along_beam[0] + along_beam[1];
       const Force acting = basis.share * basis.force;
       const Stress across = acting / (seam.loaded * a) + seam.beside;
       const Stress along = stress_at((*throat)->influence, cut).shear;

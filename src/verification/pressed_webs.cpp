@@ -202,8 +202,8 @@ std::vector<double> PressedWebs::places_of(BoxPlate web) const {
   const double near = at_one_place * project_->beam.length().value();
   std::vector<double> places;
   std::map<std::string, std::pair<double, double>> ways;
-  // Where webs and seams become others, and what bears the forces;
-  // within the length that one loads as well.
+  // Where webs and seams become others, and what bears the forces: within the length that one
+  // loads as well.
   std::vector<double> borders;
   for (const Segment& of : project_->beam.segments) borders.push_back(of.end().value());
   for (const Diaphragm& of : project_->beam.diaphragms) borders.push_back(of.s.value());
@@ -214,6 +214,7 @@ std::vector<double> PressedWebs::places_of(BoxPlate web) const {
     places.push_back(of.from);
     if (of.to - of.from <= near) {
       for (const double s : borders) {
+        if (std::abs(s - of.from) <= 3.0 * near) continue;  // both its sides are looked at there
         for (const double at : {s - 2.0 * near, s, s + 2.0 * near})
           if (at > of.from - of.before && at < of.to + of.behind) places.push_back(at);
       }

@@ -31,11 +31,12 @@ struct PatchChecks {
 /// it, and everywhere else with a stiff length of zero; there what does not hold keeps the verdict
 /// back until the case says more. Stout webs are left out while all forces together are hardly felt
 /// by them, and what they bear with eta_2 <= 0.3 is not listed, since 7.2 then asks less than the
-/// section's own checks. Every force is taken to push. What a web bears of it follows from its
-/// eccentricity by the lever between the webs. Forces of one sense no farther apart than the web is
-/// deep are judged one by one and all together (6.3(3)); with one of the other sense as near, as
-/// type b. Near an end of the beam without a diaphragm the lower one of types a or b and c holds.
-/// Beside each other in time: eta_1 of the same instant. A joint at an end of the beam whose
+/// section's own checks. Every force is taken to push but what is known to hang: a load below the
+/// middle that pulls down, or the other way, and kinks that pull. What a web bears of it follows
+/// from its eccentricity by the lever between the webs. Forces of one sense no farther apart than
+/// the web is deep are judged one by one and all together (6.3(3)); with one of the other sense as
+/// near, as type b. Near an end of the beam without a diaphragm the lower one of types a or b and c
+/// holds. Beside each other in time: eta_1 of the same instant. A joint at an end of the beam whose
 /// couples are those of forces more than half its depth away is a clamp, which holds the whole
 /// section, and is left out. Looked at are all instants, both sides of every passage of diaphragms
 /// and ends of segments, and the maximum near the worst instant.

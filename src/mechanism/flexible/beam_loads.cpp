@@ -219,6 +219,7 @@ PointLoad point_load(const Link& link, std::string_view name, Length s, const Ei
   PointLoad load;
   load.name = name;
   load.s = s;
+  load.at.y() = p.y();
   load.force = {force.x(), 0.0, force.y()};
   load.moment.y() = -world[2] + p.y() * force.x();
   return load;
