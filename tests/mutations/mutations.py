@@ -422,7 +422,7 @@ MUTATIONS = [
          ("shared-strip", "if (half > Length{}) strip = std::min(strip, half);", "",
           "neighbouring diaphragms share no strip of the web", "led_in_test")),
     *_in("src/verification", "patch_lines.cpp",
-         ("short-lines", "look(ends[i], ends[j] - ends[i]);", "",
+         ("short-lines", "of.to = std::min(of.to, Length(of.from + (ends[j] - ends[i])));", "of.to = of.from;",
           "a short load along the beam is not spread by what stands beside it", "led_in_test")),
     *_in("src/verification", "patch_search.cpp",
          ("hung", "if (!bears_less(hung, by_flange)) continue;", "continue;",
