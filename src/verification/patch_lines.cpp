@@ -132,6 +132,25 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
     at.along_z = along_z;
     return depth_at(at);
   };
+  const auto drawn_to_heavier_end = [&](OnLength of) {
+    const Length middle = 0.5 * (of.from + of.to), length = of.to - of.from;
+    std::array<double, 2> at_ends{};
+    const std::size_t sense = of.forces[1] > of.forces[0] ? 1 : 0;
+    for (const LineLoad& line : lines) {
+      if (!(middle > line.start && middle < line.start + line.length)) continue;
+      at_ends[0] += per_length_of(line, along_z, (of.from - line.start).value()).pushes[sense];
+      at_ends[1] += per_length_of(line, along_z, (of.to - line.start).value()).pushes[sense];
+    }
+    const bool at_start = at_ends[0] > at_ends[1];
+    const double peak = at_ends[at_start ? 0 : 1];
+    if (!(of.forces[sense] < peak * length.value())) return of;
+    const Length drawn = si<Length>(of.forces[sense] / peak);
+    if (at_start)
+      of.to = of.from + drawn;
+    else
+      of.from = of.to - drawn;
+    return of;
+  };
   // Of what is heavier than the loads beside it a shorter length is pressed more: from every edge,
   // and where loads grow from every quarter of them, to every other.
   std::vector<Length> ends = edges;
@@ -160,6 +179,8 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
       OnLength of = stands_on(ends[i], ends[last] - ends[i]);
       of.to = std::min(of.to, Length(of.from + (ends[j] - ends[i])));
       add_length(of, along_z, patches);
+      // The seam bears what stands on each piece of it: as much as at the heavier end.
+      if (j == i + 1 && of.to > of.from) add_length(drawn_to_heavier_end(of), along_z, patches);
       j = next;
     }
   }

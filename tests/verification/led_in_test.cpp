@@ -70,6 +70,22 @@ TEST_CASE("a short load along the beam is not spread by what stands beside it", 
   CHECK(beside.verdict == Verdict::fail);
 }
 
+TEST_CASE("the seam under a load that grows bears its largest part", "[patch]") {
+  Beam beam = on_two({600, 1000, 25, 8, 4.0}, 6.0);
+  const auto grows = [](const char* name, double from, double to, double a, double b) {
+    return fmt::format(
+        "[loads.{}]\nkind = \"line\"\nfrom = \"{} m\"\nto = \"{} m\"\nforce_per_length = [\"0 "
+        "kN/m\", \"{} kN/m\"]\nto_force_per_length = [\"0 kN/m\", \"{} kN/m\"]\n",
+        name, from, to, -a, -b);
+  };
+  // 1800 kN/m in the middle, where there is no shear.
+  beam.more = grows("f", 2.5, 3.0, 0.0, 1800.0) + grows("g", 3.0, 3.5, 1800.0, 0.0);
+  const double use = use_of(beam.verified(), Criterion::weld);
+  const double there = std::sqrt(2.0) * 900.0 / 4.0 / f_w;
+  CHECK(use >= 0.999 * there);
+  CHECK(use < 1.06 * there);
+}
+
 TEST_CASE("bosses in webs take what stands on theirs alone of a load along the beam", "[patch]") {
   Beam beam = on_two({600, 1000, 25, 8, 0.0}, 6.0);
   beam.more = line("f", 2.8, 3.2, 3500.0);
