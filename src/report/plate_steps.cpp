@@ -317,6 +317,11 @@ Steps patch_steps(const Project& project, const CheckResult& result) {
   const CornerSteps normal =
       basis.path ? derive_place(steps, project, result.check, basis, *basis.path, basis.place)
                  : derive_corner(steps, project, result.check, basis, *basis.box);
+  if (basis.used_most != result.check.station.s)
+    steps.note([&] {
+      return fmt::format("at s = {} m, the largest on the loaded length",
+                         to_text(Station{basis.used_most, Side::both}));
+    });
   const Traced eta_1 = steps.define("eta_1", normal.acting / normal.resisting);
   derive_patch_factor(steps, eta_2, eta_1);
   steps.note([] { return "alone, 6.6, and with the beam's own stress, 7.2"; });

@@ -116,19 +116,31 @@ struct Held {
   bool by_joint = true, by_body = false;
 };
 
-Held held_in(const planar::Mechanism& mechanism, const Project&, const std::string& name) {
-  const auto at = named(mechanism.joints, name);
-  if (at == mechanism.joints.end()) return {false, false};
-  const auto both = [](const planar::Attachment& a, const planar::Attachment& b) {
+/// Whether what is between two bodies brings moments into both.
+struct BringsMoments {
+  static bool both(const planar::Attachment& a, const planar::Attachment& b) {
     return a.body != planar::ground && b.body != planar::ground;
-  };
-  if (const auto* const rigid = std::get_if<planar::Rigid>(&at->kind))
-    return {true, both(rigid->a, rigid->b)};
-  if (const auto* const driven = std::get_if<planar::Driven>(&at->kind))
-    return {true, both(driven->point, driven->other)};
-  if (const auto* const coupling = std::get_if<planar::AngleCoupling>(&at->kind))
-    return {true, both(coupling->a, coupling->b)};
-  return {true, false};
+  }
+  bool operator()(const planar::Pin&) const { return false; }
+  bool operator()(const planar::PinInSlot&) const { return false; }
+  bool operator()(const planar::Distance&) const { return false; }
+  bool operator()(const planar::Slider& of) const { return both(of.point, of.guide); }
+  bool operator()(const planar::Rigid& of) const { return both(of.a, of.b); }
+  bool operator()(const planar::AngleCoupling& of) const { return both(of.a, of.b); }
+  bool operator()(const planar::Gear& of) const { return both(of.a, of.b); }
+  bool operator()(const planar::Rack& of) const { return both(of.pinion, of.rack); }
+  bool operator()(const planar::Driven& of) const { return both(of.point, of.other); }
+  bool operator()(const planar::Spring&) const { return false; }
+  bool operator()(const planar::TorsionSpring& of) const { return both(of.a, of.b); }
+  bool operator()(const planar::PointForce&) const { return false; }
+  bool operator()(const planar::Couple& of) const { return both(of.a, of.b); }
+};
+
+Held held_in(const planar::Mechanism& mechanism, const Project&, const std::string& name) {
+  const auto joint = named(mechanism.joints, name);
+  if (joint != mechanism.joints.end()) return {true, std::visit(BringsMoments{}, joint->kind)};
+  const auto force = named(mechanism.forces, name);
+  return {false, force != mechanism.forces.end() && std::visit(BringsMoments{}, force->kind)};
 }
 
 Held held_in(const frame::Structure& frame, const Project&, const std::string& name) {

@@ -174,10 +174,13 @@ class PatchRun {
     for (std::size_t k = 0; k < before.size(); ++k) {
       const auto [low, high] = std::minmax(before[k], behind[k]);
       for (const Length& border : borders()) {
-        // What stands on it is looked at beside it, too, a hundredth of the step away.
-        constexpr double beside = 1e-2;
-        if (border == before[k] && low < high) look_at(from + beside * (to - from));
-        if (border == behind[k] && low < high) look_at(to - beside * (to - from));
+        // What stands on it is looked at beside it, too, as near as is another place.
+        if (low < high && (border == low || border == high)) {
+          const double beside =
+              std::min(1e-2, (1e-4 * project_->beam.length() / (high - low)).value());
+          if (border == before[k]) look_at(from + beside * (to - from));
+          if (border == behind[k]) look_at(to - beside * (to - from));
+        }
         if (!(border > low && border < high)) continue;
         Time lower = from, upper = to;
         constexpr int halvings = 40;
@@ -405,24 +408,6 @@ void add_gates(const Project& project, const OnPaths& of, std::vector<Gate>& gat
   }
 }
 
-/// The worst of what is pressed at every cycle along both axes at one place and meets in a seam or
-/// a weld: by both, as if in phase, by more than there is.
-std::optional<std::pair<Check, double>> square_in_fatigue(
-    const std::vector<PressedWebs::Found>& all, Length length) {
-  std::optional<std::pair<Check, double>> worst;
-  for (const PressedWebs::Found& one : all) {
-    const Check& check = one.result.check;
-    for (const PressedWebs::Found& other : all) {
-      if (one.unsaid || other.unsaid || one.along_z == other.along_z ||
-          abs(check.station.s - other.result.check.station.s) > 1e-3 * length)
-        continue;
-      const double use = std::hypot(check.utilisation(), other.result.check.utilisation());
-      if (use > 1.0 && (!worst || use > worst->second)) worst = {check, use};
-    }
-  }
-  return worst;
-}
-
 Gate gate_of_square(const Project& project, const std::pair<Check, double>& of) {
   const auto& [check, use] = of;
   return {project.beam.segments[segment_at(project.beam, check.station)].name, "",
@@ -490,9 +475,8 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
   }
   std::optional<Check> as_fillets;
   std::optional<PressedWebs::Found> turned;  ///< of kinks that fail the worst: all ask for the same
-  std::vector<PressedWebs::Found> again = pressed.checks();
-  const auto square = square_in_fatigue(again, project.beam.length());
-  for (PressedWebs::Found& of : again) {
+  PressedWebs::Checks again = pressed.checks();
+  for (PressedWebs::Found& of : again.found) {
     if (of.unsaid) {
       const double use = of.result.check.utilisation();
       if (use > 1.0 && (!as_fillets || use > as_fillets->utilisation()))
@@ -510,7 +494,7 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
       found.checks.push_back(std::move(of.result));
   }
   if (turned) found.gates.push_back(gate_of(project, *turned));
-  if (square) found.gates.push_back(gate_of_square(project, *square));
+  if (again.square) found.gates.push_back(gate_of_square(project, *again.square));
   if (as_fillets)
     found.not_judged.push_back(
         {Criterion::patch_fatigue, "seams of webs",

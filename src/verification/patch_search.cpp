@@ -141,17 +141,18 @@ std::vector<Borne> PatchSearch::worst_of(const Patch& patch, const std::vector<P
   };
   for (const Reached& reached : reached_by(patch)) {
     const Station& station = reached.at;
-    const JudgedSection& judged = judged_at(station);
     Patch there = patch;
     there.force = reached.part * patch.force;
     there.couple = reached.part * patch.couple;
     there.stiff_length = reached.stiff_length;
+    const PatchBasis start = basis_of(there, station, diagram);
+    const JudgedSection& judged = judged_at(station);
     there.square_to_it = square_to(patch, all, judged);
     if (judged.path) {
-      for (Borne& of : path_ways_at(there, station, judged, diagram)) take(std::move(of));
+      for (Borne& of : path_ways_at(there, start, station, judged, diagram)) take(std::move(of));
     }
     if (!judged.box) continue;
-    for (Borne& of : ways_at(there, station, judged, diagram)) take(std::move(of));
+    for (Borne& of : ways_at(there, start, station, judged, diagram)) take(std::move(of));
     for (Borne& of : seams_at(patch, all, judged, diagram.at(station))) take(std::move(of));
   }
   return worst;
@@ -347,17 +348,53 @@ PatchSearch::Shared PatchSearch::shared_by_webs(const Patch& patch, const FourWa
   return of;
 }
 
-std::vector<Borne> PatchSearch::ways_at(const Patch& patch, const Station& station,
-                                        const JudgedSection& judged,
+PatchBasis PatchSearch::basis_of(const Patch& patch, const Station& station,
+                                 const CutForceDiagram& diagram) {
+  PatchBasis most;
+  const auto look = [&](const Station& at) {
+    const JudgedSection& judged = judged_at(at);
+    PatchBasis of;
+    of.cut = diagram.at(at);
+    of.used_most = at.s;
+    if (judged.path) {
+      of.path = judged.path;
+      of.place = judged.path->worst_place(of.cut);
+    } else if (judged.box) {
+      of.box = judged.box;
+      of.corner = judged.box->worst_corner(of.cut);
+    }
+    const bool first = at.s == station.s && at.side == station.side;
+    if (first || (static_cast<bool>(of.box) == static_cast<bool>(most.box) &&
+                  static_cast<bool>(of.path) == static_cast<bool>(most.path) &&
+                  eta_1_of(of) > eta_1_of(most)))
+      most = std::move(of);
+  };
+  look(station);
+  if (patch.diaphragm == nullptr && (patch.together || patch.is_line)) {
+    const Length half = 0.5 * patch.stiff_length, from = std::max(Length{}, Length(patch.s - half)),
+                 to = std::min(project_->beam.length(), Length(patch.s + half));
+    const double near = same_place * project_->beam.length().value();
+    // Between forces the moment is a parabola at most, whose bow on so short a length is nothing.
+    for (const CutForcePiece& piece : diagram.pieces) {
+      if ((piece.start - from).value() > near && (to - piece.start).value() > near)
+        for (const Side side : {Side::before, Side::behind}) look({piece.start, side});
+    }
+    if (from < to) {
+      look({from, Side::behind});
+      look({to, Side::before});
+    }
+  }
+  most.force = abs(patch.force);
+  return most;
+}
+
+std::vector<Borne> PatchSearch::ways_at(const Patch& patch, const PatchBasis& start,
+                                        const Station& station, const JudgedSection& judged,
                                         const CutForceDiagram& diagram) {
   const FourWalls& walls = judged.box->box();
   const auto [webs, shares] = shared_by_webs(patch, walls);
   Borne of;
-  PatchBasis& basis = of.basis;
-  basis.force = abs(patch.force);
-  basis.box = judged.box;
-  basis.cut = diagram.at(station);
-  basis.corner = judged.box->worst_corner(basis.cut);
+  PatchBasis& basis = of.basis = start;
   std::vector<Borne> ways;
   for (const std::size_t k : {0U, 1U}) {
     basis.share = std::abs(shares[k]);

@@ -244,8 +244,9 @@ class PatchSearch {
                                      const Station& station) const;
   std::string bearing_obstacle_of(const Patch& patch, const PathWebs& of,
                                   const Station& station) const;
-  std::vector<Borne> path_ways_at(const Patch& patch, const Station& station,
-                                  const JudgedSection& judged, const CutForceDiagram& diagram);
+  std::vector<Borne> path_ways_at(const Patch& patch, const PatchBasis& start,
+                                  const Station& station, const JudgedSection& judged,
+                                  const CutForceDiagram& diagram);
   /// Loads along the beam: of each sense what stands on any length of the depth of the webs, with
   /// the forces there; and torques along it.
   void add_lines(const std::vector<LineLoad>& lines, bool along_z, std::vector<Patch>& patches);
@@ -291,7 +292,10 @@ class PatchSearch {
   };
   static Shared shared_by_webs(const Patch& patch, const FourWalls& walls);
 
-  std::vector<Borne> ways_at(const Patch& patch, const Station& station,
+  /// What a patch is where it is borne: its force, and the beam's own stress there; of several that
+  /// stand together, and of a load along the beam, the largest on what is loaded.
+  PatchBasis basis_of(const Patch& patch, const Station& station, const CutForceDiagram& diagram);
+  std::vector<Borne> ways_at(const Patch& patch, const PatchBasis& start, const Station& station,
                              const JudgedSection& judged, const CutForceDiagram& diagram);
 
   /// The seams by which a patch comes into the webs, pushing onto the one flange or pulling at the
@@ -308,7 +312,7 @@ class PatchSearch {
   /// beyond these.
   std::vector<Reached> reached_by(const Patch& patch);
 
-  /// What a patch loads of a seam, within the ends of the beam.
+  /// What a patch loads of a seam, within the ends of the beam that no diaphragm holds.
   struct Spread {
     Length from, to;
   };

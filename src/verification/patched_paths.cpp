@@ -188,8 +188,8 @@ std::optional<PatchSearch::OnPath> PatchSearch::unjudged_on_path(const Patch& pa
   return found;
 }
 
-std::vector<Borne> PatchSearch::path_ways_at(const Patch& patch, const Station& station,
-                                             const JudgedSection& judged,
+std::vector<Borne> PatchSearch::path_ways_at(const Patch& patch, const PatchBasis& start,
+                                             const Station& station, const JudgedSection& judged,
                                              const CutForceDiagram& diagram) {
   std::vector<Borne> ways;
   const PathWebs of = webs_of_path(judged.path->path(), patch.along_z, patch.force < Force{});
@@ -200,11 +200,7 @@ std::vector<Borne> PatchSearch::path_ways_at(const Patch& patch, const Station& 
       !here.stout(patch.along_z).feels(abs(patch.force), abs(patch.couple), again_and_again()))
     return ways;
   Borne borne;
-  PatchBasis& basis = borne.basis;
-  basis.force = abs(patch.force);
-  basis.path = judged.path;
-  basis.cut = diagram.at(station);
-  basis.place = judged.path->worst_place(basis.cut);
+  PatchBasis& basis = borne.basis = start;
   const PathWebs others = webs_of_path(judged.path->path(), patch.along_z, patch.force > Force{});
   const PathWeb &first = of.webs.front(), &last = of.webs.back();
   const Length between = first.place - last.place;

@@ -25,8 +25,16 @@ bool joins(const StressPoint& throat, BoxPlate plate) {
 PatchSearch::Spread PatchSearch::spread_of(const Patch& patch, const PatchedWeb& web) const {
   // Beside a piece of a load along the beam there is more of it.
   const Length half = 0.5 * (patch.is_line ? patch.stiff_length : loaded_length_of(web));
-  return {std::max(Length{}, Length(patch.s - half)),
-          std::min(project_->beam.length(), Length(patch.s + half))};
+  const Length end = project_->beam.length();
+  // A diaphragm at an end takes what would lie beyond it.
+  const auto takes = [&](Length at) {
+    const Diaphragm* const of = diaphragm_at(at);
+    return of != nullptr && holds(*of, patch.along_z);
+  };
+  Spread of{patch.s - half, patch.s + half};
+  if (of.from < Length{} && !takes(Length{})) of.from = Length{};
+  if (of.to > end && !takes(end)) of.to = end;
+  return of;
 }
 
 std::vector<PressedWeb> PatchSearch::pressed_by(const Patch& patch) {
@@ -40,11 +48,7 @@ std::vector<PressedWeb> PatchSearch::pressed_by(const Patch& patch) {
       // It may push at the one flange or pull at the other.
       for (const BoxPlate flange : flanges_of(patch)) {
         const PatchedWeb web = web_of(judged, webs[k], flange, patch);
-        Spread spread = spread_of(patch, web);
-        // A diaphragm at an end takes what would lie beyond it.
-        const Length half = 0.5 * loaded_length_of(web);
-        if (diaphragm_at(Length{}) != nullptr) spread.from = patch.s - half;
-        if (diaphragm_at(project_->beam.length()) != nullptr) spread.to = patch.s + half;
+        const Spread spread = spread_of(patch, web);
         const PressedWeb of{webs[k],
                             shares[k] * patch.force / (web.thickness * (spread.to - spread.from)),
                             patch.s - spread.from, spread.to - patch.s, patch.stiff_length};

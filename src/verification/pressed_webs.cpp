@@ -195,9 +195,14 @@ PressedWebs::Series PressedWebs::series_at(const Place& place, const Run& run) c
   return series;
 }
 
+bool PressedWebs::presses_plates(const Source& of) {
+  return std::any_of(of.presses.begin(), of.presses.end(),
+                     [](const auto& pressed) { return pressed.first.second == nullptr; });
+}
+
 /// Where forces stand, and some along the ways of those that move, of all of a name together; where
 /// the lengths overlap that forces load which stand apart, their ends.
-std::vector<double> PressedWebs::places_of(BoxPlate web) const {
+std::vector<double> PressedWebs::places() const {
   constexpr int along = 60;
   const double near = at_one_place * project_->beam.length().value();
   std::vector<double> places;
@@ -210,7 +215,7 @@ std::vector<double> PressedWebs::places_of(BoxPlate web) const {
   for (const LoadIntroduction& of : project_->beam.introductions)
     borders.push_back(0.5 * (of.from + of.to).value());
   for (const Source& of : sources_) {
-    if (of.presses.find({web, nullptr}) == of.presses.end()) continue;
+    if (!presses_plates(of)) continue;
     places.push_back(of.from);
     if (of.to - of.from <= near) {
       for (const double s : borders) {
@@ -220,8 +225,7 @@ std::vector<double> PressedWebs::places_of(BoxPlate web) const {
       }
       for (const Source& other : sources_) {
         const bool apart = std::abs(other.from - of.from) > near || other.to - other.from > near;
-        if (!apart || other.presses.find({web, nullptr}) == other.presses.end() ||
-            other.from - other.before > of.to + of.behind ||
+        if (!apart || !presses_plates(other) || other.from - other.before > of.to + of.behind ||
             other.to + other.behind < of.from - of.before)
           continue;
         const double length = project_->beam.length().value();
@@ -377,7 +381,7 @@ std::optional<CheckResult> PressedWebs::check_at(const Place& place, Turns turns
 
 template <class Take>
 void PressedWebs::look(Place place, const std::vector<double>& places, bool any_unsaid,
-                       const Take& take) const {
+                       std::vector<Used>& used, const Take& take) const {
   const std::vector<bool> ways = any_unsaid ? std::vector{false, true} : std::vector{false};
   std::map<std::pair<bool, bool>, CheckResult> worst;
   for (const double s : places) {
@@ -386,6 +390,7 @@ void PressedWebs::look(Place place, const std::vector<double>& places, bool any_
     for (const bool as_fillets : ways) {
       auto at = check_at(place, turns, as_fillets);
       if (!at) continue;
+      if (!as_fillets) used.push_back({place, at->check.utilisation()});
       const bool given = place.diaphragm != nullptr || search_->is_given_at(si<Length>(s));
       const auto key = std::pair(given, as_fillets);
       const auto known = worst.find(key);
@@ -404,12 +409,13 @@ void PressedWebs::look(Place place, const std::vector<double>& places, bool any_
     });
     // A kink comes in on an edge whatever the case says of its loads, but where a diaphragm is.
     turned = turned && place.diaphragm == nullptr;
-    take(Found{std::move(of), key.first && !turned, key.second, turned, !is_flange(place.web)});
+    take(Found{std::move(of), key.first && !turned, key.second, turned});
   }
 }
 
 template <class Take>
 void PressedWebs::look_at(BoxPlate web, const Diaphragm* diaphragm, bool any_unsaid,
+                          const std::vector<double>& places, std::vector<Used>& used,
                           const Take& take) const {
   const bool any = std::any_of(sources_.begin(), sources_.end(), [&](const Source& of) {
     return of.presses.find({web, diaphragm}) != of.presses.end();
@@ -428,23 +434,45 @@ void PressedWebs::look_at(BoxPlate web, const Diaphragm* diaphragm, bool any_uns
   };
   std::vector<double> senses{1.0, -1.0};
   if (has_own(1.0) && has_own(-1.0)) senses.push_back(0.0);
-  const std::vector<double> places =
-      diaphragm != nullptr ? std::vector{diaphragm->s.value()} : places_of(web);
   const std::vector<std::size_t> sides =
       sides_differ_ ? std::vector<std::size_t>{0, 1} : std::vector<std::size_t>{0};
   const std::vector<bool> known_ends = kinked ? std::vector{true, false} : std::vector{true};
   for (const double sense : senses) {
     for (const bool at_high : known_ends) {
       for (const std::size_t side : sides)
-        look({web, 0.0, sense, at_high, side, diaphragm}, places, any_unsaid, take);
+        look({web, 0.0, sense, at_high, side, diaphragm}, places, any_unsaid, used, take);
     }
   }
 }
 
-std::vector<PressedWebs::Found> PressedWebs::checks() const {
-  std::vector<Found> found;
+std::optional<std::pair<Check, double>> PressedWebs::square_of(std::vector<Used> used) const {
+  const double near = 1e-3 * project_->beam.length().value();
+  std::sort(used.begin(), used.end(),
+            [](const Used& a, const Used& b) { return a.place.s < b.place.s; });
+  const Used* worst = nullptr;
+  double most = 1.0;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    for (std::size_t j = i + 1; j < used.size() && used[j].place.s - used[i].place.s <= near; ++j) {
+      const Used &one = used[i], &other = used[j];
+      const double use = std::hypot(one.use, other.use);
+      if (is_flange(one.place.web) == is_flange(other.place.web) || !(use > most)) continue;
+      most = use;
+      worst = one.use > other.use ? &one : &other;
+    }
+  }
+  if (worst == nullptr) return std::nullopt;
+  auto result = check_at(worst->place, turns_at(worst->place), false);
+  name(worst->place, *result);
+  return std::pair(result->check, most);
+}
+
+PressedWebs::Checks PressedWebs::checks() const {
+  Checks all;
+  std::vector<Found>& found = all.found;
   if (std::none_of(runs_.begin(), runs_.end(), [](const Run& of) { return of.counted; }))
-    return found;
+    return all;
+  std::vector<Used> used;
+  const std::vector<double> at = places();
   const auto take = [&](Found more) {
     // Forces that push to and fro are of both senses.
     const auto same = std::find_if(found.begin(), found.end(), [&](const Found& of) {
@@ -465,11 +493,12 @@ std::vector<PressedWebs::Found> PressedWebs::checks() const {
     return unsaid_in(of.from) || unsaid_in(of.to);
   });
   for (const BoxPlate web : box_plates) {
-    look_at(web, nullptr, unsaid, take);
+    look_at(web, nullptr, unsaid, at, used, take);
     for (const Diaphragm& of : project_->beam.diaphragms)
-      if (of.throat > Length{}) look_at(web, &of, false, take);
+      if (of.throat > Length{}) look_at(web, &of, false, {of.s.value()}, used, take);
   }
-  return found;
+  all.square = square_of(std::move(used));
+  return all;
 }
 
 }  // namespace boxbeam

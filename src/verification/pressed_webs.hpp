@@ -55,11 +55,16 @@ class PressedWebs {
     bool given = true;
     bool unsaid = false;  ///< taken as fillets where the case does not say what they are
     bool turned = false;  ///< of what turns off from flanges alone
-    bool along_z = true;  ///< presses webs; else flanges
   };
-  /// Of every web the place that is used most, of each sense, of those where the case says that and
-  /// of the others.
-  std::vector<Found> checks() const;
+  struct Checks {
+    /// Of every web the place that is used most, of each sense, of those where the case says that
+    /// and of the others.
+    std::vector<Found> found;
+    /// Where a web and a flange, which meet in a seam, are pressed at one place, the worst of all
+    /// by both, as if in phase, and its use: above 1 what is not judged.
+    std::optional<std::pair<Check, double>> square;
+  };
+  Checks checks() const;
 
  private:
   /// A force at an instant.
@@ -106,6 +111,11 @@ class PressedWebs {
       return web_.plate == web && web_.diaphragm == diaphragm;
     }
   };
+  /// How much of a place is used.
+  struct Used {
+    Place place;
+    double use = 0.0;
+  };
   struct Series {
     std::vector<double> times, values;
   };
@@ -116,14 +126,19 @@ class PressedWebs {
   Series series_at(const Place& place, const Run& run) const;
   void add_passages(const Place& place, const Instant& before, const Instant& behind,
                     Series& series) const;
-  std::vector<double> places_of(BoxPlate web) const;
+  /// Whether it presses plates themselves, not diaphragms alone.
+  static bool presses_plates(const Source& of);
+  /// Where plates are looked at, all of them alike, for web and flange meet in seams.
+  std::vector<double> places() const;
   /// In every sense that there is, of one plate, or of the weld of a diaphragm with it.
   template <class Take>
-  void look_at(BoxPlate web, const Diaphragm* diaphragm, bool any_unsaid, const Take& take) const;
+  void look_at(BoxPlate web, const Diaphragm* diaphragm, bool any_unsaid,
+               const std::vector<double>& places, std::vector<Used>& used, const Take& take) const;
   /// The worst of all places like one.
   template <class Take>
   void look(Place place, const std::vector<double>& places, bool any_unsaid,
-            const Take& take) const;
+            std::vector<Used>& used, const Take& take) const;
+  std::optional<std::pair<Check, double>> square_of(std::vector<Used> used) const;
   template <class Look>
   void for_all_at(const Place& place, const Look& look) const;
   Turns turns_at(const Place& place) const;

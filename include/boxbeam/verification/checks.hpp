@@ -136,6 +136,7 @@ struct PatchBasis {
   CutForces cut;
   CornerUse corner;
   PathUse place = {};  ///< of paths
+  Length used_most;    ///< at which station of what is loaded that stress is the largest
   double load_factor = 1.0;
 };
 
