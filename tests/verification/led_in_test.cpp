@@ -156,6 +156,20 @@ TEST_CASE("down and across at every cycle is not judged by each alone", "[patch]
   CHECK_FALSE(stops(of(kN, 0.0), "square to it"));
   CHECK_FALSE(stops(of(0.0, kN), "square to it"));
   CHECK(stops(of(kN, kN), "square to it"));
+
+  // Nor where another place is worse, or what presses square to it stands beside it.
+  const auto beside = [&](double away) {
+    Beam beam = on_two({500, 500, 20, 20, 5.0}, 4.0, true);
+    beam.forces = {{"u", 1.0, 0.97 / 0.95 * kN, 0.24, 0.24},
+                   {"v", 3.0, 0.9 * kN, 0.24, 0.24},
+                   {"h", 3.0 + away, 0.0, 0.24, 0.24, 0.0, 0.0, -0.9 * kN}};
+    beam.more = introduced(0.5, 3.5, 200.0) +
+                cycles(1e6, "u = 1.0, v = 1.0, h = 1.0", "u = 0.0, v = 0.0, h = 0.0");
+    return beam.verified();
+  };
+  CHECK(stops(beside(0.0), "square to it"));
+  CHECK(stops(beside(0.1), "square to it"));
+  CHECK_FALSE(stops(beside(0.5), "square to it"));
 }
 
 TEST_CASE("a force between the webs stresses the weld of its diaphragm under it", "[patch]") {
@@ -289,6 +303,54 @@ TEST_CASE("moments that plates of other bodies bring are said", "[patch]") {
       "\"a\"\n[material]\nsteel = \"S355\"\nfy_source = \"EN 1993-1-1\"\n[strength]\nrequired = "
       "1.0\n";
   CHECK(says(verify(parse_project("jib.toml", jib)), "comes by plates of another body"));
+
+  // The same moment by a guide.
+  std::string guided = jib;
+  const std::string rigid =
+      "kind = \"rigid\"\nconnect = [\"arm.B\", \"rod.P\"]\nangle = \"90 deg\"\n";
+  const std::size_t at = guided.find(rigid);
+  REQUIRE(at != std::string::npos);
+  guided.replace(at, rigid.size(),
+                 "kind = \"slider\"\npoint = \"rod.P\"\nguide = \"arm.B\"\ndirection = \"90 "
+                 "deg\"\n[drivers.height]\nkind = \"harmonic\"\npoint = \"rod.P\"\ncoordinate = "
+                 "\"y\"\nmean = \"0 m\"\namplitude = \"1 mm\"\nfrequency = \"0.01 Hz\"\n");
+  CHECK(says(verify(parse_project("guided.toml", guided)), "comes by plates of another body"));
+}
+
+TEST_CASE("beside several forces counts the beam's own stress where it is largest among them",
+          "[patch]") {
+  const Sizes section{500, 1000, 25, 10, 0.0};
+  Beam beam;
+  beam.pieces = {{4.0, section, section}};
+  beam.diaphragms = {0.0, 2.0};
+  beam.supports = {{0.0, 0.0}, {2.0, 0.0}};
+  beam.forces = {{"a", 3.0, 300.0}, {"b", 3.6, 300.0}};
+  beam.more = introduced(2.9, 3.7, 100.0);
+  const Verification of = beam.verified();
+  bool any = false;
+  for (const CheckResult& result : of.checks) {
+    if (!result.patch || result.patch->force.value() < 599e3) continue;
+    any = true;
+    // 0.6 m from the force at the tip.
+    CHECK(result.patch->used_most.value() == Approx(3.0));
+    CHECK(std::abs(result.patch->cut.M_y.value()) == Approx(180e3).epsilon(1e-6));
+  }
+  CHECK(any);
+}
+
+TEST_CASE("a diaphragm at an end takes what a seam would bear beyond it", "[patch]") {
+  const auto seam = [](double at, bool diaphragm) {
+    Beam beam = on_two({500, 600, 20, 20, 5.0}, 4.0);
+    if (!diaphragm) beam.diaphragms.clear();
+    beam.forces = {{"f", at, 300.0}};
+    beam.more = introduced(0.0, 4.0, 200.0);
+    return use_at(beam.verified(), Criterion::weld, "seam");
+  };
+  const double inside = seam(0.5, true);
+  CHECK(inside > 0.1);
+  CHECK(seam(0.001, true) == Approx(inside).epsilon(0.03));
+  // 120.5 mm of 240.
+  CHECK(seam(0.001, false) == Approx(240.0 / 121.0 * inside).epsilon(0.03));
 }
 
 }  // namespace led_in_test
