@@ -53,10 +53,11 @@ void add_mechanism(Parts& parts, const planar::Mechanism& mechanism) {
 
 void add_mechanism(Parts& parts, const spatial::Mechanism& mechanism) {
   std::vector<std::string> joints;
-  std::vector<std::string> driven;
+  std::vector<std::string> driven, forced;
   for (const spatial::Joint& joint : mechanism.joints) {
     joints.push_back(joint.name);
     if (spatial::is_driven(joint)) driven.push_back(joint.name);
+    if (spatial::is_forced(joint)) forced.push_back(joint.name);
   }
   for (const spatial::ClosingJoint& joint : mechanism.closing) {
     if (!joint.driver_name.empty()) driven.push_back(joint.name);
@@ -69,6 +70,7 @@ void add_mechanism(Parts& parts, const spatial::Mechanism& mechanism) {
   parts.add("joints", listed(joints));
   parts.add("closing loops", listed(names_of(mechanism.closing)));
   parts.add("driven", listed(driven));
+  if (!forced.empty()) parts.add("moved by forces", listed(forced));
   parts.add("forces", listed(forces));
 }
 

@@ -119,6 +119,14 @@ Mechanism read_chain(TableReader& root, const std::vector<std::string>& beam_bod
         name, table, std::find(beam_bodies.begin(), beam_bodies.end(), name) != beam_bodies.end()));
   }
   if (!read_chain_joints(root, mechanism, tables)) return mechanism;
+  const auto forced =
+      std::find_if(mechanism.joints.begin(), mechanism.joints.end(), spatial::is_forced);
+  if (forced != mechanism.joints.end() && !(mechanism.duration.length > 0.0)) {
+    root.table("joints").problem(
+        forced->name.substr(0, forced->name.find('.')),
+        fmt::format("forces move joint \"{}\": how long is not known", forced->name),
+        "write [motion] with duration = \"2 s\", and settle = \"1 s\" for a time before it");
+  }
   read_chain_loads(root, mechanism, tables);
   check_functions(root, functions_of(mechanism), mechanism.duration, {"joints", "forces"});
   return mechanism;

@@ -149,19 +149,19 @@ std::vector<Movement> movements_of(std::size_t kind, const std::vector<Eigen::Ve
   return movements;
 }
 
-/// Near what the movements that no driver moves are sought at t = 0.
-std::vector<double> read_starts(TableReader& table, const std::vector<Movement>& movements) {
+/// Values of the movements of a joint, of turns by one key and of shifts by another where it has
+/// several; zero where they are not said.
+std::vector<double> read_values(TableReader& table, const std::vector<Movement>& movements,
+                                const Key& of_one, const Key& of_shifts,
+                                const WantedDimension& of_turn, const WantedDimension& of_shift) {
   const auto is_turn = [](const Movement& movement) {
     return movement.kind == JointKind::revolute;
   };
-  std::vector<double> starts(movements.size(), 0.0);
-  const Key start{"start",
-                  "near which it is sought at t = 0 where no driver moves it; of several "
-                  "turns one after the other"};
+  std::vector<double> values(movements.size(), 0.0);
   if (movements.size() == 1) {
-    if (movements[0].kind == JointKind::fixed) return starts;
-    starts[0] = table.quantity(start, is_turn(movements[0]) ? wanted::angle : wanted::length, 0.0);
-    return starts;
+    if (movements[0].kind == JointKind::fixed) return values;
+    values[0] = table.quantity(of_one, is_turn(movements[0]) ? of_turn : of_shift, 0.0);
+    return values;
   }
   const auto read_list = [&](const Key& key, bool turns, const WantedDimension& dimension) {
     const auto count = static_cast<std::size_t>(
@@ -176,11 +176,11 @@ std::vector<double> read_starts(TableReader& table, const std::vector<Movement>&
     }
     auto next = given.begin();
     for (std::size_t k = 0; k < movements.size(); ++k)
-      if (is_turn(movements[k]) == turns) starts[k] = *next++;
+      if (is_turn(movements[k]) == turns) values[k] = *next++;
   };
-  read_list(start, true, wanted::angle);
-  read_list({"start_shift", "the same of its shifts"}, false, wanted::length);
-  return starts;
+  read_list(of_one, true, of_turn);
+  read_list(of_shifts, false, of_shift);
+  return values;
 }
 
 /// Adds a joint that carries a body; of several movements one after the other, with frames without
@@ -188,7 +188,24 @@ std::vector<double> read_starts(TableReader& table, const std::vector<Movement>&
 void add_carrying(TableReader& table, const JointDraft& whole,
                   const std::vector<Movement>& movements, Mechanism& mechanism,
                   std::vector<JointDraft>& drafts) {
-  const std::vector<double> starts = read_starts(table, movements);
+  const bool moves = movements.front().kind != JointKind::fixed;
+  const bool forced =
+      moves && table.choice({"moved_by", "what moves it where no driver does; without loops drivers "
+                             "alone, but where forces are said to"},
+                            {"drivers and loops", "forces"}, 0) == 1;
+  const std::vector<double> starts = read_values(
+      table, movements,
+      {"start",
+       "near which it is sought at t = 0 where no driver moves it; where forces do, its place at t = "
+       "0; of several turns one after the other"},
+      {"start_shift", "the same of its shifts"}, wanted::angle, wanted::length);
+  const std::vector<double> rates = read_values(
+      table, movements, {"start_rate", "at t = 0 where forces move it; of several turns as start"},
+      {"start_shift_rate", "the same of its shifts"}, wanted::angular_velocity, wanted::velocity);
+  if (!forced && std::any_of(rates.begin(), rates.end(), [](double rate) { return rate != 0.0; })) {
+    table.problem("start_rate", "rates at the start are those of what forces move",
+                  "write moved_by = \"forces\", or leave them out");
+  }
   const std::string name = whole.joint.name;
   JointDraft draft = whole;
   for (std::size_t k = 0; k < movements.size(); ++k) {
@@ -198,6 +215,8 @@ void add_carrying(TableReader& table, const JointDraft& whole,
     // Written in the axes of the carried body where it stands at zero.
     draft.joint.axis = draft.joint.turn * movements[k].axis;
     draft.joint.start = starts[k];
+    draft.joint.start_rate = rates[k];
+    draft.joint.moved_by = forced ? spatial::MovedBy::forces : spatial::MovedBy::driver;
     draft.joint.point = last ? whole.joint.point : Eigen::Vector3d::Zero().eval();
     draft.carried = last ? whole.carried : static_cast<int>(mechanism.bodies.size());
     if (!last) mechanism.bodies.emplace_back().name = draft.joint.name;
@@ -404,7 +423,14 @@ class JointDrivers {
                    fixed ? "is fixed and cannot move" : nullptr)) {
       return;
     }
+    // Of several movements some may have drivers, and forces move the others.
+    if (joint.moved_by == spatial::MovedBy::forces && joint.name.find('.') == std::string::npos) {
+      table.problem("joint", fmt::format("forces move joint \"{}\"", joint.name),
+                    "remove moved_by from the joint, or the driver");
+      return;
+    }
     const bool turns = joint.kind == JointKind::revolute;
+    joint.moved_by = spatial::MovedBy::driver;
     if (std::optional<Driver> function = read_function(table, turns ? angle : length, *tables_)) {
       joint.driver = std::move(*function);
       joint.driver_name = name;
@@ -434,14 +460,16 @@ class JointDrivers {
 /// loops, and distances whose length is not said once.
 void free_the_rest(TableReader& root, const std::vector<bool>& has_length, Mechanism& mechanism) {
   for (Joint& joint : mechanism.joints) {
-    if (!joint.driver_name.empty() || joint.kind == JointKind::fixed) continue;
-    joint.free = !mechanism.closing.empty();
-    if (joint.free) continue;
+    if (!is_driven(joint) || !joint.driver_name.empty()) continue;
+    if (!mechanism.closing.empty()) {
+      joint.moved_by = spatial::MovedBy::loops;
+      continue;
+    }
     root.table("joints").problem(
         joint.name.substr(0, joint.name.find('.')),
         fmt::format("nothing drives joint \"{}\"", joint.name),
         fmt::format("write [drivers.<name>] with joint = \"{}\"; where it stands still, kind = "
-                    "\"hold\" with its value",
+                    "\"hold\" with its value; moved_by = \"forces\" in the joint where these do",
                     joint.name));
   }
   for (std::size_t i = 0; i < mechanism.closing.size(); ++i) {

@@ -162,7 +162,7 @@ void put_motion(Fields& to, const ChainMotionResult& motion) {
   to.constant("schema", "boxbeam.motion/1");
   to.constant("kind", "spatial");
   to.text({"axes", "in which vectors are given: world, or a body"}, motion.axes);
-  to.whole("degrees_of_freedom", motion.driven, "1");
+  to.whole("degrees_of_freedom", motion.driven + motion.forced, "1");
   to.object_or_null({"loops", "of a mechanism that is closed"}, motion.loops, put_loops);
   to.list("states", "", motion.states,
           [](Fields& of, const ChainInstant& state) { put_state(of, state); });

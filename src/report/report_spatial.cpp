@@ -119,8 +119,14 @@ Entries entries_of(const Project& project) {
                   body_name(mechanism, placement.body), triple(placement.start),
                   direction_text(placement.axes.col(0)), direction_text(placement.axes.col(2))));
   for (const spatial::Joint& joint : mechanism.joints) {
-    if (!spatial::is_driven(joint)) continue;
     const bool turns = joint.kind == spatial::JointKind::revolute;
+    if (spatial::is_forced(joint)) {
+      entries.emplace_back(
+          "moved by forces",
+          fmt::format("{}: from {:.4g} {}, {:.4g} {}/s at t = 0", joint.name, joint.start,
+                      turns ? "rad" : "m", joint.start_rate, turns ? "rad" : "m"));
+    }
+    if (!spatial::is_driven(joint)) continue;
     entries.emplace_back(
         "driver", fmt::format("{}: {} = {}", spatial::driver_text(joint), turns ? "angle" : "shift",
                               function_text(joint.driver, turns ? "rad" : "m")));

@@ -106,7 +106,7 @@ ChainJoint joint_of(const Mechanism& mechanism, const spatial::State& state, std
                     {}};
   if (joint.kind == spatial::JointKind::fixed) return result;
   result.coordinate = state.coordinates[i];
-  if (joint.free) return result;
+  if (!spatial::is_driven(joint)) return result;
   const Eigen::Vector3d axis = spatial::in_world(state, joint.parent, joint.axis);
   const bool turns = joint.kind == spatial::JointKind::revolute;
   result.drive = axis.dot(turns ? wrench.moment : wrench.force);
@@ -232,6 +232,7 @@ ChainMotionResult chain_motion_of(const Project& project, std::vector<double> ti
   result.driven = static_cast<std::size_t>(
       std::count_if(mechanism.joints.begin(), mechanism.joints.end(), spatial::is_driven) +
       std::count_if(mechanism.closing.begin(), mechanism.closing.end(), driven_length));
+  if (chain.forced() != nullptr) result.forced = chain.forced()->freedoms();
   if (const spatial::Loops* loops = chain.loops()) result.loops = loops_of(mechanism, *loops);
   for (const double time : times) {
     ChainInstant instant = instant_of(project, chain, places, time);

@@ -76,7 +76,8 @@ bool turns_freely_in(const spatial::Mechanism& mechanism, const Project& project
     }
   }
   const auto at = named(mechanism.joints, name);
-  if (at == mechanism.joints.end() || at->kind != spatial::JointKind::revolute || !at->free)
+  if (at == mechanism.joints.end() || at->kind != spatial::JointKind::revolute ||
+      spatial::is_driven(*at))
     return false;
   return about_y(at->parent == placement.body ? at->axis
                                               : Eigen::Vector3d(at->turn.transpose() * at->axis));

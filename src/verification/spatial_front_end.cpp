@@ -129,7 +129,7 @@ std::vector<DriverLine> driver_lines_of(const spatial::Chain& chain, const LoadH
     const std::vector<spatial::Wrench> wrenches = chain.joint_wrenches(state);
     for (std::size_t i = 0; i < carrying; ++i) {
       const spatial::Joint& joint = mechanism.joints[i];
-      if (!spatial::is_driven(joint)) continue;
+      if (!spatial::is_driven(joint) && !spatial::is_forced(joint)) continue;
       const Eigen::Vector3d axis = spatial::in_world(state, joint.parent, joint.axis);
       lines[i].name = spatial::driver_text(joint);
       lines[i].turns = joint.kind == spatial::JointKind::revolute;

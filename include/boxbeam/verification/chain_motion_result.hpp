@@ -70,6 +70,7 @@ struct ChainLoops {
 struct ChainMotionResult {
   std::string axes;        ///< "world", or the body in whose axes the vectors are given
   std::size_t driven = 0;  ///< coordinates that drivers move
+  std::size_t forced = 0;  ///< those that forces move
   std::optional<ChainLoops> loops = {};
   std::vector<ChainInstant> states;
   std::vector<HandComparison> hand_formulas;

@@ -15,7 +15,7 @@ bool is_constant(const Driver& driver) {
 int first_held_with(const Mechanism& mechanism, int body) {
   while (body != ground) {
     const Joint& joint = mechanism.joints[static_cast<std::size_t>(body)];
-    if (joint.kind != JointKind::fixed && (joint.free || !is_constant(joint.driver))) break;
+    if (joint.kind != JointKind::fixed && (!is_driven(joint) || !is_constant(joint.driver))) break;
     body = joint.parent;
   }
   return body;

@@ -1,11 +1,15 @@
 #include "boxbeam/mechanism/spatial/chain.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 namespace boxbeam::spatial {
 
 Chain::Chain(const Mechanism& mechanism) : tree_(mechanism) {
-  if (!mechanism.closing.empty()) loops_ = std::make_shared<const Loops>(tree_);
+  if (!mechanism.closing.empty()) loops_ = std::make_shared<Loops>(tree_);
+  if (std::any_of(mechanism.joints.begin(), mechanism.joints.end(), is_forced))
+    forced_ = std::make_shared<const ForcedMotion>(tree_, loops_.get());
+  if (loops_) loops_->follow(tree_, forced_.get());
 }
 
 State Chain::at(double time) const {
@@ -16,10 +20,12 @@ State Chain::at(double time) const {
 
 void Chain::at(double time, State& state) const {
   tree_.drive(state, time);
+  if (forced_) forced_->set(tree_, state);
   if (loops_)
     loops_->close(tree_, state);
   else
     tree_.move(state);
+  if (forced_) forced_->accelerate(tree_, state);
 }
 
 std::vector<Wrench> Chain::joint_wrenches(const State& state) const {

@@ -25,16 +25,6 @@ bool carries(const Mechanism& mechanism, std::size_t joint, int body) {
   return body == static_cast<int>(joint);
 }
 
-/// The largest arm of a joint.
-double size_of(const Mechanism& mechanism) {
-  double size = 1e-3;
-  for (const Joint& joint : mechanism.joints)
-    size = std::max({size, joint.at.norm(), joint.point.norm()});
-  for (const ClosingJoint& joint : mechanism.closing)
-    size = std::max({size, joint.a.p.norm(), joint.b.p.norm()});
-  return size;
-}
-
 /// Time in which the fastest driver turns an eighth of a radian, where it is not known how long the
 /// motion is looked at.
 double short_time_of(const Mechanism& mechanism) {
@@ -64,7 +54,8 @@ Loops::Loops(const Tree& tree) : rows_(rows_of(tree.mechanism())) {
   all_.resize(rows_.size());
   std::iota(all_.begin(), all_.end(), std::size_t{0});
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
-    if (mechanism.joints[i].kind != JointKind::fixed && mechanism.joints[i].free)
+    if (mechanism.joints[i].kind != JointKind::fixed &&
+        mechanism.joints[i].moved_by == MovedBy::loops)
       free_.push_back(i);
   }
   const auto rows = static_cast<Eigen::Index>(rows_.size());
@@ -87,11 +78,16 @@ Loops::Loops(const Tree& tree) : rows_(rows_of(tree.mechanism())) {
     column_scale_[k] = kind == JointKind::revolute ? 1.0 : size_;
   }
   State state;
-  tree.drive(state, 0.0);
+  tree.begin(state);
   assemble(tree, state);
   choose_rows(tree, state);
   judge_uniqueness(tree, state);
-  look_over_span(tree, state);
+  Eigen::VectorXd q(columns);
+  for (Eigen::Index k = 0; k < columns; ++k)
+    q[k] = state.coordinates[free_[static_cast<std::size_t>(k)]].value;
+  double first = 0.0;
+  static_cast<void>(converge(tree, state, q, first));
+  samples_.push_back(with_rates(tree, state, q));
 }
 
 /// The position nearest to the start in which all is closed, by Levenberg's and Marquardt's method.
@@ -180,9 +176,9 @@ void Loops::choose_rows(const Tree& tree, const State& state) {
     throw AnalysisError(
         {fmt::format(
              "the loops leave {} freedom{} that nothing drives, in joint{} {}; drive as many "
-             "of them, or take freedom away where a body only turns about the line between two "
-             "ball "
-             "joints (one of them universal). In a dead point at t = 0 begin at another posture",
+             "of them, let forces move them (moved_by = \"forces\"), or take freedom away where a "
+             "body only turns about the line between two ball joints (one of them universal). In a "
+             "dead point at t = 0 begin at another posture",
              left, left == 1 ? "" : "s", names.size() == 1 ? "" : "s", fmt::join(names, ", ")),
          "joint " + names.front(),
          0.0,
@@ -231,8 +227,7 @@ void Loops::judge_uniqueness(const Tree& tree, const State& state) {
   }
 }
 
-/// Follows the drivers from t = 0 to the end of the time that is looked at.
-void Loops::look_over_span(const Tree& tree, State& state) {
+void Loops::follow(const Tree& tree, const ForcedMotion* forced) {
   constexpr int at_least = 96;
   const Mechanism& mechanism = tree.mechanism();
   TimeSpan span;
@@ -243,30 +238,22 @@ void Loops::look_over_span(const Tree& tree, State& state) {
     span.length = 0.0;
     longest_step_ = short_time_of(mechanism);
   }
-  Eigen::VectorXd q(static_cast<Eigen::Index>(free_.size()));
-  for (std::size_t k = 0; k < free_.size(); ++k)
-    q[static_cast<Eigen::Index>(k)] = state.coordinates[free_[k]].value;
-  double first = 0.0;
-  static_cast<void>(converge(tree, state, q, first));
-  samples_.push_back(with_rates(tree, state, q));
+  forced_ = forced;
   if (span.length == 0.0) return;
-  State begin = state;
-  if (span.begin > 0.0) {
-    const Sample at = followed(tree, samples_.back(), span.begin, &samples_);
-    tree.drive(begin, span.begin);
-    set(begin, at);
-    tree.move(begin);
-  }
+  State begin, state;
+  const auto stand = [&](const Sample& at, State& standing) {
+    drive(tree, standing, at.time);
+    set(standing, at);
+    tree.move(standing);
+  };
+  stand(span.begin > 0.0 ? followed(tree, samples_.back(), span.begin, &samples_) : samples_.back(),
+        begin);
   const Sample middle = followed(tree, samples_.back(), span.begin + 0.5 * span.length, &samples_);
-  tree.drive(state, middle.time);
-  set(state, middle);
-  tree.move(state);
+  stand(middle, state);
   judge_uniqueness(tree, state);
   const Sample end = followed(tree, middle, span.begin + span.length, &samples_);
   if (!span.closed) return;
-  tree.drive(state, end.time);
-  set(state, end);
-  tree.move(state);
+  stand(end, state);
   if (!alike(begin, state, size_)) {
     throw AnalysisError(
         {fmt::format("after a period of the drivers, {:.6g} s, the loops stand elsewhere than "

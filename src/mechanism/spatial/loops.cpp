@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/spatial/forced_motion.hpp"
 #include "loop_rows.hpp"
 
 namespace boxbeam::spatial {
@@ -119,6 +120,49 @@ Loops::Sample Loops::with_rates(const Tree& tree, State& state, const Eigen::Vec
   return sample;
 }
 
+void Loops::accelerate(const Tree& tree, State& state) const {
+  for (const std::size_t i : free_) state.coordinates[i].acceleration = 0.0;
+  tree.move(state);
+  if (free_.empty()) return;
+  Eigen::VectorXd left(static_cast<Eigen::Index>(chosen_.size()));
+  for (Eigen::Index r = 0; r < left.size(); ++r) {
+    const std::size_t row = chosen_[static_cast<std::size_t>(r)];
+    left[r] = row_scale_[static_cast<Eigen::Index>(row)] *
+              motion_of(tree.mechanism(), rows_[row], state).acceleration;
+  }
+  const Eigen::VectorXd acceleration =
+      column_scale_.cwiseProduct(jacobian(tree, state, chosen_).partialPivLu().solve(-left));
+  for (std::size_t k = 0; k < free_.size(); ++k)
+    state.coordinates[free_[k]].acceleration = acceleration[static_cast<Eigen::Index>(k)];
+  tree.move(state);
+}
+
+Loops::Sample Loops::sample_of(const State& state) const {
+  const auto count = static_cast<Eigen::Index>(free_.size());
+  Sample sample{state.time, Eigen::VectorXd(count), Eigen::VectorXd(count), Eigen::VectorXd(count)};
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const DriverState& of = state.coordinates[free_[static_cast<std::size_t>(k)]];
+    sample.q[k] = of.value;
+    sample.rate[k] = of.rate;
+    sample.acceleration[k] = of.acceleration;
+  }
+  return sample;
+}
+
+void Loops::drive(const Tree& tree, State& state, double time) const {
+  tree.drive(state, time);
+  if (forced_ != nullptr) forced_->set(tree, state);
+}
+
+std::optional<Loops::Sample> Loops::close_beside(const Sample& near, const Tree& tree,
+                                                 State& state) const {
+  Eigen::VectorXd q = predicted(near, state.time);
+  set(state, {state.time, q, {}, {}});
+  double first = 0.0;
+  if (!converge(tree, state, q, first) || first > largest_correction) return std::nullopt;
+  return with_rates(tree, state, q);
+}
+
 /// Step by step to another time, never so far that another branch could be taken for this one.
 Loops::Sample Loops::followed(const Tree& tree, Sample from, double until,
                               std::vector<Sample>* kept) const {
@@ -131,7 +175,7 @@ Loops::Sample Loops::followed(const Tree& tree, Sample from, double until,
     const double time = step == std::abs(left) ? until : from.time + std::copysign(step, left);
     Eigen::VectorXd q = predicted(from, time);
     const Eigen::VectorXd before = from.q;
-    tree.drive(state, time);
+    drive(tree, state, time);
     set(state, {time, q, {}, {}});
     double first = 0.0;
     const auto moved = [&] {
@@ -145,7 +189,7 @@ Loops::Sample Loops::followed(const Tree& tree, Sample from, double until,
     }
     step *= 0.5;
     if (step > shortest * longest_step_) continue;
-    tree.drive(state, from.time);
+    drive(tree, state, from.time);
     set(state, from);
     tree.move(state);
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian(tree, state, chosen_),

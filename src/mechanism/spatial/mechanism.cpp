@@ -1,7 +1,10 @@
 #include "boxbeam/mechanism/spatial/mechanism.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "boxbeam/core/error.hpp"
 #include "boxbeam/core/index_by_name.hpp"
 
 namespace boxbeam::spatial {
@@ -71,8 +74,33 @@ std::vector<DriverUse> functions_of(const Mechanism& mechanism) {
   return uses;
 }
 
+double size_of(const Mechanism& mechanism) {
+  double size = 1e-3;
+  for (const Joint& joint : mechanism.joints)
+    size = std::max({size, joint.at.norm(), joint.point.norm()});
+  for (const ClosingJoint& joint : mechanism.closing)
+    size = std::max({size, joint.a.p.norm(), joint.b.p.norm()});
+  return size;
+}
+
 TimeSpan time_span_of(const Mechanism& mechanism) {
-  return boxbeam::time_span_of(functions_of(mechanism), mechanism.duration);
+  const auto forced = std::find_if(mechanism.joints.begin(), mechanism.joints.end(), is_forced);
+  if (forced == mechanism.joints.end())
+    return boxbeam::time_span_of(functions_of(mechanism), mechanism.duration);
+  if (!(mechanism.duration.length > 0.0)) {
+    throw AnalysisError({fmt::format("forces move joint \"{}\": [motion] duration says how long "
+                                     "that is looked at",
+                                     forced->name),
+                         "joint " + forced->name,
+                         {},
+                         {},
+                         {},
+                         {}});
+  }
+  TimeSpan span = boxbeam::time_span_of(functions_of(mechanism), mechanism.duration);
+  span.begin = mechanism.duration.settle;
+  span.closed = false;
+  return span;
 }
 
 }  // namespace boxbeam::spatial

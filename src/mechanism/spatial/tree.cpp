@@ -76,6 +76,14 @@ void Tree::drive(State& state, double time) const {
   }
 }
 
+void Tree::begin(State& state) const {
+  drive(state, 0.0);
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const Joint& joint = mechanism_->joints[i];
+    if (is_forced(joint)) state.coordinates[i] = {joint.start, joint.start_rate, 0.0};
+  }
+}
+
 void Tree::move(State& state) const {
   state.bodies.resize(links_.size());
   for (std::size_t i = 0; i < links_.size(); ++i) {
@@ -197,13 +205,24 @@ Eigen::Vector3d acceleration_of(const State& state, const Attachment& at) {
   return body.acceleration + turning_at(body, body.R_WB * at.p).acceleration;
 }
 
+Tension tension_of(const Spring& spring, const State& state) {
+  const Eigen::Vector3d d = position_of(state, spring.b) - position_of(state, spring.a);
+  const double length = d.norm();
+  const Eigen::Vector3d v = velocity_of(state, spring.b) - velocity_of(state, spring.a);
+  if (length == 0.0) return {-spring.stiffness * spring.free_length, 0.0};
+  const double rate = d.dot(v) / length;
+  const Eigen::Vector3d a = acceleration_of(state, spring.b) - acceleration_of(state, spring.a);
+  const double second = (v.squaredNorm() + d.dot(a) - rate * rate) / length;
+  return {spring.stiffness * (length - spring.free_length) + spring.damping * rate,
+          spring.stiffness * rate + spring.damping * second};
+}
+
 Eigen::Vector3d force_of(const Spring& spring, const State& state) {
   const Eigen::Vector3d d = position_of(state, spring.b) - position_of(state, spring.a);
   const double length = d.norm();
   // Without a length it has no direction; nor has what it does one.
   if (length == 0.0) return Eigen::Vector3d::Zero();
-  const double rate = d.dot(velocity_of(state, spring.b) - velocity_of(state, spring.a)) / length;
-  double tension = spring.stiffness * (length - spring.free_length) + spring.damping * rate;
+  double tension = tension_of(spring, state).value;
   if (spring.acts == Spring::Acts::pulling) tension = std::max(0.0, tension);
   if (spring.acts == Spring::Acts::pushing) tension = std::min(0.0, tension);
   return -tension / length * d;

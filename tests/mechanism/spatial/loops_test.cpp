@@ -9,6 +9,7 @@
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/spatial/chain.hpp"
+#include "boxbeam/mechanism/spatial/forced_motion.hpp"
 #include "catch.hpp"
 #include "support/random_tree.hpp"
 
@@ -34,7 +35,7 @@ Joint joint_of(const char* name, JointKind kind, int parent, const Vector3d& at,
 
 /// Adds a body without mass whose origin is at the joint; its index.
 int add(Mechanism& mechanism, Joint joint, bool free) {
-  joint.free = free;
+  joint.moved_by = free ? MovedBy::loops : MovedBy::driver;
   mechanism.bodies.emplace_back().name = joint.name;
   mechanism.joints.push_back(std::move(joint));
   return static_cast<int>(mechanism.bodies.size()) - 1;
@@ -80,7 +81,7 @@ Balance balance_of(const Chain& chain, const State& state) {
     const double along =
         axis.dot(joint.kind == JointKind::revolute ? joints[i].moment : joints[i].force);
     if (joint.kind == JointKind::fixed) continue;
-    if (joint.free) balance.moment = std::max(balance.moment, std::abs(along));
+    if (!is_driven(joint)) balance.moment = std::max(balance.moment, std::abs(along));
     balance.power += along * state.coordinates[i].rate;
   }
   for (std::size_t k = 0; k < mechanism.closing.size(); ++k) {
@@ -234,8 +235,8 @@ Mechanism random_loops(test::Chance& chance) {
     mechanism.closing.push_back(joint);
     for (int left = equations_of[static_cast<std::size_t>(joint.kind)]; left > 0;) {
       Joint& freed = mechanism.joints[static_cast<std::size_t>(first + chance.one_of(chain))];
-      if (freed.free) continue;
-      freed.free = true;
+      if (freed.moved_by == MovedBy::loops) continue;
+      freed.moved_by = MovedBy::loops;
       --left;
     }
   }
@@ -433,6 +434,52 @@ TEST_CASE("Loops by chance keep balance of forces, moments and power, and their 
     }
   }
   CHECK(judged > 100);
+}
+
+TEST_CASE("Loops by chance that forces move keep balance of forces, moments and power") {
+  int judged = 0;
+  for (unsigned seed = 1; seed <= 150; ++seed) {
+    test::Chance chance(seed);
+    Mechanism mechanism = random_loops(chance);
+    mechanism.duration.length = 0.1;
+    // Of those that drivers moved two begin as these would have it, and go on by forces.
+    int forced = 0;
+    for (int tries = 0; tries < 20 && forced < 2; ++tries) {
+      const auto i =
+          static_cast<std::size_t>(chance.one_of(static_cast<int>(mechanism.joints.size())));
+      Joint& joint = mechanism.joints[i];
+      if (!is_driven(joint)) continue;
+      joint.start = driver_at(joint.driver, 0.0).value;
+      joint.start_rate = driver_at(joint.driver, 0.0).rate;
+      joint.moved_by = MovedBy::forces;
+      ++forced;
+    }
+    std::optional<Chain> chain;
+    try {
+      chain.emplace(mechanism);
+    } catch (const AnalysisError&) {
+      continue;  // chance gave joints that leave freedoms, or that cannot follow
+    }
+    ++judged;
+    INFO("seed " << seed);
+    CHECK(chain->forced()->freedoms() == 2);
+    for (const double time : {0.02, 0.07}) {
+      const State state = chain->at(time);
+      const double condition = chain->loops()->condition_of(Tree(mechanism), state);
+      check_balance(*chain, time, 1e-12 * condition);
+      constexpr double h = 1e-5;
+      const State before = chain->at(time - h), after = chain->at(time + h);
+      for (std::size_t i = 0; i < state.coordinates.size(); ++i) {
+        const DriverState &q = state.coordinates[i], &p = after.coordinates[i],
+                          &m = before.coordinates[i];
+        const double size = 1.0 + std::abs(q.acceleration);
+        CHECK((p.value - m.value) / (2.0 * h) == Approx(q.rate).margin(1e-6 * condition * size));
+        CHECK((p.rate - m.rate) / (2.0 * h) ==
+              Approx(q.acceleration).margin(1e-5 * condition * size));
+      }
+    }
+  }
+  CHECK(judged > 40);
 }
 
 TEST_CASE("Six cylinders hold a platform where their lengths say") {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "boxbeam/mechanism/spatial/forced_motion.hpp"
 #include "boxbeam/mechanism/spatial/loops.hpp"
 #include "boxbeam/mechanism/spatial/tree.hpp"
 
@@ -22,10 +23,12 @@ struct InertiaLoad {
   Eigen::Vector3d gyroscopic;
 };
 
-/// A mechanism in space that its drivers move, prepared for many instants. Keeps a reference to it.
+/// A mechanism in space that its drivers and forces move, prepared for many instants. Keeps a
+/// reference to it.
 class Chain {
  public:
-  /// Throws AnalysisError where loops cannot be closed, or drivers do not determine them.
+  /// Throws AnalysisError where loops cannot be closed, drivers do not determine them, or forces
+  /// cannot be followed.
   explicit Chain(const Mechanism& mechanism);
 
   const Mechanism& mechanism() const { return tree_.mechanism(); }
@@ -42,10 +45,13 @@ class Chain {
 
   /// The closing joints, or nothing where the mechanism has none.
   const Loops* loops() const { return loops_.get(); }
+  /// What forces move, or nothing.
+  const ForcedMotion* forced() const { return forced_.get(); }
 
  private:
   Tree tree_;
-  std::shared_ptr<const Loops> loops_;
+  std::shared_ptr<Loops> loops_;
+  std::shared_ptr<const ForcedMotion> forced_;
 };
 
 InertiaLoad inertia_of(const Mechanism& mechanism, const State& state, std::size_t body);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,22 +22,44 @@ struct LoopRow {
   Eigen::Vector3d u = Eigen::Vector3d::Zero(), w = Eigen::Vector3d::Zero();
 };
 
-/// The closing joints of a mechanism: they decide the coordinates that no driver moves. Loops are
+class ForcedMotion;
+
+/// The closing joints of a mechanism: they decide the coordinates that neither drivers nor forces
+/// move. Loops are
 /// cut at the closing joints; what the tree of the other joints leaves open there is brought to
 /// zero by Newton's method on the free coordinates, and the multipliers of the equations are those
 /// that leave the free joints without a force along their axes. Source: Haug, Computer Aided
 /// Kinematics and Dynamics (1989), chapter 9; Featherstone (2008), chapter 8.
 class Loops {
  public:
-  /// Closes them at t = 0, as near to the starts of the free coordinates as it can, and follows the
-  /// drivers over the time that is looked at. Throws AnalysisError with place and time where no
-  /// position closes them, freedoms are left that nothing drives, a dead point is met, equations
-  /// contradict each other, or a period ends elsewhere than it began.
+  /// A closed position: the free coordinates with their rates.
+  struct Sample {
+    double time = 0.0;
+    Eigen::VectorXd q, rate, acceleration;
+  };
+
+  /// Closes them at t = 0, as near to the starts of the free coordinates as it can. Throws
+  /// AnalysisError with place where no position closes them, or freedoms are left that nothing
+  /// moves.
   explicit Loops(const Tree& tree);
 
-  /// From the driven coordinates of a state and its time: the free ones, with their rates, and all
-  /// bodies; always on the branch of the start. Throws AnalysisError.
+  /// Follows the drivers, and what forces move, over the time that is looked at. Keeps `forced`.
+  /// Throws AnalysisError where a dead point is met, equations contradict each other, or a period
+  /// ends elsewhere than it began.
+  void follow(const Tree& tree, const ForcedMotion* forced);
+
+  /// From the driven and forced coordinates of a state and its time: the free ones, with their
+  /// rates, and all bodies; always on the branch of the start. Throws AnalysisError.
   void close(const Tree& tree, State& state) const;
+
+  /// The same beside a closed position; nothing where that is too far away.
+  std::optional<Sample> close_beside(const Sample& near, const Tree& tree, State& state) const;
+  /// Of a state with its positions and rates: the accelerations anew, for others of the driven
+  /// ones.
+  void accelerate(const Tree& tree, State& state) const;
+  /// What a state has of the free coordinates.
+  Sample sample_of(const State& state) const;
+  const Sample& first() const { return samples_.front(); }  ///< at t = 0
 
   /// The wrenches of the joints that carry bodies, and behind them what every closing joint does to
   /// its body b, about its place there.
@@ -60,11 +83,6 @@ class Loops {
   double condition_of(const Tree& tree, const State& state) const;
 
  private:
-  /// A closed position with its rates.
-  struct Sample {
-    double time = 0.0;
-    Eigen::VectorXd q, rate, acceleration;
-  };
   using Rows = std::vector<std::size_t>;
 
   void set(State& state, const Sample& sample) const;
@@ -74,7 +92,7 @@ class Loops {
   void assemble(const Tree& tree, State& state) const;
   void choose_rows(const Tree& tree, const State& state);
   void judge_uniqueness(const Tree& tree, const State& state);
-  void look_over_span(const Tree& tree, State& state);
+  void drive(const Tree& tree, State& state, double time) const;
 
   bool converge(const Tree& tree, State& state, Eigen::VectorXd& q, double& first) const;
   Sample with_rates(const Tree& tree, State& state, const Eigen::VectorXd& q) const;
@@ -92,6 +110,7 @@ class Loops {
   int branch_ = 0;
   std::vector<char> unique_;
   std::vector<Sample> samples_;
+  const ForcedMotion* forced_ = nullptr;
 };
 
 /// Joints whose loads bodies without elasticity do not determine.

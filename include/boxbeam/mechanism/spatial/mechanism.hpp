@@ -34,6 +34,13 @@ enum class JointKind { fixed, revolute, prismatic };
 
 const char* to_text(JointKind kind);
 
+/// What decides the coordinate of a joint that moves.
+enum class MovedBy {
+  driver,  ///< its function of time
+  loops,   ///< that closing joints close
+  forces,  ///< and what is inert
+};
+
 /// A joint carries a body from another one that comes before it, or from the ground:
 ///
 ///     R_WB = R_WP turned(q),  p_B = p_P + R_WP (at + axis q) - R_WB point
@@ -49,13 +56,18 @@ struct Joint {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();     ///< unit vector, axes of the parent
   Driver driver = PolynomialDriver{{0.0}};             ///< q over time [rad or m]
   std::string driver_name = {};                        ///< "" where it has none of its own
-  /// q follows from the loops, not from the driver, and is sought near `start` at t = 0.
-  bool free = false;
-  double start = 0.0;  ///< [rad or m]
+  MovedBy moved_by = MovedBy::driver;
+  double start = 0.0;       ///< q at t = 0 by forces; by loops near which it is sought [rad or m]
+  double start_rate = 0.0;  ///< by forces, at t = 0 [rad/s or m/s]
 };
 
-/// Whether a joint has a coordinate that its driver moves.
-inline bool is_driven(const Joint& joint) { return joint.kind != JointKind::fixed && !joint.free; }
+/// Whether a joint has a coordinate that its driver moves, or that forces move.
+inline bool is_driven(const Joint& joint) {
+  return joint.kind != JointKind::fixed && joint.moved_by == MovedBy::driver;
+}
+inline bool is_forced(const Joint& joint) {
+  return joint.kind != JointKind::fixed && joint.moved_by == MovedBy::forces;
+}
 
 /// "retraction (joint hinge)", or the joint's name alone where its driver has none.
 std::string driver_text(const Joint& joint);
@@ -153,7 +165,11 @@ int joint_index(const Mechanism& mechanism, std::string_view name);
 /// The functions of time of all drivers and loads.
 std::vector<DriverUse> functions_of(const Mechanism& mechanism);
 
-/// How long the motion is looked at. Throws AnalysisError where it is not known.
+/// The largest arm of a joint [m].
+double size_of(const Mechanism& mechanism);
+
+/// How long the motion is looked at; what forces move does not repeat. Throws AnalysisError where
+/// it is not known.
 TimeSpan time_span_of(const Mechanism& mechanism);
 
 }  // namespace boxbeam::spatial

@@ -45,6 +45,8 @@ class Tree {
 
   /// Sets a state's time, and the coordinates that drivers move.
   void drive(State& state, double time) const;
+  /// The same of t = 0, with what forces move at its start.
+  void begin(State& state) const;
 
   /// All bodies from the state's coordinates, from the ground outwards:
   ///
@@ -84,6 +86,12 @@ Eigen::Vector3d acceleration_of(const State& state, const Attachment& at);
 Eigen::Vector3d in_world(const State& state, int axes, const Eigen::Vector3d& vector);
 /// The other way: a vector of the world in a body's axes.
 Eigen::Vector3d in_axes(const State& state, int axes, const Eigen::Vector3d& vector);
+
+/// The tension of a spring as one that both pushes and pulls, and its rate of change [N, N/s].
+struct Tension {
+  double value = 0.0, rate = 0.0;
+};
+Tension tension_of(const Spring& spring, const State& state);
 
 /// What a spring does to its place on b, world axes [N]; to that on a the opposite.
 Eigen::Vector3d force_of(const Spring& spring, const State& state);

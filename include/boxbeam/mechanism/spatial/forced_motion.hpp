@@ -1,0 +1,83 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "boxbeam/mechanism/spatial/loops.hpp"
+
+namespace boxbeam::spatial {
+
+/// The coordinates that forces move, from their start at t = 0 on. Their accelerations are those
+/// with which no joint that they move has anything to carry along its axis: of n of them by the
+/// inverse dynamics of the whole mechanism, n + 1 times, for that is linear in them. Integrated by
+/// a Runge-Kutta method of order 8 with a step chosen by its error (Fehlberg 7(8), Boost.Odeint);
+/// steps end where drivers or loads bend or jump, and where a stop or a cable begins or ends to
+/// act. States between are one step from the one before. Source: Walker and Orin, J. Dyn. Sys.,
+/// Meas., Control 104 (1982), method 1; Fehlberg, NASA TR R-287 (1968).
+class ForcedMotion {
+ public:
+  /// Over the time that is looked at. `loops`: assembled at t = 0, or nothing; keeps it.
+  /// `tolerance`: error of a step in coordinates and their rates, [rad] and the mechanism's size.
+  /// Throws AnalysisError where accelerations are not determined, loops cannot be followed, or
+  /// steps fall below what arithmetic can tell apart.
+  ForcedMotion(const Tree& tree, const Loops* loops, double tolerance = 1e-11);
+
+  /// Sets the coordinates that forces move, with their rates, at a state's time; no accelerations.
+  /// Throws AnalysisError as the constructor.
+  void set(const Tree& tree, State& state) const;
+
+  /// Of a state with all positions and rates: the accelerations that forces give, of all bodies.
+  void accelerate(const Tree& tree, State& state) const;
+
+  std::size_t freedoms() const { return joints_.size(); }
+
+ private:
+  /// Where it has come to; y: coordinates and rates without units.
+  struct Sample {
+    double time = 0.0;
+    std::vector<double> y;
+    Loops::Sample loops;
+  };
+  struct Step {
+    Sample end;
+    bool followed = true;                      ///< the loops, and accelerations are determined
+    std::optional<std::size_t> massless = {};  ///< a joint whose acceleration is not
+    double error = 0.0;                        ///< in tolerances
+    bool changes = false;                      ///< others act at its end than at its beginning
+    double change = 1.0;  ///< of the step, where a stage first has others acting than its beginning
+  };
+
+  void set(State& state, const std::vector<double>& y) const;
+  /// The accelerations; the index of a joint that has no mass where they are not determined.
+  struct Solution {
+    Eigen::VectorXd accelerations;
+    std::size_t massless = 0;
+    bool solved = true;
+  };
+  Solution solve(const Tree& tree, State& state) const;
+  void move(const Tree& tree, State& state) const;
+  Step step_from(const Tree& tree, const Sample& from, double dt) const;
+  /// Which of the springs that only pull or only push do so.
+  static std::vector<char> acting_in(const Mechanism& mechanism, const State& state);
+  /// A time no longer than it takes until another one acts, by its tension and the rate of that,
+  /// half as long again.
+  double until_another_acts(const Tree& tree, const Sample& from) const;
+  /// The step of no more than `dt` that ends where another one begins or ends to act; nothing where
+  /// a shorter one must tell.
+  std::optional<Step> step_to_change(const Tree& tree, const Sample& from, Step step,
+                                     double& dt) const;
+  Sample advanced(const Tree& tree, Sample from, double until, std::vector<Sample>* kept) const;
+  [[noreturn]] static void say_massless(const Tree& tree, double time, std::size_t joint);
+
+  const Loops* loops_;
+  double tolerance_;
+  double size_ = 1.0;  ///< of the mechanism [m]
+  std::vector<std::size_t> joints_;
+  std::vector<double> scales_;  ///< of their coordinates
+  std::vector<double> stops_;   ///< times at which steps end
+  std::vector<Sample> samples_;
+};
+
+}  // namespace boxbeam::spatial
