@@ -8,6 +8,9 @@
 #include <utility>
 
 #include "boxbeam/numerics/extremum.hpp"
+#include "boxbeam/project/plate_material.hpp"
+#include "boxbeam/strength/shear_buckling.hpp"
+#include "boxbeam/strength/weld_throat.hpp"
 #include "boxbeam/verification/distorted_stretch.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
 #include "check_sources.hpp"
@@ -67,6 +70,8 @@ class DistortionSearch {
     found_.spacing = si<Length>(0.5 / stretch.stiffness(0).decay);
     for (std::size_t k = 0; k < stretch.places().size(); ++k) look_at(k);
     refine();
+    for (const Diaphragm& of : project.beam.diaphragms)
+      if (of.s >= stretch.from() && of.s <= stretch.to()) look_at(of);
     found_.ranges_judged = ranges_.judged();
     found_.along_range = si<Stress>(ranges_.largest()[0]);
     found_.across_range = si<Stress>(ranges_.largest()[1]);
@@ -128,6 +133,56 @@ class DistortionSearch {
     }
     if (project_->fatigue.asked)
       ranges_.look_at(place, points, cuts, {along, across}, no_effect * yield);
+  }
+
+  /// A shear flow d/(b h) all around its plate, by twice d the torque that comes by the webs alone.
+  /// The strips beside an opening bend as the frame does (`diaphragm_stiffness`): M = d/4.
+  void look_at(const Diaphragm& of) {
+    const auto& places = stretch_->places();
+    const auto away = [&](const DistortedStretch::Place& at) { return abs(at.station.s - of.s); };
+    const auto at =
+        std::min_element(places.begin(), places.end(),
+                         [&](const auto& a, const auto& b) { return away(a) < away(b); });
+    const auto place = static_cast<std::size_t>(at - places.begin());
+    double angle = 0.0;
+    for (std::size_t r = 0; r < runs_->size(); ++r) {
+      const SituationRun& run = (*runs_)[r];
+      for (std::size_t i = 0; i < run.loads.instants(); ++i)
+        angle = std::max(angle, run.situation->load_factor * stretch_->size_at(place, r, i).angle);
+    }
+    const BoxCell& cell = stretch_->cell(place);
+    const double E = project_->model.youngs_modulus,
+                 nu = 0.5 * E / project_->model.shear_modulus - 1.0;
+    const double d = angle * diaphragm_stiffness(cell, of.thickness, of.opening, E, nu);
+    const std::vector<PlateOf> plates = plates_around(*project_, of.s, of.thickness);
+    const PlateOf plate = first_to_yield(plates), joined = weakest_to_weld(plates);
+    const auto yield = yield_strength_of(*plate.material, plate.thickness);
+    const auto tensile = tensile_strength_of(*joined.material, joined.thickness);
+    if (!yield || !tensile) return;
+    DistortionEstimate::Holding holding{of.s, si<Force>(d / cell.width.value())};
+    ShearPanel panel;
+    panel.depth = cell.height;
+    panel.length = cell.width;
+    panel.thickness = of.thickness;
+    panel.yield_strength = *yield;
+    const double gamma_M1 = project_->strength.gamma_M1;
+    const Length least = std::min(cell.width, cell.height) - of.opening;
+    if (!(least > Length{})) return;
+    holding.plate = holding.shear / (shear_resistance_of(panel, gamma_M1).resistance *
+                                     (least / (least + of.opening)));
+    if (of.opening > Length{}) {
+      const Stress bent = si<Stress>(6.0 * 0.25 * d /
+                                     (of.thickness.value() * 0.25 * least.value() * least.value()));
+      holding.plate =
+          std::max(holding.plate, (bent * project_->strength.gamma_M0 / *yield).value());
+    }
+    if (of.throat > Length{}) {
+      constexpr NoDerivation plainly;
+      const Stress in_throats = holding.shear / (2.0 * of.throat * cell.height);
+      const WeldStrength strength{*tensile, joined.material->beta_w, project_->strength.gamma_M2};
+      holding.welds = std::sqrt(3.0) * in_throats / weld_strength(plainly, strength);
+    }
+    if (!found_.holding || holding.used() > found_.holding->used()) found_.holding = holding;
   }
 
   void note_size(std::size_t place, std::size_t run, std::size_t instant,

@@ -135,6 +135,19 @@ std::vector<Gate> distortion_gates_of(const Project& project,
           of.bending_range.value() * 1e-6));
     else if (!small_ranges && without.has_ranges)
       reasons.push_back(fmt::format("it is in no check of the fatigue of {}", without.names));
+    if (of.holding && project.strength.required * of.holding->used() > 1.0) {
+      const bool by_welds = of.holding->welds > of.holding->plate;
+      gates.push_back(
+          {"", "",
+           fmt::format(
+               "diaphragm at s = {:.4g} m: so that the box keeps its shape under torque, "
+               "{:.3g} kN along each web shear its {} by {:.3g} of what {} bear{}: it keeps "
+               "nothing in shape; a thicker one does, or further [[beam.diaphragms]]",
+               of.holding->s.value() + 0.0, of.holding->shear.value() * 1e-3,
+               by_welds ? "fillets" : "plate", project.strength.required * of.holding->used(),
+               by_welds ? "they" : "it", by_welds ? "" : "s"),
+           true});
+    }
     const std::string effects = effects_text(project, of);
     if (!reasons.empty()) {
       gates.push_back(

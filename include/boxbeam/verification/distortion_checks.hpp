@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,17 @@ struct DistortionEstimate {
   std::vector<Length> places;
   Length spacing;              ///< of diaphragms: 0.5/lambda, the least of the stretch
   bool ranges_judged = false;  ///< in a check; not of long records, whose cycles are counted else
+  /// A diaphragm, by what it takes so that the box keeps its shape.
+  struct Holding {
+    Length s;
+    Force shear;  ///< along an edge at a web
+    /// Of its plate in shear, beside an opening or of a strip there that bends; of its fillets,
+    /// where the case says how thick they are. Without `required`.
+    double plate = 0.0, welds = 0.0;
+
+    double used() const { return std::max(plate, welds); }
+  };
+  std::optional<Holding> holding;  ///< the one used most
 };
 
 struct DistortionChecks {
