@@ -190,15 +190,17 @@ void add_carrying(TableReader& table, const JointDraft& whole,
                   std::vector<JointDraft>& drafts) {
   const bool moves = movements.front().kind != JointKind::fixed;
   const bool forced =
-      moves && table.choice({"moved_by", "what moves it where no driver does; without loops drivers "
+      moves && table.choice({"moved_by",
+                             "what moves it where no driver does; without loops drivers "
                              "alone, but where forces are said to"},
                             {"drivers and loops", "forces"}, 0) == 1;
-  const std::vector<double> starts = read_values(
-      table, movements,
-      {"start",
-       "near which it is sought at t = 0 where no driver moves it; where forces do, its place at t = "
-       "0; of several turns one after the other"},
-      {"start_shift", "the same of its shifts"}, wanted::angle, wanted::length);
+  const std::vector<double> starts =
+      read_values(table, movements,
+                  {"start",
+                   "near which it is sought at t = 0 where no driver moves it; where forces do, "
+                   "its place at t = "
+                   "0; of several turns one after the other"},
+                  {"start_shift", "the same of its shifts"}, wanted::angle, wanted::length);
   const std::vector<double> rates = read_values(
       table, movements, {"start_rate", "at t = 0 where forces move it; of several turns as start"},
       {"start_shift_rate", "the same of its shifts"}, wanted::angular_velocity, wanted::velocity);

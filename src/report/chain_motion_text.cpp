@@ -146,11 +146,10 @@ std::string hand_formula_text(const HandComparison& hand) {
 std::string motion_text(const Project& project, const ChainMotionResult& motion) {
   const std::string axes =
       motion.axes == "world" ? "world axes" : fmt::format("axes of body {}", motion.axes);
-  std::string out =
-      layout::line(fmt::format(
-          "{}: {} driven joint{}{}; vectors in {}", visible(project.title), motion.driven,
-          motion.driven == 1 ? "" : "s",
-          motion.forced > 0 ? fmt::format(", {} moved by forces", motion.forced) : "", axes));
+  std::string out = layout::line(fmt::format(
+      "{}: {} driven joint{}{}; vectors in {}", visible(project.title), motion.driven,
+      motion.driven == 1 ? "" : "s",
+      motion.forced > 0 ? fmt::format(", {} moved by forces", motion.forced) : "", axes));
   out += layout::paragraph(
       "A joint's force and moment are about its point, on the body that is named; its drive is "
       "what moves the body that it carries, along its axis. Inertia loads are about the centre of "

@@ -8,6 +8,7 @@
 #include "boxbeam/strength/plate_slenderness.hpp"
 #include "boxbeam/strength/section_class.hpp"
 #include "plate_formulas.hpp"
+#include "counts_beside.hpp"
 
 namespace boxbeam {
 namespace {
@@ -318,9 +319,9 @@ EffectiveBox::EffectiveBox(const FourWalls& box, const LagShares& lag, int most_
 CornerUse EffectiveBox::use_of(const Corner& corner, const CutForces& cut,
                                const Shifts& shifts) const {
   CornerUse of{stress_at(corner, centroid_, cut, shifts), corner.of};
-  of.yield_strength = cut.N.value() < 0.0     ? least_strength_
-                      : of.M_z.value() == 0.0 ? corner.flange_strength
-                                              : corner.least_strength;
+  of.yield_strength = is_compressed(of, cut.N) ? least_strength_
+                      : is_bent_about_z(of)    ? corner.least_strength
+                                               : corner.flange_strength;
   of.use = std::abs(of.stress.value()) / of.yield_strength.value();
   return of;
 }

@@ -9,6 +9,7 @@
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/strength/section_class.hpp"
 #include "boxbeam/strength/stiffened_plate.hpp"
+#include "counts_beside.hpp"
 
 namespace boxbeam {
 namespace {
@@ -281,7 +282,7 @@ void EffectivePath::look_at_places(const CutForces& cut, const Look& look) const
   for (std::size_t k = 0; k < resist_.size(); ++k) {
     look_at_shifts(centroid_, cut, [&](const Shifts& shifts) {
       PathUse of{stress_at(resist_[k], centroid_, cut, shifts), k};
-      of.yield_strength = cut.N.value() < 0.0 ? least_strength_ : resist_[k].yield_strength;
+      of.yield_strength = is_compressed(of, cut.N) ? least_strength_ : resist_[k].yield_strength;
       of.use = std::abs(of.stress.value()) / of.yield_strength.value();
       look(of);
     });

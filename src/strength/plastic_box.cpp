@@ -161,7 +161,10 @@ WebInteraction PlasticBox::web_under(const CutForces& cut, const SectionUse& cor
                                      double gamma_M0, double eta_1, double eta_3) const {
   const double safe = interaction_factor(eta_1, eta_3);
   WebInteraction of{1.0 / safe, 0.0, safe, corner.M_y};
-  if (corner.M_z.value() != 0.0 || eta_1 >= 2.0 * eta_3) return of;
+  // So little beside M_y is round-off.
+  constexpr double none = 1e-6;
+  if (std::abs(corner.M_z.value()) > none * std::abs(corner.M_y.value()) || eta_1 >= 2.0 * eta_3)
+    return of;
   const Force N = gamma_M0 * cut.N;
   double share = 1.0;
   of.factor = std::numeric_limits<double>::infinity();

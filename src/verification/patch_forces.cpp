@@ -200,7 +200,7 @@ void PatchSearch::add_beside_diaphragms(std::vector<Patch>& patches) {
   }
 }
 
-void PatchSearch::add_groups(std::vector<Patch>& patches) {
+void PatchSearch::add_groups(const std::vector<LineLoad>& lines, std::vector<Patch>& patches) {
   if (!project_->beam.diaphragms.empty()) add_beside_diaphragms(patches);
   std::stable_sort(patches.begin(), patches.end(),
                    [](const Patch& a, const Patch& b) { return a.s < b.s; });
@@ -211,18 +211,54 @@ void PatchSearch::add_groups(std::vector<Patch>& patches) {
   for (std::size_t i = 0; i < singles; ++i) {
     kinked = kinked || patches[i].at_high.has_value();
     turned = turned || patches[i].is_torque();
+    // All of the other sense that stands beside it, in however many pieces.
+    Force against = across_on(lines, patches[i].along_z, !pushes(patches[i]),
+                              patches[i].s - depths[i], patches[i].s + depths[i]);
     for (std::size_t j = 0; j < singles; ++j) {
       if (i != j && stand_beside(patches[i], patches[j], std::max(depths[i], depths[j])) &&
-          pushes(patches[i]) != pushes(patches[j]) &&
-          abs(patches[j].force) > plates_.near(patches[j].s).none)
-        patches[i].opposed = true;
+          pushes(patches[i]) != pushes(patches[j]))
+        against += abs(patches[j].force);
     }
+    patches[i].opposed = against > plates_.near(patches[i].s).none;
   }
+  if (kinked) add_through_diaphragms(singles, patches);
   using Ends = std::vector<std::optional<bool>>;
   for (const std::optional<bool>& high : kinked ? Ends{true, false} : Ends{std::nullopt}) {
     for (const double turning :
          turned ? std::vector<double>{0.0, 1.0, -1.0} : std::vector<double>{0.0})
       add_groups_at(high, turning, singles, depths, patches);
+  }
+}
+
+void PatchSearch::add_through_diaphragms(std::size_t singles, std::vector<Patch>& patches) const {
+  for (const Diaphragm& of : project_->beam.diaphragms) {
+    for (const bool along_z : {true, false}) {
+      for (const bool up : {true, false}) {
+        std::optional<Patch> sum;
+        std::array<bool, 2> ends{};
+        for (std::size_t i = 0; i < singles; ++i) {
+          const Patch& other = patches[i];
+          if (other.diaphragm != &of || other.along_z != along_z || other.is_torque() ||
+              other.is_none() || pushes(other) != up)
+            continue;
+          if (other.at_high) ends[*other.at_high ? 1 : 0] = true;
+          if (!sum) {
+            sum = other;
+            continue;
+          }
+          sum->name += " and " + other.name;
+          sum->force += other.force;
+          sum->couple += other.couple;
+          sum->given = sum->given && other.given;
+        }
+        if (!sum || !ends[0] || !ends[1]) continue;
+        sum->through = sum->together = true;
+        sum->kink = nullptr;
+        sum->at_high.reset();
+        sum->standing.clear();
+        patches.push_back(*std::move(sum));
+      }
+    }
   }
 }
 

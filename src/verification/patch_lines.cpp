@@ -36,6 +36,23 @@ bool is_steady(const LineLoad& line, bool along_z) {
 
 }  // namespace
 
+Force across_on(const std::vector<LineLoad>& lines, bool along_z, bool pushing, Length from,
+                Length to) {
+  double sum = 0.0;
+  constexpr int pieces = 4;
+  for (const LineLoad& line : lines) {
+    const Length low = std::max(from, line.start),
+                 high = std::min(to, Length(line.start + line.length));
+    if (!(high > low)) continue;
+    for (int i = 0; i < pieces; ++i) {
+      const double x = ((low - line.start) + (i + 0.5) / pieces * (high - low)).value();
+      sum +=
+          per_length_of(line, along_z, x).pushes[pushing ? 0 : 1] * (high - low).value() / pieces;
+    }
+  }
+  return si<Force>(sum);
+}
+
 /// What stands on a length of the beam.
 struct PatchSearch::OnLength {
   Length from, to;                   ///< of what is loaded
@@ -281,45 +298,55 @@ void PatchSearch::add_length(const OnLength& of, bool along_z, std::vector<Patch
     turning[other.torque > Moment{} ? 0 : 1] += other.torque;
     if (other.torque.value() * of.turns > 0.0) torques += other.torque;
   }
+  // With what kinks turn off from one flange, and from the other.
+  using Ends = std::vector<std::optional<bool>>;
+  const bool kinked = std::any_of(of.others->begin(), of.others->end(), [&](const Patch& other) {
+    return other.s >= of.begin && other.s <= of.end && other.at_high;
+  });
   for (const std::size_t k : {0U, 1U}) {
     const Force force = si<Force>(of.forces[k]);
-    line.opposed = si<Force>(of.forces[1 - k]) > near.none;
+    Force against = si<Force>(of.forces[1 - k]);
+    for (const Patch& other : *of.others) {
+      const bool here = other.s >= of.begin && other.s <= of.end && !other.is_torque();
+      if (here && (other.force.value() > 0.0) != (k == 0)) against += abs(other.force);
+    }
+    line.opposed = against > near.none;
     line.force = k == 0 ? force : Force(-force);
     line.couple = si<Moment>(of.turns);
     line.standing = {{line.force, {line.stands_at(), line.stands_at()}}};
-    Patch sum = line;
-    for (const Patch& other : *of.others) {
-      if (other.s < of.begin || other.s > of.end || other.is_torque()) continue;
-      if ((other.force.value() > 0.0) != (k == 0)) {
-        sum.opposed = line.opposed = true;
-        continue;
-      }
-      const bool unlike = sum.at_high && other.at_high && *sum.at_high != *other.at_high;
-      if (unlike) continue;
-      sum.name += " and " + other.name;
-      sum.force += other.force;
-      sum.couple += other.couple;
-      if (other.at_high) sum.at_high = other.at_high;
-      const Length from = std::min({Length(line.s - 0.5 * line.stiff_length), other.s}),
-                   to = std::max({Length(line.s + 0.5 * line.stiff_length), other.s});
-      sum.s = 0.5 * (from + to);
-      sum.stiff_length = std::max(sum.stiff_length, Length(to - from));
-      sum.standing.clear();
-      sum.together = true;
-    }
     if (!(force > 1e-6 * near.none)) continue;
     if (presses(force)) {
       patches.push_back(line);
       any = true;
     }
-    if (!presses(abs(sum.force))) continue;
-    if (sum.together) patches.push_back(sum);
-    for (const Moment& torque : turning) {
-      if (torque == Moment{}) continue;
-      patches.push_back(sum);
-      patches.back().name += " and torques";
-      patches.back().couple += torque;
-      patches.back().together = true;
+    for (const std::optional<bool>& high : kinked ? Ends{true, false} : Ends{std::nullopt}) {
+      Patch sum = line;
+      for (const Patch& other : *of.others) {
+        if (other.s < of.begin || other.s > of.end || other.is_torque() ||
+            (other.force.value() > 0.0) != (k == 0) ||
+            (high && other.at_high && *other.at_high != *high))
+          continue;
+        sum.name += " and " + other.name;
+        sum.force += other.force;
+        sum.couple += other.couple;
+        if (other.at_high) sum.at_high = other.at_high;
+        const Length from = std::min({Length(line.s - 0.5 * line.stiff_length), other.s}),
+                     to = std::max({Length(line.s + 0.5 * line.stiff_length), other.s});
+        sum.s = 0.5 * (from + to);
+        sum.stiff_length = std::max(sum.stiff_length, Length(to - from));
+        sum.standing.clear();
+        sum.together = true;
+      }
+      // Without a kink it is the same at either end of the section.
+      if ((high && !sum.at_high && !*high) || !presses(abs(sum.force))) continue;
+      if (sum.together) patches.push_back(sum);
+      for (const Moment& torque : turning) {
+        if (torque == Moment{}) continue;
+        patches.push_back(sum);
+        patches.back().name += " and torques";
+        patches.back().couple += torque;
+        patches.back().together = true;
+      }
     }
   }
   if (any || of.turns == 0.0 || !project_->in_space) return;

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <tuple>
 
+#include "boxbeam/project/plate_material.hpp"
+#include "boxbeam/strength/shear_buckling.hpp"
 #include "patched_path.hpp"
 
 namespace boxbeam {
@@ -169,7 +171,31 @@ void PatchNotes::take_corner(const Patch& patch, const Borne& way, double load_f
             patch.s);
 }
 
+void PatchNotes::take_plate_between(const Patch& patch, const Borne& way, double load_factor) {
+  const auto* const weld = std::get_if<StiffenerWeld>(&way.basis.bears);
+  if (weld == nullptr || weld->to_flange || !way.basis.box) return;
+  const PlateOf plate =
+      first_to_yield(plates_around(*project_, patch.s, patch.diaphragm->thickness));
+  const auto strength = yield_strength_of(*plate.material, plate.thickness);
+  if (!strength) return;
+  ShearPanel panel;
+  panel.depth = weld->length;
+  panel.thickness = patch.diaphragm->thickness;
+  panel.yield_strength = *strength;
+  panel.length =
+      way.basis.box->box().of(patch.along_z ? BoxPlate::top_flange : BoxPlate::left_web).clear();
+  const Length left = std::max(Length{}, Length(panel.depth - patch.diaphragm->opening));
+  const Force bears =
+      (left / panel.depth) * shear_resistance_of(panel, project_->strength.gamma_M1).resistance;
+  keep_most(sheared_, patch.name,
+            project_->strength.required * load_factor *
+                (way.basis.share * way.basis.force / bears).value(),
+            patch.s);
+}
+
 void PatchNotes::take_diaphragm(const Patch& patch, const Borne& way, double load_factor) {
+  // What turns off from a flange goes by the plate from all of its width to the webs.
+  if (patch.kink != nullptr || patch.through) take_plate_between(patch, way, load_factor);
   if (!project_->in_space) return;
   if (const auto* const weld = std::get_if<StiffenerWeld>(&way.basis.bears)) {
     const auto flanges = flanges_across(patch, way);

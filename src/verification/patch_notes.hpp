@@ -96,6 +96,7 @@ class PatchNotes {
 
   static std::string words_of(const BentFlange& of);
   /// A diaphragm that leads to the webs what stands between them.
+  void take_plate_between(const Patch& patch, const Borne& way, double load_factor);
   void take_diaphragm(const Patch& patch, const Borne& way, double load_factor);
   void take_flange(const Patch& patch, const Borne& way, double load_factor, bool again);
   /// The webs between both beams of a knee, which what turns off from a flange shears.

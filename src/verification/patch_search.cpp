@@ -121,7 +121,7 @@ std::vector<Patch> PatchSearch::patches_of(const BeamLoads& loads, const CutForc
     all.couple += abs(of.couple);
   }
   std::erase_if(patches, [&](Patch& of) { return !say_how_it_comes_in(of, all); });
-  add_groups(patches);
+  add_groups(loads.lines, patches);
   add_lines(loads.lines, true, patches);
   if (project_->in_space) add_lines(loads.lines, false, patches);
   add_bare_diaphragms(patches);

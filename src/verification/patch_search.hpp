@@ -50,6 +50,7 @@ struct Patch {
   bool led_there = false;                ///< beside the diaphragm that takes it
   bool led_onto = false;                 ///< a single one beside the diaphragm it is led onto
   bool is_line = false;                  ///< a load along the beam
+  bool through = false;                  ///< from both flanges into a diaphragm
   bool moves = false;                    ///< along the beam
   bool stout = false;  ///< looked at for its size alone: the case does not say how it comes in
 
@@ -110,6 +111,11 @@ struct PressedWeb {
 struct PathWeb;
 struct PathWebs;
 
+/// What loads along the beam push across it, along an axis or against that, from one place to
+/// another.
+Force across_on(const std::vector<LineLoad>& lines, bool along_z, bool pushing, Length from,
+                Length to);
+
 /// A diaphragm beside a web as what bears forces there; `inside`: from web to web.
 BearingStiffener stiffener_of(const Project& project, const PatchedWeb& web, Length inside,
                               const Diaphragm& diaphragm, const Station& station);
@@ -153,8 +159,7 @@ class PatchSearch {
   /// The webs of a box that a patch presses where no diaphragm takes it, the worse of both sides.
   std::vector<PressedWeb> pressed_by(const Patch& patch);
   /// The fillets of diaphragms that a single force stresses which stands there, or would as it
-  /// moves on; of each web and diaphragm the worse one, of those of which the case says how thick
-  /// they are.
+  /// moves on, with webs and with the flange, of those of which the case says how thick they are.
   std::vector<PressedWeb> welds_stressed_by(const Patch& patch);
 
   /// Torque that comes into a slender path around cells where no diaphragm stands: the largest of
@@ -232,8 +237,11 @@ class PatchSearch {
                      Borne borne, std::vector<Borne>& ways) const;
   /// How much of the weld with the flange bears a share of a patch: of what stands between the webs
   /// what lies under it.
-  Length weld_under(const Patch& patch, const BearingStiffener& by, double share,
-                    Length flange) const;
+  /// `webs`: their middles across the patch.
+  Length weld_under(const Patch& patch, const BearingStiffener& by, double share, Length flange,
+                    const std::array<Length, 2>& webs) const;
+  Length weld_under_several(const Patch& patch, const BearingStiffener& by, double share,
+                            Length flange, const std::array<Length, 2>& webs) const;
   /// Why what a path bears of a patch is not judged, "" where it is.
   std::string path_obstacle_of(const Patch& patch, const PathWebs& of) const;
   /// Whether what stands on a flange of a path may do more than hardly bend it across.
@@ -265,10 +273,13 @@ class PatchSearch {
 
   /// Adds those that stand close together as one, and says which are opposed. What turns off from
   /// one flange and from the other does not meet.
-  void add_groups(std::vector<Patch>& patches);
+  void add_groups(const std::vector<LineLoad>& lines, std::vector<Patch>& patches);
   /// `high`: of kinks those at this end of the section; `turning`: with the torques of this sense.
   void add_groups_at(std::optional<bool> high, double turning, std::size_t singles,
                      const std::vector<Length>& depths, std::vector<Patch>& patches) const;
+  /// What presses the plate of a diaphragm, and its welds with the webs, from both flanges with one
+  /// sense: kinks of both, and the forces there.
+  void add_through_diaphragms(std::size_t singles, std::vector<Patch>& patches) const;
   /// What stands so near a firm diaphragm that this takes it, is taken by it as well.
   void add_beside_diaphragms(std::vector<Patch>& patches);
 

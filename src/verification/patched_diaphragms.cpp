@@ -80,9 +80,10 @@ void PatchSearch::bear_by_stiffener(const Patch& patch, const BearingStiffener& 
   basis.resistance = bearing_resistance_of(stiffener, project_->strength.gamma_M1);
   basis.bears = stiffener;
   if (basis.share * basis.force > Force{}) {
-    ways.push_back(borne);
+    if (!patch.through) ways.push_back(borne);
     bear_by_welds(patch, stiffener, flange, borne, ways);
   }
+  if (patch.through) return;
   // At the ends of the beam it is no stiffener between panels.
   if (is_at_end(patch.diaphragm->s)) return;
   for (const PullingPanels::Panel& of : pulling_.beside(patch.diaphragm->s)) {
@@ -94,12 +95,34 @@ void PatchSearch::bear_by_stiffener(const Patch& patch, const BearingStiffener& 
   }
 }
 
+Length PatchSearch::weld_under_several(const Patch& patch, const BearingStiffener& by, double share,
+                                       Length flange, const std::array<Length, 2>& webs) const {
+  // Per length as much as where most of those between the webs lie above each other.
+  const Length pressed = patch.stiff_length + 2.0 * flange;
+  const auto between = [&](Length at) {
+    return std::min(webs[0] - at, at - webs[1]) > flange + by.web_thickness;
+  };
+  Force most;
+  for (const Patch::Standing& of : patch.standing) {
+    Force here;
+    for (const Patch::Standing& other : patch.standing) {
+      const Length away = other.places[1] - of.places[1];
+      if (between(other.places[1]) && away >= Length{} && away < pressed) here += abs(other.force);
+    }
+    most = std::max(most, here);
+  }
+  if (!(most > Force{})) return by.width;
+  const Length throat = std::max(patch.diaphragm->throat, least_throat());
+  return std::min(by.width, Length(share * abs(patch.force) / most * pressed + 2.0 * throat));
+}
+
 Length PatchSearch::weld_under(const Patch& patch, const BearingStiffener& by, double share,
-                               Length flange) const {
+                               Length flange, const std::array<Length, 2>& webs) const {
   // Of what the case does not say how it comes in the verdict line says what an edge would do.
   if (!project_->in_space || patch.is_none() || patch.is_torque() || patch.is_line ||
-      !(patch.stiff_length > Length{}) || (patch.together && !patch.led_onto))
+      !(patch.stiff_length > Length{}))
     return by.width;
+  if (patch.together && !patch.led_onto) return weld_under_several(patch, by, share, flange, webs);
   // The nearer web, by both shares.
   const Length apart = 2.0 * by.width + patch.diaphragm->opening;
   if (!(std::min(share, 1.0 - share) * apart > flange + by.web_thickness)) return by.width;
@@ -115,8 +138,15 @@ void PatchSearch::bear_by_welds(const Patch& patch, const BearingStiffener& stif
   if (!tensile) return;
   const bool said = of.throat > Length{};
   borne.part = said ? Borne::Part::weld : Borne::Part::unsaid_weld;
-  const Length under = weld_under(patch, stiffener, borne.basis.share, flange);
+  std::array<Length, 2> webs{};
+  if (borne.basis.box) {
+    const FourWalls& walls = borne.basis.box->box();
+    const std::array plates_along = webs_along(patch.along_z);
+    webs = {walls.of(plates_along[0]).middle, walls.of(plates_along[1]).middle};
+  }
+  const Length under = weld_under(patch, stiffener, borne.basis.share, flange, webs);
   for (const bool to_flange : {false, true}) {
+    if (to_flange && patch.through) continue;  // each flange by its own
     StiffenerWeld weld{to_flange,
                        stiffener.both_sides ? 4 : 2,
                        said ? of.throat : least_throat(),
@@ -146,7 +176,7 @@ std::vector<PressedWeb> PatchSearch::welds_stressed_by(const Patch& patch) {
     const Length near = 0.5 * patch.stiff_length + of.thickness;
     const bool there = abs(of.s - patch.s) <= near;
     if (!(of.throat > Length{}) || !(there || patch.moves) || !holds(of, patch.along_z)) continue;
-    std::array<std::optional<PressedWeb>, 2> worst;
+    std::array<std::array<std::optional<PressedWeb>, 2>, 2> worst;  // of webs, of their welds
     for (const Side side : {Side::before, Side::behind}) {
       if (side == Side::before ? of.s == Length{} : of.s == project_->beam.length()) continue;
       const Station station{of.s, side};
@@ -168,18 +198,22 @@ std::vector<PressedWeb> PatchSearch::welds_stressed_by(const Patch& patch) {
               to_flange,
               by.both_sides ? 4 : 2,
               of.throat,
-              to_flange ? weld_under(on, by, std::abs(shares[k]), flange) : by.web_depth,
+              to_flange ? weld_under(on, by, std::abs(shares[k]), flange,
+                                     {walls.of(webs[0]).middle, walls.of(webs[1]).middle})
+                        : by.web_depth,
               {}};
           const Area throats = static_cast<double>(weld.welds) * weld.throat *
                                std::max(si<Length>(1e-6), Length(weld.length - 2.0 * weld.throat));
           const Stress stress = shares[k] * patch.force / throats;
-          if (worst[k] && abs(stress) <= abs(worst[k]->stress)) continue;
-          worst[k] = PressedWeb{webs[k], stress, near, near, {}, &of, weld};
+          std::optional<PressedWeb>& known = worst[k][to_flange ? 1 : 0];
+          if (known && abs(stress) <= abs(known->stress)) continue;
+          known = PressedWeb{webs[k], stress, near, near, {}, &of, weld};
         }
       }
     }
-    for (const std::optional<PressedWeb>& weld : worst)
-      if (weld) stressed.push_back(*weld);
+    for (const auto& of_web : worst)
+      for (const std::optional<PressedWeb>& weld : of_web)
+        if (weld) stressed.push_back(*weld);
   }
   return stressed;
 }

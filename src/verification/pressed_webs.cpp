@@ -106,7 +106,9 @@ bool PressedWebs::acts(const Place& place, std::size_t force) const {
   const Source& source = sources_[force];
   const auto presses = source.presses.find({place.web, place.diaphragm});
   if (presses == source.presses.end()) return false;
-  if (source.at_high && *source.at_high != place.at_high) return false;
+  // What comes in by either flange goes by the same weld with the web.
+  const bool by_either = place.diaphragm != nullptr && !place.to_flange;
+  if (source.at_high && *source.at_high != place.at_high && !by_either) return false;
   if (source.side && *source.side != place.side) return false;
   if (place.sense == 0.0) return true;
   const auto& [least, most] = presses->second;
@@ -440,7 +442,10 @@ void PressedWebs::look_at(BoxPlate web, const Diaphragm* diaphragm, bool any_uns
   for (const double sense : senses) {
     for (const bool at_high : known_ends) {
       for (const std::size_t side : sides)
-        look({web, 0.0, sense, at_high, side, diaphragm}, places, any_unsaid, used, take);
+        for (const bool to_flange :
+             diaphragm != nullptr ? std::vector{false, true} : std::vector{false})
+          look({web, 0.0, sense, at_high, side, diaphragm, to_flange}, places, any_unsaid, used,
+               take);
     }
   }
 }

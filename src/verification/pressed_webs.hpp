@@ -105,10 +105,11 @@ class PressedWebs {
     double sense = 1.0;                    ///< 0: both
     bool at_high = true;                   ///< of what is known to come by one flange, which
     std::size_t side = 0;                  ///< of what kinks turn off, by which side
-    const Diaphragm* diaphragm = nullptr;  ///< its weld with the web
+    const Diaphragm* diaphragm = nullptr;  ///< its weld with the web,
+    bool to_flange = false;                ///< or with the flange beside it
 
     bool is_of(const PressedWeb& web_) const {
-      return web_.plate == web && web_.diaphragm == diaphragm;
+      return web_.plate == web && web_.diaphragm == diaphragm && web_.weld.to_flange == to_flange;
     }
   };
   /// How much of a place is used.
