@@ -51,8 +51,71 @@ ForcedMotion::ForcedMotion(const Tree& tree, const Loops* loops, double toleranc
     tree.begin(state);
     start.loops = loops->close_beside(loops->first(), tree, state).value_or(loops->first());
   }
-  samples_.push_back(start);
-  advanced(tree, start, until, &samples_);
+  std::vector<Sample> steps{start};
+  advanced(tree, start, until, &steps);
+  for (Sample& of : steps) know_accelerations(tree, of);
+  samples_.push_back(steps.front());
+  constexpr int most_halvings = 12;
+  for (std::size_t i = 1; i < steps.size(); ++i) {
+    refine(tree, steps[i - 1], steps[i], most_halvings, samples_);
+    samples_.push_back(steps[i]);
+  }
+}
+
+void ForcedMotion::know_accelerations(const Tree& tree, Sample& at) const {
+  State state;
+  tree.drive(state, at.time);
+  set(state, at.y);
+  if (loops_ != nullptr)
+    static_cast<void>(loops_->close_beside(at.loops, tree, state));
+  else
+    tree.move(state);
+  const Solution of = solve(tree, state);
+  if (!of.solved) say_massless(tree, at.time, of.massless);
+  at.accelerations.clear();
+  for (std::size_t k = 0; k < joints_.size(); ++k)
+    at.accelerations.push_back(of.accelerations[static_cast<Eigen::Index>(k)] / scales_[k]);
+}
+
+std::vector<double> ForcedMotion::between(const Sample& from, const Sample& to, double time) const {
+  const std::size_t n = joints_.size();
+  const double h = to.time - from.time, x = (time - from.time) / h;
+  std::vector<double> y(2 * n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const double q = from.y[k], v = h * from.y[n + k], a = 0.5 * h * h * from.accelerations[k];
+    // What is left of value, slope and half the curvature at the end.
+    const double d = to.y[k] - q - v - a, e = h * to.y[n + k] - v - 2.0 * a,
+                 f = 0.5 * h * h * to.accelerations[k] - a;
+    const double c3 = 10.0 * d - 4.0 * e + f, c4 = -15.0 * d + 7.0 * e - 2.0 * f,
+                 c5 = 6.0 * d - 3.0 * e + f;
+    y[k] = q + x * (v + x * (a + x * (c3 + x * (c4 + x * c5))));
+    y[n + k] = (v + x * (2.0 * a + x * (3.0 * c3 + x * (4.0 * c4 + x * 5.0 * c5)))) / h;
+  }
+  return y;
+}
+
+void ForcedMotion::refine(const Tree& tree, const Sample& from, const Sample& to, int depth,
+                          std::vector<Sample>& kept) const {
+  constexpr double wider = 100.0;
+  if (depth == 0) return;
+  const double time = 0.5 * (from.time + to.time);
+  Sample middle = advanced(tree, from, time, nullptr);
+  const std::vector<double> y = between(from, to, time);
+  // The error of a position goes by (x (1 - x))^3, largest in the middle; that of its rate is none
+  // there and at most 3.5/h times as large.
+  const std::size_t n = joints_.size();
+  const double to_rate = 3.5 / (to.time - from.time);
+  bool near = true;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double off = std::abs(y[k] - middle.y[k]), bound = wider * tolerance_;
+    near = near && off <= bound * (1.0 + std::abs(y[k])) &&
+           to_rate * off <= bound * (1.0 + std::abs(y[n + k]));
+  }
+  if (near) return;
+  know_accelerations(tree, middle);
+  refine(tree, from, middle, depth - 1, kept);
+  kept.push_back(middle);
+  refine(tree, middle, to, depth - 1, kept);
 }
 
 void ForcedMotion::set(State& state, const std::vector<double>& y) const {
@@ -61,11 +124,17 @@ void ForcedMotion::set(State& state, const std::vector<double>& y) const {
 }
 
 void ForcedMotion::set(const Tree& tree, State& state) const {
+  const double time = state.time;
   const auto later =
-      std::upper_bound(samples_.begin(), samples_.end(), state.time,
-                       [](double time, const Sample& sample) { return time < sample.time; });
+      std::upper_bound(samples_.begin(), samples_.end(), time,
+                       [](double at, const Sample& sample) { return at < sample.time; });
   const Sample& before = later == samples_.begin() ? *later : *(later - 1);
-  set(state, before.time == state.time ? before.y : advanced(tree, before, state.time, nullptr).y);
+  if (before.time == time)
+    set(state, before.y);
+  else if (later != samples_.begin() && later != samples_.end())
+    set(state, between(before, *later, time));
+  else
+    set(state, advanced(tree, before, time, nullptr).y);
 }
 
 void ForcedMotion::move(const Tree& tree, State& state) const {

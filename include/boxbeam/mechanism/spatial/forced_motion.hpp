@@ -14,8 +14,10 @@ namespace boxbeam::spatial {
 /// inverse dynamics of the whole mechanism, n + 1 times, for that is linear in them. Integrated by
 /// a Runge-Kutta method of order 8 with a step chosen by its error (Fehlberg 7(8), Boost.Odeint);
 /// steps end where drivers or loads bend or jump, and where a stop or a cable begins or ends to
-/// act. States between are one step from the one before. Source: Walker and Orin, J. Dyn. Sys.,
-/// Meas., Control 104 (1982), method 1; Fehlberg, NASA TR R-287 (1968).
+/// act. Between, by Hermite's polynomial of degree 5 from positions, rates and accelerations so
+/// near each other that it differs from a step by no more than a hundred times its tolerance.
+/// Source: Walker and Orin, J. Dyn. Sys., Meas., Control 104 (1982), method 1; Fehlberg, NASA TR
+/// R-287 (1968).
 class ForcedMotion {
  public:
   /// Over the time that is looked at. `loops`: assembled at t = 0, or nothing; keeps it.
@@ -38,7 +40,8 @@ class ForcedMotion {
   struct Sample {
     double time = 0.0;
     std::vector<double> y;
-    Loops::Sample loops;
+    std::vector<double> accelerations = {};  ///< without units
+    Loops::Sample loops = {};
   };
   struct Step {
     Sample end;
@@ -68,6 +71,12 @@ class ForcedMotion {
   /// a shorter one must tell.
   std::optional<Step> step_to_change(const Tree& tree, const Sample& from, Step step,
                                      double& dt) const;
+  /// Between two positions.
+  std::vector<double> between(const Sample& from, const Sample& to, double time) const;
+  void know_accelerations(const Tree& tree, Sample& at) const;
+  /// Adds positions between two until those between are known by polynomials.
+  void refine(const Tree& tree, const Sample& from, const Sample& to, int depth,
+              std::vector<Sample>& kept) const;
   Sample advanced(const Tree& tree, Sample from, double until, std::vector<Sample>* kept) const;
   [[noreturn]] static void say_massless(const Tree& tree, double time, std::size_t joint);
 
