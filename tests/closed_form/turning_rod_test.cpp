@@ -200,4 +200,30 @@ TEST_CASE("a rod that spins up about its own axis: T = -rho (I_y + I_z) alpha (L
   CHECK(Rod(0.0, 0.0, driver, true).joint(0.0).moment.z() == Approx(size).epsilon(1e-12));
 }
 
+TEST_CASE("a rod that falls from its hinge is bent most at a third of its length") {
+  // Let go level: q = m g/L (1 - 3/2 x/L) down, M = m g/(4 L^2) x (L - x)^2, at L/3 m g L/27, hinge
+  // m g/4; upright below it turns with 3 g/L: N = 5/2 m g. Source: every textbook of dynamics (a
+  // chimney that falls breaks there).
+  constexpr double gravity = 9.81;
+  Rod rod(0.0, across, PolynomialDriver{{0.0}});
+  rod.mechanism.gravity = {0.0, 0.0, -gravity};
+  Joint& hinge = rod.mechanism.joints[0];
+  hinge.axis = Vector3d::UnitY();
+  hinge.moved_by = MovedBy::forces;
+  rod.mechanism.duration.length = 2.0;
+  const CutForceDiagram level = rod.diagram(0.0);
+  CHECK(std::abs(at(level, 0.0, Side::behind).V_z.value()) == Approx(0.25 * m * gravity));
+  for (const double s : {0.2 * L, L / 3.0, 0.7 * L}) {
+    const double M = m * gravity / (4.0 * L * L) * s * (L - s) * (L - s);
+    CHECK(std::abs(at(level, s).M_y.value()) == Approx(M).epsilon(1e-9));
+  }
+  CHECK(std::abs(at(level, L / 3.0).M_y.value()) == Approx(m * gravity * L / 27.0));
+  // Of the uniform rod on its hinge a quarter of a swing from rest at 90 degrees:
+  // K(sin 45 deg) sqrt(2 L/(3 g)).
+  const double quarter = std::comp_ellint_1(std::sqrt(0.5)) * std::sqrt(2.0 * L / (3.0 * gravity));
+  const CutForceDiagram upright = rod.diagram(quarter);
+  CHECK(at(upright, 0.0, Side::behind).N.value() == Approx(2.5 * m * gravity).epsilon(1e-7));
+  CHECK(std::abs(at(upright, 0.5 * L).M_y.value()) < 1e-6 * m * gravity * L);
+}
+
 }  // namespace turning_rod_test

@@ -242,6 +242,26 @@ TEST_CASE("joints that close loops leave free what nothing drives, from near its
   CHECK(joint(series, "hinge.2").moved_by == spatial::MovedBy::driver);
 }
 
+TEST_CASE("joints say what forces move, from where and how fast") {
+  const std::string rest = weld + "[motion]\nduration = \"1 s\"\n";
+  const Project project = read(
+      "[joints.hinge]\nkind = \"revolute\"\nconnect = [\"ground\", \"arm.A\"]\naxis = \"y\"\n"
+      "moved_by = \"forces\"\nstart = \"90 deg\"\nstart_rate = \"60 rpm\"\n" +
+      rest);
+  CHECK(joint(project, "hinge").moved_by == spatial::MovedBy::forces);
+  CHECK(joint(project, "hinge").start == Approx(0.5 * std::acos(-1.0)));
+  CHECK(joint(project, "hinge").start_rate == Approx(2.0 * std::acos(-1.0)));
+  // Of several movements a driver may move one.
+  const Project screw = read(
+      "[joints.hinge]\nkind = \"cylindrical\"\nconnect = [\"ground\", \"arm.A\"]\naxis = \"y\"\n"
+      "moved_by = \"forces\"\nstart_shift = [\"0.1 m\"]\nstart_shift_rate = [\"2 m/s\"]\n"
+      "[drivers.a]\njoint = \"hinge.1\"\nkind = \"hold\"\nvalue = \"0 deg\"\n" +
+      rest);
+  CHECK(joint(screw, "hinge.1").moved_by == spatial::MovedBy::driver);
+  CHECK(joint(screw, "hinge.2").moved_by == spatial::MovedBy::forces);
+  CHECK(joint(screw, "hinge.2").start_rate == Approx(2.0));
+}
+
 TEST_CASE("what is wrong in a case in space is said with what to write", "[bad_input]") {
   struct Wrong {
     std::string lines, said, hint;
@@ -256,6 +276,11 @@ TEST_CASE("what is wrong in a case in space is said with what to write", "[bad_i
       {"[joints.hinge]\nkind = \"fixed\"\nconnect = [\"load.C\", \"arm.A\"]\n" + weld,
        "is carried by what it carries itself", "the tree begins at the ground"},
       {hinge + weld, "nothing drives joint \"hinge\"", "kind = \"hold\""},
+      {hinge + "moved_by = \"forces\"\n" + weld + swing, "forces move joint \"hinge\"",
+       "or the driver"},
+      {hinge + "moved_by = \"forces\"\n" + weld, "how long is not known", "duration"},
+      {hinge + "start_rate = \"1 rad/s\"\n" + weld + swing, "rates at the start",
+       "moved_by = \"forces\""},
       {hinge + weld + "[drivers.swing]\njoint = \"hing\"\nkind = \"hold\"\nvalue = \"0 deg\"\n",
        "there is no joint \"hing\"", "did you mean \"hinge\"?"},
       {all + "[drivers.twice]\njoint = \"hinge\"\nkind = \"hold\"\nvalue = \"0 deg\"\n",
