@@ -82,7 +82,9 @@ void read_spring(const std::string& name, TableReader& table, Mechanism& mechani
   spring.free_length = table.not_negative({"free_length", "without force"}, wanted::length, 0.0);
   spring.damping = table.not_negative({"damping", "force per velocity"}, wanted::damping, 0.0);
   spring.acts = static_cast<spatial::Spring::Acts>(
-      table.choice({"acts", "a cable only pulls, a stop or a tyre only pushes"},
+      table.choice({"acts",
+                    "a cable only pulls, a stop or a tyre only pushes; stiffness and damping "
+                    "together: none where their sum would do the other"},
                    {"both ways", "pulling", "pushing"}, 0));
   if (spring.stiffness == 0.0 && spring.damping == 0.0) {
     table.problem("stiffness", "the spring has neither stiffness nor damping",

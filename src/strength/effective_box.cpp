@@ -7,8 +7,8 @@
 #include "boxbeam/section/outline.hpp"
 #include "boxbeam/strength/plate_slenderness.hpp"
 #include "boxbeam/strength/section_class.hpp"
-#include "plate_formulas.hpp"
 #include "counts_beside.hpp"
+#include "plate_formulas.hpp"
 
 namespace boxbeam {
 namespace {

@@ -1,5 +1,7 @@
 #include "boxbeam/verification/distortion_checks.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -176,12 +178,14 @@ class DistortionSearch {
       holding.plate =
           std::max(holding.plate, (bent * project_->strength.gamma_M0 / *yield).value());
     }
-    if (of.throat > Length{}) {
-      constexpr NoDerivation plainly;
-      const Stress in_throats = holding.shear / (2.0 * of.throat * cell.height);
-      const WeldStrength strength{*tensile, joined.material->beta_w, project_->strength.gamma_M2};
-      holding.welds = std::sqrt(3.0) * in_throats / weld_strength(plainly, strength);
-    }
+    constexpr NoDerivation plainly;
+    const WeldStrength strength{*tensile, joined.material->beta_w, project_->strength.gamma_M2};
+    const Length needed =
+        std::sqrt(3.0) * holding.shear / (2.0 * cell.height * weld_strength(plainly, strength));
+    if (of.throat > Length{})
+      holding.welds = needed / of.throat;
+    else
+      holding.needed = needed;
     if (!found_.holding || holding.used() > found_.holding->used()) found_.holding = holding;
   }
 
@@ -319,6 +323,16 @@ DistortionChecks check_distortion(const Project& project, const std::deque<Situa
     DistortionSearch search(project, runs, zones, stretch, segments);
     for (CheckResult& check : search.checks()) found.checks.push_back(std::move(check));
     found.estimates.push_back(search.estimate());
+    const auto& holding = found.estimates.back().holding;
+    if (!holding || !(project.strength.required * holding->needed > least_throat())) continue;
+    found.not_judged.push_back(
+        {Criterion::weld,
+         fmt::format("welds of the diaphragm at s = {} m",
+                     to_text(Station{holding->s, Side::both})),
+         fmt::format(
+             "so that the box keeps its shape fillets on its faces need throats of {:.2g} mm, "
+             "which the case does not say",
+             1e3 * project.strength.required * holding->needed.value())});
   }
   return found;
 }

@@ -200,6 +200,8 @@ class SpatialMotion : public SolvedMotion {
     LoadSpan span{si<Time>(motion_.begin), si<Time>(motion_.period), motion_.instants,
                   motion_.closed};
     span.breaks = break_times_in(spatial::functions_of(mechanism), motion_.begin, motion_.period);
+    for (const double at : motion_.changes) span.breaks.push_back(si<Time>(at));
+    std::sort(span.breaks.begin(), span.breaks.end());
     auto body =
         spatial::beam_body_of(project_->beam, placement_in(*project_, mechanism), mechanism);
     return {span, staying_on(project_->beam, [chain = chain_, body](Time time) {

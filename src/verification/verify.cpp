@@ -160,6 +160,7 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
   append(distortion_gates_of(project, distortion.estimates, checks), gates);
   std::vector<NotJudged> not_judged =
       not_judged_in(project, checks, std::move(neighbours.not_judged));
+  append(std::move(distortion.not_judged), not_judged);
   append(std::move(patches.not_judged), not_judged);
 
   std::vector<MotionSummary> motions = motion_summaries_of(project, runs);

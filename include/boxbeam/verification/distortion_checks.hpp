@@ -39,6 +39,9 @@ struct DistortionEstimate {
     /// Of its plate in shear, beside an opening or of a strip there that bends; of its fillets,
     /// where the case says how thick they are. Without `required`.
     double plate = 0.0, welds = 0.0;
+    /// Where the case does not say how thick these are: the throat that they need, without
+    /// `required`.
+    Length needed = {};
 
     double used() const { return std::max(plate, welds); }
   };
@@ -47,6 +50,7 @@ struct DistortionEstimate {
 
 struct DistortionChecks {
   std::vector<CheckResult> checks;
+  std::vector<NotJudged> not_judged;
   std::vector<DistortionEstimate> estimates;
 };
 

@@ -4,10 +4,14 @@
 
 namespace boxbeam {
 
-RoughTimes::RoughTimes(const std::vector<DriverUse>& uses, double begin, double period, bool closed)
+RoughTimes::RoughTimes(const std::vector<DriverUse>& uses, double begin, double period, bool closed,
+                       const std::vector<double>& bends)
     : rounding_(1e-9 * period) {
   std::vector<Break> found = breaks_of(uses, begin, begin + period);
   std::erase_if(found, [](const Break& each) { return each.order > 1; });
+  for (const double at : bends) found.push_back({at, 1});
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Break& a, const Break& b) { return a.at < b.at; });
   if (!closed) {
     times_ = std::move(found);
     return;

@@ -52,7 +52,7 @@ ForcedMotion::ForcedMotion(const Tree& tree, const Loops* loops, double toleranc
     start.loops = loops->close_beside(loops->first(), tree, state).value_or(loops->first());
   }
   std::vector<Sample> steps{start};
-  advanced(tree, start, until, &steps);
+  advanced(tree, start, until, &steps, &changes_);
   for (Sample& of : steps) know_accelerations(tree, of);
   samples_.push_back(steps.front());
   constexpr int most_halvings = 12;
@@ -327,7 +327,9 @@ void ForcedMotion::say_massless(const Tree& tree, double time, std::size_t joint
   throw AnalysisError(
       {fmt::format(
            "how forces move joint \"{}\" is not determined: nothing that it moves has a mass "
-           "or inertia there, or two of its turns lie in line (give its axes another order)",
+           "or inertia there, or two of its turns lie in line (give its axes another order); a "
+           "beam has an "
+           "inertia about its own axis with rotary_inertia = true",
            name),
        "joint " + name,
        time,
@@ -337,7 +339,8 @@ void ForcedMotion::say_massless(const Tree& tree, double time, std::size_t joint
 }
 
 ForcedMotion::Sample ForcedMotion::advanced(const Tree& tree, Sample from, double until,
-                                            std::vector<Sample>* kept) const {
+                                            std::vector<Sample>* kept,
+                                            std::vector<double>* changes) const {
   const double direction = until < from.time ? -1.0 : 1.0;
   const double smallest = smallest_step(from.time, until);
   const double passes =
@@ -395,7 +398,10 @@ ForcedMotion::Sample ForcedMotion::advanced(const Tree& tree, Sample from, doubl
         dt *= 0.5;
         continue;
       }
-      if (until_change) step = *std::move(until_change);
+      if (until_change) {
+        step = *std::move(until_change);
+        if (changes != nullptr) changes->push_back(step.end.time);
+      }
     }
     const double longer = 0.9 * std::pow(std::max(step.error, 1e-9), -1.0 / 8.0);
     const double next = std::abs(dt) * std::min(5.0, longer);

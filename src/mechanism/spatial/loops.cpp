@@ -242,7 +242,9 @@ void Loops::close(const Tree& tree, State& state) const {
       {fmt::format(
            "joints contradict each other: where the others are closed, joint \"{}\" is {}; "
            "joints that repeat each other must agree to eight digits, or one of them leaves "
-           "more freedom",
+           "more freedom; where drivers and forces move more joints than there are freedoms, leave "
+           "one "
+           "to the loops",
            tree.mechanism().closing[row.joint].name,
            open_text(row, values[worst] / row_scale_[worst])),
        "joint " + tree.mechanism().closing[row.joint].name,

@@ -93,6 +93,78 @@ Misfit misfit_of(const Motion& motion, const RoughTimes& rough, const Eigen::Mat
   return misfit;
 }
 
+/// Springs that only pull or only push.
+std::vector<const Spring*> one_sided_of(const Mechanism& mechanism) {
+  std::vector<const Spring*> springs;
+  for (const Spring& of : mechanism.springs)
+    if (of.acts != Spring::Acts::both) springs.push_back(&of);
+  return springs;
+}
+
+/// Of a motion by drivers: between times so close that tensions are cubics.
+std::vector<double> changes_by_drivers(const Chain& chain, const TimeSpan& span) {
+  constexpr int looks = 3072, within = 8, halvings = 50;
+  std::vector<double> changes;
+  State state;
+  const auto tension_at = [&](const Spring& spring, double time) {
+    chain.at(time, state);
+    return tension_of(spring, state);
+  };
+  for (const Spring* const spring : one_sided_of(chain.mechanism())) {
+    const auto find = [&](double low, double high, bool tense) {
+      for (int i = 0; i < halvings; ++i) {
+        const double middle = 0.5 * (low + high);
+        ((tension_at(*spring, middle).value > 0.0) == tense ? low : high) = middle;
+      }
+      changes.push_back(high);
+    };
+    double from = span.begin;
+    Tension before = tension_at(*spring, from);
+    for (int k = 1; k <= looks; ++k) {
+      const double until = span.begin + span.length * k / looks, h = until - from;
+      const Tension behind = tension_at(*spring, until);
+      const bool tense = before.value > 0.0;
+      if ((behind.value > 0.0) != tense) {
+        find(from, until, tense);
+      } else {
+        for (int i = 1; i < within; ++i) {
+          const double x = static_cast<double>(i) / within, y = 1.0 - x;
+          const double cubic = y * y * ((1.0 + 2.0 * x) * before.value + x * h * before.rate) +
+                               x * x * ((1.0 + 2.0 * y) * behind.value - y * h * behind.rate);
+          const double at = from + x * h;
+          if ((cubic > 0.0) == tense || (tension_at(*spring, at).value > 0.0) == tense) continue;
+          find(from, at, tense);
+          find(at, until, !tense);
+          break;
+        }
+      }
+      from = until;
+      before = behind;
+    }
+  }
+  std::sort(changes.begin(), changes.end());
+  return changes;
+}
+
+std::vector<double> changes_of(const Chain& chain, const TimeSpan& span) {
+  constexpr std::size_t most_changes = 1000;
+  if (one_sided_of(chain.mechanism()).empty()) return {};
+  std::vector<double> changes =
+      chain.forced() != nullptr ? chain.forced()->changes() : changes_by_drivers(chain, span);
+  std::erase_if(changes,
+                [&](double at) { return at <= span.begin || at >= span.begin + span.length; });
+  if (changes.size() <= most_changes) return changes;
+  throw AnalysisError(
+      {fmt::format("stops and cables begin and end to act {} times, more than can be looked at one "
+                   "by one; give a shorter [motion] duration, or their springs more damping",
+                   changes.size()),
+       "mechanism",
+       changes[most_changes],
+       {},
+       {},
+       {}});
+}
+
 }  // namespace
 
 double time_of(const Motion& motion, std::size_t instant) {
@@ -103,8 +175,9 @@ double time_of(const Motion& motion, std::size_t instant) {
 Motion motion_of(const Chain& chain) {
   constexpr double enough = 0.01;
   const TimeSpan span = time_span_of(chain.mechanism());
-  Motion motion{span.begin, span.length, span.closed, fewest};
-  const RoughTimes rough(functions_of(chain.mechanism()), span.begin, span.length, span.closed);
+  Motion motion{span.begin, span.length, span.closed, fewest, changes_of(chain, span)};
+  const RoughTimes rough(functions_of(chain.mechanism()), span.begin, span.length, span.closed,
+                         motion.changes);
   const double waves = waves_of(span, most);
   while (static_cast<double>(motion.instants) < 8.0 * waves) motion.instants *= 2;
   while (true) {

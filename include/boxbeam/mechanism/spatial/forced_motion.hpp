@@ -35,6 +35,10 @@ class ForcedMotion {
 
   std::size_t freedoms() const { return joints_.size(); }
 
+  /// When a stop or a cable begins or ends to act, ascending, over the time that is looked at and
+  /// what goes before it.
+  const std::vector<double>& changes() const { return changes_; }
+
  private:
   /// Where it has come to; y: coordinates and rates without units.
   struct Sample {
@@ -77,7 +81,8 @@ class ForcedMotion {
   /// Adds positions between two until those between are known by polynomials.
   void refine(const Tree& tree, const Sample& from, const Sample& to, int depth,
               std::vector<Sample>& kept) const;
-  Sample advanced(const Tree& tree, Sample from, double until, std::vector<Sample>* kept) const;
+  Sample advanced(const Tree& tree, Sample from, double until, std::vector<Sample>* kept,
+                  std::vector<double>* changes = nullptr) const;
   [[noreturn]] static void say_massless(const Tree& tree, double time, std::size_t joint);
 
   const Loops* loops_;
@@ -87,6 +92,7 @@ class ForcedMotion {
   std::vector<double> scales_;  ///< of their coordinates
   std::vector<double> stops_;   ///< times at which steps end
   std::vector<Sample> samples_;
+  std::vector<double> changes_;
 };
 
 }  // namespace boxbeam::spatial
