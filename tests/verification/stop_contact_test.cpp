@@ -1,0 +1,80 @@
+// A mass that falls onto a stop on a beam: no contact is too short to be judged.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "boxbeam/verification/verify.hpp"
+#include "catch.hpp"
+
+namespace stop_contact_test {
+
+using namespace boxbeam;
+
+namespace {
+
+constexpr double m = 10.0, gravity = 9.81, height = 0.4;
+
+Verification of(double stiffness, const char* driven = "") {
+  const std::string moved = *driven != '\0' ? driven : "moved_by = \"forces\"\nstart = \"0.5 m\"\n";
+  return verify(parse_project(
+      "stop.toml",
+      fmt::format(
+          "[case]\nname = \"stop\"\nkind = \"spatial\"\n[motion]\nduration = \"2 "
+          "s\"\n[mechanism]\ngravity = [\"0 m/s^2\", \"0 m/s^2\", \"-{} "
+          "m/s^2\"]\n[bodies.arm]\npoints = {{ A = [\"0 m\", \"0 m\", \"0 m\"], B = [\"1 m\", "
+          "\"0 m\", \"0 m\"] }}\n[joints.root]\nkind = \"fixed\"\nconnect = [\"ground\", "
+          "\"arm.A\"]\n[bodies.m]\nmass = \"{} kg\"\npoints = {{ C = [\"0 m\", \"0 m\", \"0 "
+          "m\"] }}\n[joints.fall]\nkind = \"prismatic\"\nconnect = [\"ground\", "
+          "\"m.C\"]\nat = [\"1 m\", \"0 m\", \"0 m\"]\naxis = \"z\"\n{}",
+          gravity, m, moved) +
+          fmt::format("[forces.pad]\nkind = \"spring\"\nconnect = [\"arm.B\", "
+                      "\"m.C\"]\nstiffness = \"{:.17g} N/m\"\nfree_length = \"0.1 m\"\nacts = "
+                      "\"pushing\"\n",
+                      stiffness) +
+          "[sections.s]\nkind = \"box\"\nwidth = \"120 mm\"\nheight = \"140 mm\"\nflange = \"10 "
+          "mm\"\nweb = \"10 mm\"\n[beam]\nbody = \"arm\"\nstart = \"A\"\naxis = \"x\"\nz = "
+          "\"z\"\ndensity = \"7850 kg/m^3\"\n[[beam.segments]]\nlength = \"1 m\"\nsection = "
+          "\"s\"\n[material]\nsteel = \"S355\"\n[strength]\nrequired = 1.5\n"));
+}
+
+double yield_in(const Verification& of) {
+  double most = 0.0;
+  for (const CheckResult& result : of.checks)
+    if (result.check.criterion == Criterion::yield)
+      most = std::max(most, result.check.utilisation());
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("a fall onto a stop is judged by its contact, however short that is") {
+  // Half of a wave: F = m g + sqrt((m g)^2 + 2 m g h k); of the arm's own weight there is as much
+  // in each.
+  const auto force = [](double k) {
+    const double weight = m * gravity;
+    return weight + std::sqrt(weight * weight + 2.0 * weight * height * k);
+  };
+  const double own = yield_in(of(1e-3));
+  const double per_force = (yield_in(of(1e6)) - own) / force(1e6);
+  for (const double k : {3e6, 1e7, 3e7, 1e8, 1e9, 1e10}) {
+    INFO("k = " << k);
+    CHECK((yield_in(of(k)) - own) / force(k) == Approx(per_force).epsilon(0.01));
+  }
+}
+
+TEST_CASE("a driven mass that grazes a stop is judged by its contact") {
+  // Down to 0.1 mm within the stop's length for 9 ms in 2 s: k times that.
+  const auto use = [](double k) {
+    return yield_in(of(k,
+                       "[drivers.fall]\njoint = \"fall\"\nkind = \"harmonic\"\nmean = \"1.0999 "
+                       "m\"\namplitude = \"1 m\"\nfrequency = \"0.5 Hz\"\n"));
+  };
+  const double own = use(1e-3), soft = use(1e6) - own;
+  // 0.1 kN at the tip of the arm, 1 m from its root.
+  CHECK(soft > 1e-3);
+  for (const double k : {1e7, 1e8}) CHECK(use(k) - own == Approx(k / 1e6 * soft).epsilon(0.01));
+}
+
+}  // namespace stop_contact_test
