@@ -200,7 +200,22 @@ void PatchSearch::add_beside_diaphragms(std::vector<Patch>& patches) {
   }
 }
 
-void PatchSearch::add_groups(const std::vector<LineLoad>& lines, std::vector<Patch>& patches) {
+void PatchSearch::mark_opposed(const std::vector<LineLoad>& lines, const std::vector<Patch>& all,
+                               std::vector<Patch>& some) {
+  std::vector<Length> depths;
+  for (const Patch& of : all) depths.push_back(depth_at(of));
+  for (Patch& of : some) {
+    const Length depth = depth_at(of);
+    Force against = across_on(lines, of.along_z, !pushes(of), of.s - depth, of.s + depth);
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      if (pushes(of) != pushes(all[j]) && stand_beside(of, all[j], std::max(depth, depths[j])))
+        against += abs(all[j].force);
+    }
+    of.opposed = against > plates_.near(of.s).none;
+  }
+}
+
+void PatchSearch::add_groups(std::vector<Patch>& patches) {
   if (!project_->beam.diaphragms.empty()) add_beside_diaphragms(patches);
   std::stable_sort(patches.begin(), patches.end(),
                    [](const Patch& a, const Patch& b) { return a.s < b.s; });
@@ -211,15 +226,6 @@ void PatchSearch::add_groups(const std::vector<LineLoad>& lines, std::vector<Pat
   for (std::size_t i = 0; i < singles; ++i) {
     kinked = kinked || patches[i].at_high.has_value();
     turned = turned || patches[i].is_torque();
-    // All of the other sense that stands beside it, in however many pieces.
-    Force against = across_on(lines, patches[i].along_z, !pushes(patches[i]),
-                              patches[i].s - depths[i], patches[i].s + depths[i]);
-    for (std::size_t j = 0; j < singles; ++j) {
-      if (i != j && stand_beside(patches[i], patches[j], std::max(depths[i], depths[j])) &&
-          pushes(patches[i]) != pushes(patches[j]))
-        against += abs(patches[j].force);
-    }
-    patches[i].opposed = against > plates_.near(patches[i].s).none;
   }
   if (kinked) add_through_diaphragms(singles, patches);
   using Ends = std::vector<std::optional<bool>>;

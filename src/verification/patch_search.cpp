@@ -120,8 +120,13 @@ std::vector<Patch> PatchSearch::patches_of(const BeamLoads& loads, const CutForc
     sum += abs(of.force);
     all.couple += abs(of.couple);
   }
-  std::erase_if(patches, [&](Patch& of) { return !say_how_it_comes_in(of, all); });
-  add_groups(loads.lines, patches);
+  // What hardly presses by itself is opposed to others all the same.
+  std::vector<Patch> looked_at;
+  for (Patch& of : patches)
+    if (say_how_it_comes_in(of, all)) looked_at.push_back(of);
+  if (!looked_at.empty()) mark_opposed(loads.lines, patches, looked_at);
+  patches = std::move(looked_at);
+  add_groups(patches);
   add_lines(loads.lines, true, patches);
   if (project_->in_space) add_lines(loads.lines, false, patches);
   add_bare_diaphragms(patches);

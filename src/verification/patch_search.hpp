@@ -273,7 +273,10 @@ class PatchSearch {
 
   /// Adds those that stand close together as one, and says which are opposed. What turns off from
   /// one flange and from the other does not meet.
-  void add_groups(const std::vector<LineLoad>& lines, std::vector<Patch>& patches);
+  void add_groups(std::vector<Patch>& patches);
+  /// Of some of all patches: whether enough of the other sense is near, in however many pieces.
+  void mark_opposed(const std::vector<LineLoad>& lines, const std::vector<Patch>& all,
+                    std::vector<Patch>& some);
   /// `high`: of kinks those at this end of the section; `turning`: with the torques of this sense.
   void add_groups_at(std::optional<bool> high, double turning, std::size_t singles,
                      const std::vector<Length>& depths, std::vector<Patch>& patches) const;

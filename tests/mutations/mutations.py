@@ -362,7 +362,7 @@ MUTATIONS = [
          ("seam-end", "if (of.from < Length{} && !takes(Length{})) of.from = Length{};", "",
           "no seam beyond the end of the beam", "patched_seams_test")),
     *_in("src/verification", "patch_forces.cpp",
-         ("opposed-pieces", "against += abs(patches[j].force);", "against = std::max(against, abs(patches[j].force));",
+         ("opposed-pieces", "against += abs(all[j].force);", "against = std::max(against, abs(all[j].force));",
           "many small forces are opposed as one is", "met_at_one_place_test"),
          ("both-kinks", "if (kinked) add_through_diaphragms(singles, patches);", "",
           "kinks of both flanges go through one weld", "met_at_one_place_test")),

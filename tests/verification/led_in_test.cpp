@@ -311,7 +311,8 @@ TEST_CASE("moments that plates of other bodies bring are said", "[patch]") {
   const std::size_t at = guided.find(rigid);
   REQUIRE(at != std::string::npos);
   guided.replace(at, rigid.size(),
-                 "kind = \"slider\"\npoint = \"rod.P\"\nguide = \"arm.B\"\ndirection = \"90 "
+                 "kind = \"slider\"\npoint = \"rod.P\"\nguide = \"arm.B\"\nangle = \"90 "
+                 "deg\"\ndirection = \"90 "
                  "deg\"\n[drivers.height]\nkind = \"harmonic\"\npoint = \"rod.P\"\ncoordinate = "
                  "\"y\"\nmean = \"0 m\"\namplitude = \"1 mm\"\nfrequency = \"0.01 Hz\"\n");
   CHECK(says(verify(parse_project("guided.toml", guided)), "comes by plates of another body"));
@@ -324,7 +325,7 @@ TEST_CASE("beside several forces counts the beam's own stress where it is larges
   beam.pieces = {{4.0, section, section}};
   beam.diaphragms = {0.0, 2.0};
   beam.supports = {{0.0, 0.0}, {2.0, 0.0}};
-  beam.forces = {{"a", 3.0, 300.0}, {"b", 3.6, 300.0}};
+  beam.forces = {{"f", 3.0, 300.0}, {"g", 3.6, 300.0}};
   beam.more = introduced(2.9, 3.7, 100.0);
   const Verification of = beam.verified();
   bool any = false;
