@@ -393,7 +393,7 @@ ForcedMotion::Sample ForcedMotion::advanced(const Tree& tree, Sample from, doubl
            {}});
     }
     if (step.change < 1.0 || step.changes) {
-      std::optional<Step> until_change = step_to_change(tree, from, std::move(step), dt);
+      std::optional<Step> until_change = step_to_change(tree, from, step, dt);
       if (!until_change && std::abs(dt) > smallest) {
         dt *= 0.5;
         continue;
