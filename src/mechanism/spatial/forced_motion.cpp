@@ -269,7 +269,7 @@ std::vector<char> ForcedMotion::acting_in(const Mechanism& mechanism, const Stat
 }
 
 double ForcedMotion::until_another_acts(const Tree& tree, const Sample& from) const {
-  constexpr double over = 1.5;  // beyond it, so that the step sees it
+  constexpr double over = 1.05;  // beyond it, so that the step sees it
   double until = std::numeric_limits<double>::infinity();
   const std::vector<Spring>& springs = tree.mechanism().springs;
   if (std::all_of(springs.begin(), springs.end(),
@@ -303,10 +303,10 @@ std::optional<ForcedMotion::Step> ForcedMotion::step_to_change(const Tree& tree,
                                                                Step step, double& dt) const {
   // What only a stage saw is rough, or a contact shorter than the step.
   if (!step.changes) return std::nullopt;
-  // A force that begins with no size hardly knows when: errors go by the third power of it.
-  constexpr double near = 1e-6;
+  // As near as arithmetic can: a stage beyond it would count a hard stop over all of the step.
+  const double near = smallest_step(from.time, from.time + dt);
   double low = 0.0, high = dt;
-  while (std::abs(high - low) > near * std::abs(dt)) {
+  while (std::abs(high - low) > near) {
     const double middle = 0.5 * (low + high);
     Step half = step_from(tree, from, middle);
     if (!half.followed) return std::nullopt;
@@ -347,6 +347,9 @@ ForcedMotion::Sample ForcedMotion::advanced(const Tree& tree, Sample from, doubl
       static_cast<double>(joints_.size() + 1) *
       static_cast<double>(tree.mechanism().bodies.size() + 10 * tree.mechanism().closing.size());
   constexpr double stages = 13.0;
+  const std::vector<Spring>& springs = tree.mechanism().springs;
+  const bool sided = std::any_of(springs.begin(), springs.end(),
+                                 [](const Spring& of) { return of.acts != Spring::Acts::both; });
   double dt = until - from.time, work = 0.0;
   if (kept != nullptr) dt /= 16.0;
   int steps = 0;
@@ -392,17 +395,58 @@ ForcedMotion::Sample ForcedMotion::advanced(const Tree& tree, Sample from, doubl
            {},
            {}});
     }
+    if (sided && !step.changes && !(step.change < 1.0)) {
+      // What begins and ends to act between two stages is seen between the ends of the step.
+      constexpr int looks = 24;
+      if (from.accelerations.empty()) know_accelerations(tree, from);
+      know_accelerations(tree, step.end);
+      State state;
+      std::optional<std::vector<char>> acting;
+      double seen = 0.0;
+      for (int i = 0; i < looks && seen == 0.0; ++i) {
+        const double at = from.time + dt * i / looks;
+        tree.drive(state, at);
+        set(state, i == 0 ? from.y : between(from, step.end, at));
+        if (loops_ == nullptr)
+          tree.move(state);
+        else if (!loops_->close_beside(from.loops, tree, state))
+          break;
+        const std::vector<char> now = acting_in(tree.mechanism(), state);
+        if (!acting)
+          acting = now;
+        else if (now != *acting)
+          seen = at - from.time;
+      }
+      if (seen != 0.0 && std::abs(seen) > smallest) {
+        dt = seen;
+        continue;
+      }
+    }
     if (step.change < 1.0 || step.changes) {
       std::optional<Step> until_change = step_to_change(tree, from, step, dt);
       if (!until_change && std::abs(dt) > smallest) {
         dt *= 0.5;
         continue;
       }
-      if (until_change) {
-        step = *std::move(until_change);
-        if (changes != nullptr) changes->push_back(step.end.time);
+      if (until_change) step = *std::move(until_change);
+    }
+    // Its own error is that of the first and the last stages: two halves see the others, too.
+    constexpr double apart = 10.0;
+    const Step half = step_from(tree, from, 0.5 * dt);
+    double off = std::numeric_limits<double>::infinity();
+    if (half.followed) {
+      const Step rest = step_from(tree, half.end, 0.5 * dt);
+      if (rest.followed) off = 0.0;
+      for (std::size_t k = 0; k < step.end.y.size(); ++k) {
+        const double bound = tolerance_ * (1.0 + std::abs(step.end.y[k]));
+        off = std::max(off, std::abs(rest.end.y[k] - step.end.y[k]) / bound);
       }
     }
+    if (!(off <= apart) && std::abs(dt) > smallest) {
+      dt *= 0.5;
+      continue;
+    }
+    if (step.changes && changes != nullptr) changes->push_back(step.end.time);
     const double longer = 0.9 * std::pow(std::max(step.error, 1e-9), -1.0 / 8.0);
     const double next = std::abs(dt) * std::min(5.0, longer);
     dt = direction * std::max(next, std::abs(dt) < std::abs(wanted) ? std::abs(wanted) : 0.0);

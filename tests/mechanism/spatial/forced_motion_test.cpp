@@ -200,6 +200,33 @@ TEST_CASE("a mass falls onto a stop that only pushes, and is thrown back") {
   CHECK(value(chain.at(2.0 * (2.0 * fall + contact)), mass) == Approx(height).epsilon(1e-7));
 }
 
+TEST_CASE("a mass bounces on stops of any stiffness and loses nothing") {
+  constexpr double m = 10.0, height = 0.4;
+  for (const double k : {1e4, 1e5, 1e6, 3e7, 1e8, 1e9, 1e10}) {
+    Mechanism mechanism;
+    mechanism.gravity = {0.0, 0.0, -g};
+    const int mass = add(mechanism, "mass", JointKind::prismatic, ground, Vector3d::Zero(),
+                         Vector3d::UnitZ(), 0.1 + height);
+    set_mass(mechanism, mass, m, Vector3d::Zero(), Vector3d::Zero());
+    mechanism.springs.push_back({"stop",
+                                 {ground, Vector3d::Zero()},
+                                 {mass, Vector3d::Zero()},
+                                 k,
+                                 0.1,
+                                 0.0,
+                                 Spring::Acts::pushing});
+    const double v = std::sqrt(2.0 * g * height), w = std::sqrt(k / m);
+    const double contact = (2.0 / w) * (0.5 * full_turn - std::atan(v * w / g));
+    const double whole = 2.0 * v / g + contact;
+    mechanism.duration.length = 3.2 * whole;
+    const Chain chain(mechanism);
+    INFO("k = " << k);
+    CHECK(chain.forced()->changes().size() == 6);
+    for (const double n : {1.0, 2.0, 3.0})
+      CHECK(value(chain.at(n * whole), mass) == Approx(0.1 + height).epsilon(1e-6));
+  }
+}
+
 TEST_CASE("a damped spring that a load pulls moves as its closed form") {
   constexpr double m = 2.0, k = 800.0, d = 6.0, F = 40.0;
   Mechanism mechanism;
