@@ -222,7 +222,7 @@ ForcedMotion::Step ForcedMotion::step_from(const Tree& tree, const Sample& from,
     const std::vector<char> now = acting_in(tree.mechanism(), state);
     if (!acting)
       acting = now;
-    else if (now != *acting)
+    else if (now != *acting && time != from.time)
       step.change = std::min(step.change, (time - from.time) / dt);
     const Solution of = solve(tree, state);
     if (!of.solved) step.massless = of.massless;
@@ -317,7 +317,8 @@ std::optional<ForcedMotion::Step> ForcedMotion::step_to_change(const Tree& tree,
       low = middle;
     }
   }
-  if (step.error > 1.0) return std::nullopt;
+  // A stage before it that has them otherwise is no part of this motion.
+  if (step.error > 1.0 || step.change < 1.0) return std::nullopt;
   dt = high;
   return step;
 }
