@@ -330,7 +330,7 @@ TEST_CASE("beside several forces counts the beam's own stress where it is larges
   const Verification of = beam.verified();
   bool any = false;
   for (const CheckResult& result : of.checks) {
-    if (!result.patch || result.patch->force.value() < 599e3) continue;
+    if (!result.patch || std::abs(result.patch->force.value() - 600e3) > 1e3) continue;
     any = true;
     // 0.6 m from the force at the tip.
     CHECK(result.patch->used_most.value() == Approx(3.0));
