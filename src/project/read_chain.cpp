@@ -122,7 +122,7 @@ Mechanism read_chain(TableReader& root, const std::vector<std::string>& beam_bod
   const auto forced =
       std::find_if(mechanism.joints.begin(), mechanism.joints.end(), spatial::is_forced);
   if (forced != mechanism.joints.end() && !(mechanism.duration.length > 0.0) &&
-      !root.has("motion")) {
+      root.problems().empty()) {
     root.table("joints").problem(
         forced->name.substr(0, forced->name.find('.')),
         fmt::format("forces move joint \"{}\": how long is not known", forced->name),
