@@ -61,7 +61,9 @@ class VibratingLinks : public SolvedMotion {
     const LoadSpan span{Time{}, si<Time>(frequency > 0.0 ? 1.0 / frequency : 1.0), instants, true};
     auto of = std::make_shared<const flexible::BeamResponse>(flexible::beam_response_of(
         *motion.structure, project_->beam_body, project_->beam, motion.response, motion.inertial));
-    return {span, [of](Time time) { return flexible::beam_loads_at(*of, time.value()); }};
+    return {span, staying_on(project_->beam, [of](Time time) {
+              return flexible::beam_loads_at(*of, time.value());
+            })};
   }
 
   double gravity() const override { return motion.mechanism->gravity.norm(); }

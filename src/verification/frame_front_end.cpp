@@ -245,9 +245,9 @@ class FrameAtRest : public SolvedMotion {
     if (stands_still()) {
       // Loads that are always the same are looked at for a second, at a few instants.
       const LoadSpan span{Time{}, si<Time>(1.0), 2, true};
-      return {span, [frame = frame_, beam = project_->beam_body](Time) {
+      return {span, staying_on(project_->beam, [frame = frame_, beam = project_->beam_body](Time) {
                 return frame->loads_at(beam, 0.0);
-              }};
+              })};
     }
     constexpr std::size_t instants = 256;
     const TimeSpan of = *frame_->time();
@@ -256,9 +256,10 @@ class FrameAtRest : public SolvedMotion {
     const std::vector<Time> passages = passages_of(frame_->structure);
     span.breaks.insert(span.breaks.end(), passages.begin(), passages.end());
     std::sort(span.breaks.begin(), span.breaks.end());
-    return {span, [frame = frame_, beam = project_->beam_body](Time time) {
+    return {span,
+            staying_on(project_->beam, [frame = frame_, beam = project_->beam_body](Time time) {
               return frame->loads_at(beam, time.value());
-            }};
+            })};
   }
 
   double gravity() const override { return frame_->structure.gravity.norm(); }

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/verification/elastic_figures.hpp"
 #include "front_ends.hpp"
@@ -23,11 +27,16 @@ AnyMotionResult any_motion_of(const Project& project, const std::vector<double>&
 }
 
 LoadsAt staying_on(const TaperedBeam& beam, LoadsAt loads) {
-  return [length = beam.length().value(), loads = std::move(loads)](Time time) {
+  std::vector<double> borders{0.0};
+  for (const Segment& of : beam.segments) borders.push_back(of.end().value());
+  return [borders = std::move(borders), loads = std::move(loads)](Time time) {
     BeamLoads at = loads(time);
-    for (const PointLoad& load : at.points) {
+    const double length = borders.back(), near = 1e-9 * length;
+    for (PointLoad& load : at.points) {
       const double s = load.s.value();
-      if (s >= -1e-9 * length && s <= (1.0 + 1e-9) * length) continue;
+      const auto border = std::lower_bound(borders.begin(), borders.end(), s - near);
+      if (border != borders.end() && *border <= s + near) load.s = si<Length>(*border);
+      if (s >= -near && s <= length + near) continue;
       throw AnalysisError(
           {fmt::format("a joint slides off the beam: it stands at s = {:.6g} m, and "
                        "the beam goes from 0 to {:.6g} m",

@@ -207,16 +207,11 @@ void PatchSearch::mark_opposed(const std::vector<LineLoad>& lines, const std::ve
   for (Patch& of : some) {
     const Length depth = depth_at(of);
     Force against = across_on(lines, of.along_z, !pushes(of), of.s - depth, of.s + depth);
-    bool kinked = false;  // each kink by itself
     for (std::size_t j = 0; j < all.size(); ++j) {
-      if (pushes(of) == pushes(all[j]) || !stand_beside(of, all[j], std::max(depth, depths[j])))
-        continue;
-      if (all[j].kink != nullptr)
-        kinked = kinked || abs(all[j].force) > plates_.near(all[j].s).none;
-      else
+      if (pushes(of) != pushes(all[j]) && stand_beside(of, all[j], std::max(depth, depths[j])))
         against += abs(all[j].force);
     }
-    of.opposed = kinked || against > plates_.near(of.s).none;
+    of.opposed = against > plates_.near(of.s).none;
   }
 }
 

@@ -95,8 +95,9 @@ class PatchNotes {
   Anew anew_of(const PressedByName& all) const;
 
   static std::string words_of(const BentFlange& of);
-  /// A diaphragm that leads to the webs what stands between them.
+  /// The plate of a diaphragm that leads to the webs what turns off from flanges.
   void take_plate_between(const Patch& patch, const Borne& way, double load_factor);
+  /// A diaphragm that leads to the webs what stands between them.
   void take_diaphragm(const Patch& patch, const Borne& way, double load_factor);
   void take_flange(const Patch& patch, const Borne& way, double load_factor, bool again);
   /// The webs between both beams of a knee, which what turns off from a flange shears.

@@ -144,6 +144,16 @@ inline double use_of(const Verification& of, Criterion criterion) {
   return most;
 }
 
+/// The same of checks whose place holds a text.
+inline double use_at(const Verification& of, Criterion criterion, const std::string& text) {
+  double most = 0.0;
+  for (const CheckResult& result : of.checks) {
+    if (result.check.criterion == criterion && result.check.point.find(text) != std::string::npos)
+      most = std::max(most, result.check.utilisation());
+  }
+  return most;
+}
+
 inline std::string cycles(double count, const std::string& loads, const std::string& other = "") {
   return fmt::format(
       "[[situations]]\nname = \"off\"\nloads = {{ {} }}\n[[situations]]\nname = \"on\"\nloads = {{ "

@@ -33,16 +33,6 @@ Beam on_two(const Sizes& section, double length, bool space = false) {
   return beam;
 }
 
-/// The largest use of checks whose place holds a text.
-double use_at(const Verification& of, Criterion criterion, const std::string& text) {
-  double most = 0.0;
-  for (const CheckResult& result : of.checks) {
-    if (result.check.criterion == criterion && result.check.point.find(text) != std::string::npos)
-      most = std::max(most, result.check.utilisation());
-  }
-  return most;
-}
-
 /// Two forces at the upper left corner, down and across, of a box 500 x 500 x 20.
 Beam in_a_corner(double down, double across, const std::string& more = "") {
   Beam beam = on_two({500, 500, 20, 20, 0.0}, 4.0, true);

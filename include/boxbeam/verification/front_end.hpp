@@ -121,7 +121,8 @@ class FrontEnd {
 
 std::unique_ptr<const FrontEnd> front_end_of(const Project& project);
 
-/// Loads that stop where one of them has slid off the end of the beam, with an AnalysisError.
+/// Loads that stop where one of them has slid off the end of the beam, with an AnalysisError; what
+/// stands at a border of segments but for rounding stands on it.
 LoadsAt staying_on(const TaperedBeam& beam, LoadsAt loads);
 
 }  // namespace boxbeam

@@ -4,7 +4,6 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
 #include <limits>
 
@@ -14,26 +13,23 @@
 namespace boxbeam::spatial {
 namespace {
 
-/// Bodies moved, at most: some ten seconds.
-constexpr double most_work = 1e8;
 /// Pivots of the inertia matrix without units: below it an acceleration is not determined.
 constexpr double no_mass = 1e-12;
-
-double smallest_step(double from, double to) {
-  return 1e-13 * std::max(std::abs(from), std::abs(to)) + 1e-300;
-}
 
 }  // namespace
 
 ForcedMotion::ForcedMotion(const Tree& tree, const Loops* loops, double tolerance)
-    : loops_(loops), tolerance_(tolerance), size_(size_of(tree.mechanism())) {
+    : loops_(loops), tolerance_(tolerance) {
   const Mechanism& mechanism = tree.mechanism();
+  const double size = size_of(mechanism);
+  one_sided_ = std::any_of(mechanism.springs.begin(), mechanism.springs.end(),
+                           [](const Spring& of) { return of.acts != Spring::Acts::both; });
   Sample start;
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const Joint& joint = mechanism.joints[i];
     if (!is_forced(joint)) continue;
     joints_.push_back(i);
-    scales_.push_back(joint.kind == JointKind::revolute ? 1.0 : size_);
+    scales_.push_back(joint.kind == JointKind::revolute ? 1.0 : size);
     start.y.push_back(joint.start / scales_.back());
   }
   for (std::size_t k = 0; k < joints_.size(); ++k)
@@ -52,24 +48,29 @@ ForcedMotion::ForcedMotion(const Tree& tree, const Loops* loops, double toleranc
     start.loops = loops->close_beside(loops->first(), tree, state).value_or(loops->first());
   }
   std::vector<Sample> steps{start};
-  advanced(tree, start, until, &steps, &changes_);
+  Effort effort;
+  advanced(tree, start, until, effort, &steps, &changes_);
   for (Sample& of : steps) know_accelerations(tree, of);
   samples_.push_back(steps.front());
   constexpr int most_halvings = 12;
   for (std::size_t i = 1; i < steps.size(); ++i) {
-    refine(tree, steps[i - 1], steps[i], most_halvings, samples_);
+    refine(tree, steps[i - 1], steps[i], most_halvings, effort, samples_);
     samples_.push_back(steps[i]);
   }
 }
 
+bool ForcedMotion::place(const Tree& tree, const std::vector<double>& y, double time,
+                         const Loops::Sample& near, State& state) const {
+  tree.drive(state, time);
+  set(state, y);
+  if (loops_ != nullptr) return loops_->close_beside(near, tree, state).has_value();
+  tree.move(state);
+  return true;
+}
+
 void ForcedMotion::know_accelerations(const Tree& tree, Sample& at) const {
   State state;
-  tree.drive(state, at.time);
-  set(state, at.y);
-  if (loops_ != nullptr)
-    static_cast<void>(loops_->close_beside(at.loops, tree, state));
-  else
-    tree.move(state);
+  static_cast<void>(place(tree, at.y, at.time, at.loops, state));
   const Solution of = solve(tree, state);
   if (!of.solved) say_massless(tree, at.time, of.massless);
   at.accelerations.clear();
@@ -95,11 +96,13 @@ std::vector<double> ForcedMotion::between(const Sample& from, const Sample& to, 
 }
 
 void ForcedMotion::refine(const Tree& tree, const Sample& from, const Sample& to, int depth,
-                          std::vector<Sample>& kept) const {
+                          Effort& effort, std::vector<Sample>& kept) const {
   constexpr double wider = 100.0;
   if (depth == 0) return;
   const double time = 0.5 * (from.time + to.time);
-  Sample middle = advanced(tree, from, time, nullptr);
+  const Step half = step_from(tree, from, time - from.time, effort);
+  if (!half.followed) return;
+  Sample middle = half.end;
   const std::vector<double> y = between(from, to, time);
   // The error of a position goes by (x (1 - x))^3, largest in the middle; that of its rate is none
   // there and at most 3.5/h times as large.
@@ -113,9 +116,9 @@ void ForcedMotion::refine(const Tree& tree, const Sample& from, const Sample& to
   }
   if (near) return;
   know_accelerations(tree, middle);
-  refine(tree, from, middle, depth - 1, kept);
+  refine(tree, from, middle, depth - 1, effort, kept);
   kept.push_back(middle);
-  refine(tree, middle, to, depth - 1, kept);
+  refine(tree, middle, to, depth - 1, effort, kept);
 }
 
 void ForcedMotion::set(State& state, const std::vector<double>& y) const {
@@ -133,8 +136,10 @@ void ForcedMotion::set(const Tree& tree, State& state) const {
     set(state, before.y);
   else if (later != samples_.begin() && later != samples_.end())
     set(state, between(before, *later, time));
-  else
-    set(state, advanced(tree, before, time, nullptr).y);
+  else {
+    Effort effort;
+    set(state, advanced(tree, before, time, effort).y);
+  }
 }
 
 void ForcedMotion::move(const Tree& tree, State& state) const {
@@ -202,127 +207,6 @@ void ForcedMotion::accelerate(const Tree& tree, State& state) const {
   move(tree, state);
 }
 
-ForcedMotion::Step ForcedMotion::step_from(const Tree& tree, const Sample& from, double dt) const {
-  using Vector = std::vector<double>;
-  const std::size_t n = joints_.size();
-  Step step;
-  State state;
-  Loops::Sample near = from.loops;
-  const auto close = [&](const Vector& y, double time) {
-    tree.drive(state, time);
-    set(state, y);
-    return loops_ == nullptr || loops_->close_beside(near, tree, state).has_value();
-  };
-  std::optional<std::vector<char>> acting;  // at the beginning
-  const auto rates = [&](const Vector& y, Vector& rate, double time) {
-    std::fill(rate.begin(), rate.end(), 0.0);
-    step.followed = step.followed && close(y, time);
-    if (!step.followed) return;
-    if (loops_ == nullptr) tree.move(state);
-    const std::vector<char> now = acting_in(tree.mechanism(), state);
-    if (!acting)
-      acting = now;
-    else if (now != *acting && time != from.time)
-      step.change = std::min(step.change, (time - from.time) / dt);
-    const Solution of = solve(tree, state);
-    if (!of.solved) step.massless = of.massless;
-    step.followed = of.solved;
-    std::copy_n(y.begin() + static_cast<std::ptrdiff_t>(n), n, rate.begin());
-    for (std::size_t k = 0; k < n; ++k)
-      rate[n + k] = of.accelerations[static_cast<Eigen::Index>(k)] / scales_[k];
-  };
-  Vector error(2 * n), begin(2 * n);
-  rates(from.y, begin, from.time);
-  if (loops_ != nullptr && step.followed) {
-    // With the accelerations that forces give there, the loops are near it for longer.
-    for (std::size_t k = 0; k < n; ++k)
-      state.coordinates[joints_[k]].acceleration = scales_[k] * begin[n + k];
-    move(tree, state);
-    near = loops_->sample_of(state);
-  }
-  step.end.time = from.time + dt;
-  step.end.y.resize(2 * n);
-  boost::numeric::odeint::runge_kutta_fehlberg78<Vector> stepper;
-  stepper.do_step(rates, from.y, begin, from.time, step.end.y, dt, error);
-  for (std::size_t k = 0; k < error.size(); ++k) {
-    const double bound = tolerance_ * (1.0 + std::abs(step.end.y[k]));
-    step.error = std::max(step.error, std::abs(error[k]) / bound);
-  }
-  step.followed = step.followed && std::isfinite(step.error) && close(step.end.y, step.end.time);
-  if (!step.followed) return step;
-  if (loops_ != nullptr)
-    step.end.loops = loops_->sample_of(state);
-  else
-    tree.move(state);
-  step.changes = *acting != acting_in(tree.mechanism(), state);
-  return step;
-}
-
-std::vector<char> ForcedMotion::acting_in(const Mechanism& mechanism, const State& state) {
-  std::vector<char> acting;
-  for (const Spring& spring : mechanism.springs) {
-    if (spring.acts == Spring::Acts::both) continue;
-    const double tension = tension_of(spring, state).value;
-    acting.push_back((spring.acts == Spring::Acts::pulling ? tension : -tension) > 0.0 ? 1 : 0);
-  }
-  return acting;
-}
-
-double ForcedMotion::until_another_acts(const Tree& tree, const Sample& from) const {
-  constexpr double over = 1.05;  // beyond it, so that the step sees it
-  double until = std::numeric_limits<double>::infinity();
-  const std::vector<Spring>& springs = tree.mechanism().springs;
-  if (std::all_of(springs.begin(), springs.end(),
-                  [](const Spring& of) { return of.acts == Spring::Acts::both; }))
-    return until;
-  State state;
-  tree.drive(state, from.time);
-  set(state, from.y);
-  if (loops_ != nullptr && !loops_->close_beside(from.loops, tree, state)) return until;
-  if (loops_ == nullptr) tree.move(state);
-  accelerate(tree, state);
-  for (const Spring& spring : springs) {
-    if (spring.acts == Spring::Acts::both) continue;
-    const Eigen::Vector3d d = position_of(state, spring.b) - position_of(state, spring.a);
-    const Eigen::Vector3d a = acceleration_of(state, spring.b) - acceleration_of(state, spring.a);
-    const double length = d.norm();
-    if (length == 0.0) continue;
-    // tension + rate t + bend t^2/2 = 0.
-    const auto [tension, rate] = tension_of(spring, state);
-    const double bend = spring.stiffness * d.dot(a) / length;
-    const double root = rate * rate - 2.0 * bend * tension;
-    if (root < 0.0) continue;
-    const double sum = -(rate + std::copysign(std::sqrt(root), rate));
-    for (const double t : {sum / bend, 2.0 * tension / sum})
-      if (t > 0.0) until = std::min(until, over * t);
-  }
-  return until;
-}
-
-std::optional<ForcedMotion::Step> ForcedMotion::step_to_change(const Tree& tree, const Sample& from,
-                                                               Step step, double& dt) const {
-  // What only a stage saw is rough, or a contact shorter than the step.
-  if (!step.changes) return std::nullopt;
-  // As near as arithmetic can: a stage beyond it would count a hard stop over all of the step.
-  const double near = smallest_step(from.time, from.time + dt);
-  double low = 0.0, high = dt;
-  while (std::abs(high - low) > near) {
-    const double middle = 0.5 * (low + high);
-    Step half = step_from(tree, from, middle);
-    if (!half.followed) return std::nullopt;
-    if (half.changes) {
-      high = middle;
-      step = std::move(half);
-    } else {
-      low = middle;
-    }
-  }
-  // A stage before it that has them otherwise is no part of this motion.
-  if (step.error > 1.0 || step.change < 1.0) return std::nullopt;
-  dt = high;
-  return step;
-}
-
 void ForcedMotion::say_massless(const Tree& tree, double time, std::size_t joint) {
   const std::string& name = tree.mechanism().joints[joint].name;
   throw AnalysisError(
@@ -337,126 +221,6 @@ void ForcedMotion::say_massless(const Tree& tree, double time, std::size_t joint
        {},
        {},
        {}});
-}
-
-ForcedMotion::Sample ForcedMotion::advanced(const Tree& tree, Sample from, double until,
-                                            std::vector<Sample>* kept,
-                                            std::vector<double>* changes) const {
-  const double direction = until < from.time ? -1.0 : 1.0;
-  const double smallest = smallest_step(from.time, until);
-  const double passes =
-      static_cast<double>(joints_.size() + 1) *
-      static_cast<double>(tree.mechanism().bodies.size() + 10 * tree.mechanism().closing.size());
-  constexpr double stages = 13.0;
-  const std::vector<Spring>& springs = tree.mechanism().springs;
-  const bool sided = std::any_of(springs.begin(), springs.end(),
-                                 [](const Spring& of) { return of.acts != Spring::Acts::both; });
-  double dt = until - from.time, work = 0.0;
-  if (kept != nullptr) dt /= 16.0;
-  int steps = 0;
-  while (direction * (until - from.time) > smallest) {
-    double stop = until;
-    for (const double at : stops_) {
-      const bool ahead = direction * (at - from.time) > smallest;
-      if (ahead && direction * (stop - at) > 0.0) stop = at;
-    }
-    const double wanted = dt;
-    const double change = std::max(smallest, until_another_acts(tree, from));
-    if (std::abs(dt) > change) dt = direction * change;
-    if (direction * (from.time + dt - stop) > -smallest) dt = stop - from.time;
-    work += stages * passes;
-    if (work > most_work) {
-      throw AnalysisError(
-          {fmt::format(
-               "the motion under the applied forces takes too much work: {} steps have not "
-               "led to its end; look for a spring that is far too stiff, a mass that is far "
-               "too small or a [motion] duration that is far too long",
-               steps),
-           "mechanism",
-           from.time,
-           {},
-           {},
-           {}});
-    }
-    Step step = step_from(tree, from, dt);
-    if (!step.followed || step.error > 1.0) {
-      // The order of the error estimate is eight; Source: Hairer, Norsett, Wanner (1993), II.4.
-      dt *= step.followed ? std::max(0.2, 0.9 * std::pow(step.error, -1.0 / 8.0)) : 0.25;
-      if (std::abs(dt) > smallest) continue;
-      if (step.massless) say_massless(tree, from.time, *step.massless);
-      throw AnalysisError(
-          {loops_ != nullptr && !step.followed
-               ? "the loops cannot be followed further: what forces move and the drivers no longer "
-                 "determine them there (a dead point), or two branches meet"
-               : "the motion under the applied forces cannot be integrated further: it changes "
-                 "faster than the arithmetic can follow (far too stiff a spring)",
-           "mechanism",
-           from.time,
-           {},
-           {},
-           {}});
-    }
-    if (sided && !step.changes && !(step.change < 1.0)) {
-      // What begins and ends to act between two stages is seen between the ends of the step.
-      constexpr int looks = 24;
-      if (from.accelerations.empty()) know_accelerations(tree, from);
-      know_accelerations(tree, step.end);
-      State state;
-      std::optional<std::vector<char>> acting;
-      double seen = 0.0;
-      for (int i = 0; i < looks && seen == 0.0; ++i) {
-        const double at = from.time + dt * i / looks;
-        tree.drive(state, at);
-        set(state, i == 0 ? from.y : between(from, step.end, at));
-        if (loops_ == nullptr)
-          tree.move(state);
-        else if (!loops_->close_beside(from.loops, tree, state))
-          break;
-        const std::vector<char> now = acting_in(tree.mechanism(), state);
-        if (!acting)
-          acting = now;
-        else if (now != *acting)
-          seen = at - from.time;
-      }
-      if (seen != 0.0 && std::abs(seen) > smallest) {
-        dt = seen;
-        continue;
-      }
-    }
-    if (step.change < 1.0 || step.changes) {
-      std::optional<Step> until_change = step_to_change(tree, from, step, dt);
-      if (!until_change && std::abs(dt) > smallest) {
-        dt *= 0.5;
-        continue;
-      }
-      if (until_change) step = *std::move(until_change);
-    }
-    // Its own error is that of the first and the last stages: two halves see the others, too.
-    constexpr double apart = 10.0;
-    const Step half = step_from(tree, from, 0.5 * dt);
-    double off = std::numeric_limits<double>::infinity();
-    if (half.followed) {
-      const Step rest = step_from(tree, half.end, 0.5 * dt);
-      if (rest.followed) off = 0.0;
-      for (std::size_t k = 0; k < step.end.y.size(); ++k) {
-        const double bound = tolerance_ * (1.0 + std::abs(step.end.y[k]));
-        off = std::max(off, std::abs(rest.end.y[k] - step.end.y[k]) / bound);
-      }
-    }
-    if (!(off <= apart) && std::abs(dt) > smallest) {
-      dt *= 0.5;
-      continue;
-    }
-    if (step.changes && changes != nullptr) changes->push_back(step.end.time);
-    const double longer = 0.9 * std::pow(std::max(step.error, 1e-9), -1.0 / 8.0);
-    const double next = std::abs(dt) * std::min(5.0, longer);
-    dt = direction * std::max(next, std::abs(dt) < std::abs(wanted) ? std::abs(wanted) : 0.0);
-    from = std::move(step.end);
-    ++steps;
-    if (kept != nullptr) kept->push_back(from);
-  }
-  from.time = until;
-  return from;
 }
 
 }  // namespace boxbeam::spatial

@@ -12,12 +12,12 @@ namespace boxbeam::spatial {
 /// The coordinates that forces move, from their start at t = 0 on. Their accelerations are those
 /// with which no joint that they move has anything to carry along its axis: of n of them by the
 /// inverse dynamics of the whole mechanism, n + 1 times, for that is linear in them. Integrated by
-/// a Runge-Kutta method of order 8 with a step chosen by its error (Fehlberg 7(8), Boost.Odeint);
-/// steps end where drivers or loads bend or jump, and where a stop or a cable begins or ends to
-/// act. Between, by Hermite's polynomial of degree 5 from positions, rates and accelerations so
-/// near each other that it differs from a step by no more than a hundred times its tolerance.
-/// Source: Walker and Orin, J. Dyn. Sys., Meas., Control 104 (1982), method 1; Fehlberg, NASA TR
-/// R-287 (1968).
+/// a Runge-Kutta method of order 8 with a step chosen by its error (Fehlberg 7(8), Boost.Odeint),
+/// which sees its first and last stages only: each step must agree with its two halves. Steps end
+/// where drivers or loads bend or jump, and where a stop or a cable begins or ends to act. Between,
+/// by Hermite's polynomial of degree 5 from positions, rates and accelerations so near each other
+/// that it differs from a step by no more than a hundred times its tolerance. Source: Walker and
+/// Orin, J. Dyn. Sys., Meas., Control 104 (1982), method 1; Fehlberg, NASA TR R-287 (1968).
 class ForcedMotion {
  public:
   /// Over the time that is looked at. `loops`: assembled at t = 0, or nothing; keeps it.
@@ -56,6 +56,16 @@ class ForcedMotion {
     double change = 1.0;  ///< of the step, where a stage first has others acting than its beginning
   };
 
+  /// What has been spent on following, in bodies moved, and the steps.
+  struct Effort {
+    double bodies = 0.0;
+    int steps = 0;
+  };
+
+  /// Sets the coordinates, of a state whose time drivers have been asked for, and all bodies, where
+  /// loops are closed beside `near`; whether they are.
+  bool place(const Tree& tree, const std::vector<double>& y, double time, const Loops::Sample& near,
+             State& state) const;
   void set(State& state, const std::vector<double>& y) const;
   /// The accelerations; the index of a joint that has no mass where they are not determined.
   struct Solution {
@@ -65,31 +75,42 @@ class ForcedMotion {
   };
   Solution solve(const Tree& tree, State& state) const;
   void move(const Tree& tree, State& state) const;
-  Step step_from(const Tree& tree, const Sample& from, double dt) const;
-  /// Which of the springs that only pull or only push do so.
-  static std::vector<char> acting_in(const Mechanism& mechanism, const State& state);
-  /// A time no longer than it takes until another one acts, by its tension and the rate of that,
-  /// half as long again.
-  double until_another_acts(const Tree& tree, const Sample& from) const;
-  /// The step of no more than `dt` that ends where another one begins or ends to act; nothing where
-  /// a shorter one must tell.
-  std::optional<Step> step_to_change(const Tree& tree, const Sample& from, Step step,
-                                     double& dt) const;
   /// Between two positions.
   std::vector<double> between(const Sample& from, const Sample& to, double time) const;
   void know_accelerations(const Tree& tree, Sample& at) const;
   /// Adds positions between two until those between are known by polynomials.
-  void refine(const Tree& tree, const Sample& from, const Sample& to, int depth,
+  void refine(const Tree& tree, const Sample& from, const Sample& to, int depth, Effort& effort,
               std::vector<Sample>& kept) const;
-  Sample advanced(const Tree& tree, Sample from, double until, std::vector<Sample>* kept,
-                  std::vector<double>* changes = nullptr) const;
   [[noreturn]] static void say_massless(const Tree& tree, double time, std::size_t joint);
+
+  // forced_steps.cpp
+  Sample advanced(const Tree& tree, Sample from, double until, Effort& effort,
+                  std::vector<Sample>* kept = nullptr,
+                  std::vector<double>* changes = nullptr) const;
+  Step step_from(const Tree& tree, const Sample& from, double dt, Effort& effort) const;
+  /// A step of no more than `dt` that is good, or nothing, with a shorter `dt`.
+  std::optional<Step> good_step(const Tree& tree, Sample& from, double smallest, Effort& effort,
+                                double& dt) const;
+  /// Which of the springs that only pull or only push do so.
+  static std::vector<char> acting_in(const Mechanism& mechanism, const State& state);
+  /// How long it takes at least until another one acts, by its tension and the rate of that, and a
+  /// twentieth more.
+  double until_another_acts(const Tree& tree, const Sample& from) const;
+  /// How far into a step another one acts, by the polynomial between its ends; 0: none does.
+  double acts_within(const Tree& tree, Sample& from, Sample& end) const;
+  /// The step of no more than `dt` that ends where another one begins or ends to act; nothing where
+  /// a shorter one must tell.
+  std::optional<Step> step_to_change(const Tree& tree, const Sample& from, Step step,
+                                     Effort& effort, double& dt) const;
+  /// Whether a step ends where both its halves do.
+  bool agrees_with_halves(const Tree& tree, const Sample& from, const Step& step, double dt,
+                          Effort& effort) const;
 
   const Loops* loops_;
   double tolerance_;
-  double size_ = 1.0;  ///< of the mechanism [m]
   std::vector<std::size_t> joints_;
-  std::vector<double> scales_;  ///< of their coordinates
+  std::vector<double> scales_;  ///< of their coordinates: 1, or the mechanism's size [m]
+  bool one_sided_ = false;      ///< whether any spring only pulls or only pushes
   std::vector<double> stops_;   ///< times at which steps end
   std::vector<Sample> samples_;
   std::vector<double> changes_;

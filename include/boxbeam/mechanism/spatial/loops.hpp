@@ -25,11 +25,10 @@ struct LoopRow {
 class ForcedMotion;
 
 /// The closing joints of a mechanism: they decide the coordinates that neither drivers nor forces
-/// move. Loops are
-/// cut at the closing joints; what the tree of the other joints leaves open there is brought to
-/// zero by Newton's method on the free coordinates, and the multipliers of the equations are those
-/// that leave the free joints without a force along their axes. Source: Haug, Computer Aided
-/// Kinematics and Dynamics (1989), chapter 9; Featherstone (2008), chapter 8.
+/// move. Loops are cut at the closing joints; what the tree of the other joints leaves open there
+/// is brought to zero by Newton's method on the free coordinates, and the multipliers of the
+/// equations are those that leave the free joints without a force along their axes. Source: Haug,
+/// Computer Aided Kinematics and Dynamics (1989), chapter 9; Featherstone (2008), chapter 8.
 class Loops {
  public:
   /// A closed position: the free coordinates with their rates.
