@@ -31,11 +31,12 @@ LoadsAt staying_on(const TaperedBeam& beam, LoadsAt loads) {
   for (const Segment& of : beam.segments) borders.push_back(of.end().value());
   return [borders = std::move(borders), loads = std::move(loads)](Time time) {
     BeamLoads at = loads(time);
-    const double length = borders.back(), near = 1e-9 * length;
+    // Rounding of sums; what rolls over a border is looked at on both sides of it, farther away.
+    const double length = borders.back(), near = 1e-9 * length, rounding = 1e-14 * length;
     for (PointLoad& load : at.points) {
       const double s = load.s.value();
-      const auto border = std::lower_bound(borders.begin(), borders.end(), s - near);
-      if (border != borders.end() && *border <= s + near) load.s = si<Length>(*border);
+      const auto border = std::lower_bound(borders.begin(), borders.end(), s - rounding);
+      if (border != borders.end() && *border <= s + rounding) load.s = si<Length>(*border);
       if (s >= -near && s <= length + near) continue;
       throw AnalysisError(
           {fmt::format("a joint slides off the beam: it stands at s = {:.6g} m, and "
