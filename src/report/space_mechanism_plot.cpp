@@ -37,14 +37,15 @@ std::array<Sheet, 2> sheets_of(const Verification& verification) {
   return {above, side};
 }
 
-/// The most telling instants, in order, by their number among all that are critical.
-std::vector<std::size_t> instants_of(const Verification& verification) {
+/// The most telling instants, at most so many, in order, by their number among all that are
+/// critical.
+std::vector<std::size_t> instants_of(const Verification& verification, std::size_t most) {
   std::vector<std::size_t> numbers;
   for (std::size_t k = 1; k < verification.pictures.postures.size(); ++k) numbers.push_back(k);
   std::stable_sort(numbers.begin(), numbers.end(), [&](std::size_t a, std::size_t b) {
     return verification.pictures.postures[a].weight > verification.pictures.postures[b].weight;
   });
-  numbers.resize(std::min(numbers.size(), most_instants));
+  numbers.resize(std::min(numbers.size(), most));
   std::sort(numbers.begin(), numbers.end());
   return numbers;
 }
@@ -129,22 +130,44 @@ std::vector<LegendEntry> legend_of(const Verification& verification,
   return entries;
 }
 
-}  // namespace
+/// What is shown, and how it stands.
+struct Picture {
+  std::vector<std::size_t> shown;
+  std::vector<LegendEntry> legend;
+  double below = 0.0;  ///< the frames [px]
+  Layout layout;
+};
 
-Drawing mechanism_in_space(const Project&, const Verification& verification) {
-  const std::vector<std::size_t> shown = instants_of(verification);
-  const std::array<Sheet, 2> sheets = sheets_of(verification);
-  std::array rooms{room_of(verification, sheets[0].view), room_of(verification, sheets[1].view)};
-  const double size = std::max(rooms[0].size().maxCoeff(), rooms[1].size().maxCoeff());
-  const double least_couple = load_sizes_of(verification).least_couple(size);
+Picture picture_of(const Verification& verification, std::array<Room, 2> rooms, double least_couple,
+                   std::size_t most) {
+  Picture of{instants_of(verification, most), {}, 0.0, {}};
   for (Room& room : rooms) {
-    for (const std::size_t k : shown)
+    for (const std::size_t k : of.shown)
       room.take_loads(verification.pictures.postures[k],
                       look_of(verification.pictures.postures[k], least_couple));
   }
-  const std::vector<LegendEntry> legend = legend_of(verification, shown, least_couple);
-  const double below = foot + height_of_legend(legend);
-  const Layout layout = layout_of(rooms, shown.size(), below);
+  of.legend = legend_of(verification, of.shown, least_couple);
+  of.below = foot + height_of_legend(of.legend);
+  of.layout = layout_of(rooms, of.shown.size(), of.below);
+  return of;
+}
+
+}  // namespace
+
+Drawing mechanism_in_space(const Project&, const Verification& verification) {
+  const std::array<Sheet, 2> sheets = sheets_of(verification);
+  const std::array rooms{room_of(verification, sheets[0].view),
+                         room_of(verification, sheets[1].view)};
+  const double size = std::max(rooms[0].size().maxCoeff(), rooms[1].size().maxCoeff());
+  const double least_couple = load_sizes_of(verification).least_couple(size);
+  // Fewer instants where so many leave no room for the mechanism.
+  constexpr double readable = 80.0;  // [px]
+  Picture picture;
+  for (std::size_t most = most_instants; most > 0; --most) {
+    picture = picture_of(verification, rooms, least_couple, most);
+    if (size >= readable * picture.layout.metres_per_pixel) break;
+  }
+  const auto& [shown, legend, below, layout] = picture;
   const auto count = static_cast<double>(shown.size());
   const bool column = layout.instant_is_column;
   const double row_height = name_row + view_row + layout.height[0] + below_frame;
