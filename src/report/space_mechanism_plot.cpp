@@ -161,7 +161,7 @@ Drawing mechanism_in_space(const Project&, const Verification& verification) {
   const double size = std::max(rooms[0].size().maxCoeff(), rooms[1].size().maxCoeff());
   const double least_couple = load_sizes_of(verification).least_couple(size);
   // Fewer instants where so many leave no room for the mechanism.
-  constexpr double readable = 80.0;  // [px]
+  constexpr double readable = 40.0;  // [px]
   Picture picture;
   for (std::size_t most = most_instants; most > 0; --most) {
     picture = picture_of(verification, rooms, least_couple, most);
