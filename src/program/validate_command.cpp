@@ -65,6 +65,8 @@ void add_mechanism(Parts& parts, const spatial::Mechanism& mechanism) {
   std::vector<std::string> forces = names_of(mechanism.loads);
   for (const spatial::LineForce& line : mechanism.line_forces) forces.push_back(line.name);
   for (const spatial::Spring& spring : mechanism.springs) forces.push_back(spring.name);
+  for (const spatial::TorsionSpring& spring : mechanism.torsion_springs)
+    forces.push_back(spring.name);
   parts.add("kind", "spatial: rigid bodies in space");
   parts.add("bodies", listed(names_of(mechanism.bodies)));
   parts.add("joints", listed(joints));

@@ -86,11 +86,36 @@ void read_spring(const std::string& name, TableReader& table, Mechanism& mechani
                     "a cable only pulls, a stop or a tyre only pushes; stiffness and damping "
                     "together: none where their sum would do the other"},
                    {"both ways", "pulling", "pushing"}, 0));
-  if (spring.stiffness == 0.0 && spring.damping == 0.0) {
-    table.problem("stiffness", "the spring has neither stiffness nor damping",
-                  fmt::format("write for example stiffness = {}", wanted::stiffness.example));
-  }
+  refuse_idle(table, spring.stiffness, spring.damping, wanted::stiffness);
   if (table.problems().size() == before) mechanism.springs.push_back(std::move(spring));
+}
+
+void read_torsion_spring(const std::string& name, TableReader& table, Mechanism& mechanism) {
+  const std::size_t before = table.problems().size();
+  const Key joint_of{"joint", "a revolute joint that carries a body, which it turns back"};
+  const std::string joint = table.text(joint_of);
+  spatial::TorsionSpring spring;
+  spring.name = name;
+  spring.joint = joint_index(mechanism, joint);
+  const auto turns = [](const spatial::Joint& of) {
+    return of.kind == spatial::JointKind::revolute;
+  };
+  if (!joint.empty() &&
+      (spring.joint < 0 || !turns(mechanism.joints[static_cast<std::size_t>(spring.joint)]))) {
+    std::vector<std::string> names;
+    for (const spatial::Joint& of : mechanism.joints)
+      if (turns(of)) names.push_back(of.name);
+    table.problem(joint_of.name,
+                  fmt::format("there is no revolute joint \"{}\" that carries a body", joint),
+                  unknown_hint(joint, names));
+  }
+  spring.stiffness =
+      table.not_negative({"stiffness", "moment per angle"}, wanted::torsional_stiffness);
+  spring.free_angle = table.quantity({"free_angle", "without moment"}, wanted::angle, 0.0);
+  spring.damping = table.not_negative({"damping", "moment per angular velocity"},
+                                      wanted::torsional_damping, 0.0);
+  refuse_idle(table, spring.stiffness, spring.damping, wanted::torsional_stiffness);
+  if (table.problems().size() == before) mechanism.torsion_springs.push_back(std::move(spring));
 }
 
 }  // namespace
@@ -99,10 +124,12 @@ void read_chain_loads(TableReader& root, Mechanism& mechanism, TimeTables& table
   for (auto& [name, table] :
        root.table({"forces", "forces and couples over time, and springs"}, false).named_tables()) {
     const std::size_t before = table.problems().size();
-    const std::size_t kind =
-        table.kind({"kind", "of load"}, {"force", "couple", "line force", "spring"});
+    const std::size_t kind = table.kind(
+        {"kind", "of load"}, {"force", "couple", "line force", "spring", "torsion spring"});
     if (table.problems().size() != before) continue;
-    if (kind == 3)
+    if (kind == 4)
+      read_torsion_spring(name, table, mechanism);
+    else if (kind == 3)
       read_spring(name, table, mechanism);
     else if (kind == 2)
       read_line(name, table, mechanism, tables);

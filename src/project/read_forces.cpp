@@ -21,10 +21,7 @@ planar::Spring read_spring(TableReader& table, const Mechanism& mechanism) {
   spring.stiffness = table.not_negative({"stiffness", "force per length"}, wanted::stiffness);
   spring.free_length = table.not_negative({"free_length", "without force"}, wanted::length, 0.0);
   spring.damping = table.not_negative({"damping", "force per velocity"}, wanted::damping, 0.0);
-  if (spring.stiffness == 0.0 && spring.damping == 0.0) {
-    table.problem("stiffness", "the spring has neither stiffness nor damping",
-                  fmt::format("write for example stiffness = {}", wanted::stiffness.example));
-  }
+  refuse_idle(table, spring.stiffness, spring.damping, wanted::stiffness);
   return spring;
 }
 
@@ -41,11 +38,7 @@ planar::TorsionSpring read_torsion_spring(TableReader& table, const Mechanism& m
   spring.free_angle = table.quantity({"free_angle", "without moment"}, wanted::angle, 0.0);
   spring.damping = table.not_negative({"damping", "moment per angular velocity"},
                                       wanted::torsional_damping, 0.0);
-  if (spring.stiffness == 0.0 && spring.damping == 0.0) {
-    table.problem(
-        "stiffness", "the spring has neither stiffness nor damping",
-        fmt::format("write for example stiffness = {}", wanted::torsional_stiffness.example));
-  }
+  refuse_idle(table, spring.stiffness, spring.damping, wanted::torsional_stiffness);
   return spring;
 }
 
@@ -85,6 +78,13 @@ planar::ForceKind read_kind(TableReader& table, std::size_t kind, const Mechanis
 }
 
 }  // namespace
+
+void refuse_idle(TableReader& table, double stiffness, double damping,
+                 const WantedDimension& of_stiffness) {
+  if (stiffness != 0.0 || damping != 0.0) return;
+  table.problem("stiffness", "the spring has neither stiffness nor damping",
+                fmt::format("write for example stiffness = {}", of_stiffness.example));
+}
 
 Driver read_size(TableReader& table, const FunctionOf& of, TimeTables& tables) {
   if (!table.says_one_of({{{"size"}}, {{"law"}}})) {

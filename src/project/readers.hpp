@@ -200,6 +200,10 @@ int body_of(TableReader& table, const Key& key, const planar::Mechanism& mechani
 int body_of(TableReader& table, const Key& key, const spatial::Mechanism& mechanism);
 int joint_of(TableReader& table, const Key& key, const planar::Mechanism& mechanism);
 
+/// Refuses a spring with neither stiffness nor damping.
+void refuse_idle(TableReader& table, double stiffness, double damping,
+                 const WantedDimension& of_stiffness);
+
 /// [[beam.restraints]] of a beam that is read. Refuses those that do not hold it.
 std::vector<Restraint> read_restraints(TableReader& table, const TaperedBeam& beam);
 

@@ -163,6 +163,14 @@ Entries entries_of(const Project& project) {
                     place_text(mechanism, spring.b), plain(spring.free_length),
                     plain(spring.damping), acts[static_cast<std::size_t>(spring.acts)]));
   }
+  for (const spatial::TorsionSpring& spring : mechanism.torsion_springs) {
+    const auto joint = static_cast<std::size_t>(spring.joint);
+    entries.emplace_back(
+        "load",
+        fmt::format("{}: torsion spring of {} N m/rad at {}, free angle {}, damping {} N m s/rad",
+                    spring.name, plain(spring.stiffness), mechanism.joints[joint].name,
+                    degrees(spring.free_angle), plain(spring.damping)));
+  }
   add_duration(mechanism.duration, entries);
   return entries;
 }

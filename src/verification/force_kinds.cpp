@@ -160,9 +160,15 @@ Held held_in(const spatial::Mechanism& mechanism, const Project&, const std::str
   const auto closing = named(mechanism.closing, name);
   if (closing != mechanism.closing.end())
     return {true, closing->a.body != spatial::ground && closing->b.body != spatial::ground};
+  const auto carried_by_body = [&](const spatial::Joint& joint) {
+    return joint.parent != spatial::ground;
+  };
+  const auto spring = named(mechanism.torsion_springs, name);
+  if (spring != mechanism.torsion_springs.end())
+    return {false, carried_by_body(mechanism.joints[static_cast<std::size_t>(spring->joint)])};
   const auto at = named(mechanism.joints, name);
   if (at == mechanism.joints.end()) return {false, false};
-  return {true, at->parent != spatial::ground};
+  return {true, carried_by_body(*at)};
 }
 
 Held held_in(const recorded::Loads&, const Project&, const std::string&) { return {}; }

@@ -262,6 +262,20 @@ TEST_CASE("joints say what forces move, from where and how fast") {
   CHECK(joint(screw, "hinge.2").start_rate == Approx(2.0));
 }
 
+TEST_CASE("a torsion spring in space turns back the joint that it names") {
+  const boxbeam::Project project =
+      read(hinge + weld + swing +
+           "[forces.bar]\nkind = \"torsion spring\"\njoint = \"hinge\"\n"
+           "stiffness = \"2 kN m/rad\"\nfree_angle = \"90 deg\"\ndamping = \"3 N m s/rad\"\n");
+  const auto& springs = spatial_of(project).torsion_springs;
+  REQUIRE(springs.size() == 1);
+  CHECK(springs[0].name == "bar");
+  CHECK(spatial_of(project).joints[static_cast<std::size_t>(springs[0].joint)].name == "hinge");
+  CHECK(springs[0].stiffness == Approx(2000.0));
+  CHECK(springs[0].free_angle == Approx(0.5 * std::numbers::pi));
+  CHECK(springs[0].damping == Approx(3.0));
+}
+
 TEST_CASE("what is wrong in a case in space is said with what to write", "[bad_input]") {
   struct Wrong {
     std::string lines, said, hint;
@@ -287,6 +301,12 @@ TEST_CASE("what is wrong in a case in space is said with what to write", "[bad_i
        "has a driver already", "one driver"},
       {all + "[drivers.weld]\njoint = \"weld\"\nkind = \"hold\"\nvalue = \"0 deg\"\n",
        "is fixed and cannot move", "one driver"},
+      {all +
+           "[forces.bar]\nkind = \"torsion spring\"\njoint = \"weld\"\nstiffness = \"1 N m/rad\"\n",
+       "there is no revolute joint \"weld\"", "hinge"},
+      {all + "[forces.bar]\nkind = \"torsion spring\"\njoint = \"hinge\"\nstiffness = \"0 N "
+             "m/rad\"\n",
+       "neither stiffness nor damping", "kN m/rad"},
       {all + "[joints.rod]\nkind = \"distance\"\nconnect = [\"ground\", \"load.D\"]\n",
        "the length of \"rod\" is not known", "length ="},
       {all + "[joints.rod]\nkind = \"distance\"\nconnect = [\"ground\", \"load.D\"]\n"

@@ -70,6 +70,17 @@ void each_hold(const Mechanism& mechanism, int own, const Function& f) {
   }
 }
 
+/// Calls f(spring, place, sign) for the torsion springs at the beam's body, 1 where their couple is
+/// that on this body.
+template <class Function>
+void each_torsion_spring(const Mechanism& mechanism, int own, const Function& f) {
+  for (const TorsionSpring& spring : mechanism.torsion_springs) {
+    const Joint& joint = mechanism.joints[static_cast<std::size_t>(spring.joint)];
+    if (spring.joint == own) f(spring, Attachment{own, joint.point}, 1.0);
+    if (joint.parent == own) f(spring, Attachment{own, joint.at}, -1.0);
+  }
+}
+
 /// Calls f(name, place) for what acts at a point of the beam's body, in the order of its loads.
 template <class Function>
 void each_place(const Mechanism& mechanism, int own, const Function& f) {
@@ -83,6 +94,9 @@ void each_place(const Mechanism& mechanism, int own, const Function& f) {
     for (const Attachment& end : {spring.a, spring.b})
       if (end.body == own) f(spring.name, end);
   }
+  each_torsion_spring(
+      mechanism, own,
+      [&](const TorsionSpring& spring, const Attachment& at, double) { f(spring.name, at); });
 }
 
 }  // namespace
@@ -187,6 +201,12 @@ BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& 
     if (spring.b.body == own) add(spring.name, spring.b, {force, Eigen::Vector3d::Zero()});
     if (spring.a.body == own) add(spring.name, spring.a, {-force, Eigen::Vector3d::Zero()});
   }
+
+  each_torsion_spring(mechanism, own,
+                      [&](const TorsionSpring& spring, const Attachment& at, double sign) {
+                        const Eigen::Vector3d couple = sign * couple_of(mechanism, spring, state);
+                        add(spring.name, at, {Eigen::Vector3d::Zero(), couple});
+                      });
 
   BeamMotion in_axes;
   in_axes.omega = R_WS.transpose() * motion.omega;

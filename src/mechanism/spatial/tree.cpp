@@ -166,6 +166,12 @@ void Tree::wrenches(const State& state, std::span<const BodyWrench> others,
     act(spring.b.body, position_of(state, spring.b), {force, Eigen::Vector3d::Zero()});
     act(spring.a.body, position_of(state, spring.a), {-force, Eigen::Vector3d::Zero()});
   }
+  for (const TorsionSpring& spring : mechanism.torsion_springs) {
+    const Eigen::Vector3d couple = couple_of(mechanism, spring, state);
+    const int parent = mechanism.joints[static_cast<std::size_t>(spring.joint)].parent;
+    joints[static_cast<std::size_t>(spring.joint)].moment -= couple;
+    if (parent != ground) joints[static_cast<std::size_t>(parent)].moment += couple;
+  }
   for (const BodyWrench& other : others) act(other.on, other.place, other.wrench);
   // Then inwards: each joint gives also what its body's motion needs, and passes on what the joints
   // beyond take.
@@ -226,6 +232,15 @@ Eigen::Vector3d force_of(const Spring& spring, const State& state) {
   if (spring.acts == Spring::Acts::pulling) tension = std::max(0.0, tension);
   if (spring.acts == Spring::Acts::pushing) tension = std::min(0.0, tension);
   return -tension / length * d;
+}
+
+Eigen::Vector3d couple_of(const Mechanism& mechanism, const TorsionSpring& spring,
+                          const State& state) {
+  const auto i = static_cast<std::size_t>(spring.joint);
+  const Joint& joint = mechanism.joints[i];
+  const DriverState& q = state.coordinates[i];
+  return -(spring.stiffness * (q.value - spring.free_angle) + spring.damping * q.rate) *
+         in_world(state, joint.parent, joint.axis);
 }
 
 Eigen::Vector3d in_world(const State& state, int axes, const Eigen::Vector3d& vector) {

@@ -58,6 +58,11 @@ struct BeamTree {
       line.to = placement.start + (chance.one_of(2) == 0 ? 0.0 : 1.75) * placement.axes.col(0);
     }
     for (std::size_t i = 0; i < 4; ++i) mechanism.loads[i].on = 4;
+    for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+      if (mechanism.joints[i].kind == JointKind::revolute)
+        mechanism.torsion_springs.push_back({"bar " + std::to_string(i), static_cast<int>(i),
+                                             30.0 + chance.any(20.0), chance.any(), 2.0});
+    }
     body = beam_body_of(beam, placement, mechanism);
   }
 };
@@ -108,6 +113,10 @@ TEST_CASE("every load in space is named after its joint or force") {
       if (load.on != 4) continue;
       check(load.name, std::abs(driver_at(load.size, state.time).value) * load.direction.norm(),
             load.kind == LoadKind::force);
+    }
+    for (TorsionSpring& spring : mechanism.torsion_springs) {
+      const int parent = mechanism.joints[static_cast<std::size_t>(spring.joint)].parent;
+      if (spring.joint == 4 || parent == 4) check(spring.name, 0.0, false);
     }
     CHECK(loads.points.size() == expected);
   }

@@ -283,7 +283,7 @@ TEST_CASE("a parallelogram that closes a loop swings as a pendulum") {
   CHECK(energy_of(mechanism, state) == Approx(energy_of(mechanism, chain.at(0.0))).epsilon(1e-9));
 }
 
-TEST_CASE("a double pendulum in space moves as the one in the plane") {
+TEST_CASE("a double pendulum in space with torsion springs moves as the one in the plane") {
   constexpr double l = 0.9, m = 1.2, I = 0.05, first = 1.4, second = 0.7;
   Mechanism mechanism;
   mechanism.gravity = {0.0, 0.0, -g};
@@ -294,6 +294,7 @@ TEST_CASE("a double pendulum in space moves as the one in the plane") {
   const int lower =
       add(mechanism, "lower", JointKind::revolute, upper, {l, 0.0, 0.0}, axis, second);
   for (const int of : {upper, lower}) set_mass(mechanism, of, m, {0.5 * l, 0.0, 0.0}, {I, I, I});
+  mechanism.torsion_springs = {{"bar", upper, 9.0, 1.1, 0.3}, {"elbow's", lower, 5.0, -0.2, 0.1}};
   mechanism.duration.length = 2.0;
   const Chain chain(mechanism);
 
@@ -309,6 +310,10 @@ TEST_CASE("a double pendulum in space moves as the one in the plane") {
   const Eigen::Vector2d half{0.5 * l, 0.0};
   flat.joints.push_back({"hinge", planar::Pin{{planar::ground, {0.0, 0.0}}, {0, -half}}});
   flat.joints.push_back({"elbow", planar::Pin{{0, half}, {1, -half}}});
+  const planar::Attachment world{planar::ground, {0.0, 0.0}}, of_upper{0, {0.0, 0.0}},
+      of_lower{1, {0.0, 0.0}};
+  flat.forces.push_back({"bar", planar::TorsionSpring{of_upper, world, 9.0, 1.1, 0.3}});
+  flat.forces.push_back({"elbow's", planar::TorsionSpring{of_lower, of_upper, 5.0, -0.2, 0.1}});
   flat.duration.length = 2.0;
   planar::FreeSolver solver(flat);
   Eigen::VectorXd q(6), v(6);

@@ -146,6 +146,16 @@ struct Spring {
   Acts acts = Acts::both;
 };
 
+/// A spring with a damper beside it that turns a revolute joint back: its couple on the carried
+/// body, about the joint's axis, is -stiffness (q - free_angle) - damping q'.
+struct TorsionSpring {
+  std::string name;
+  int joint = -1;           ///< its index
+  double stiffness = 0.0;   ///< [N m/rad]
+  double free_angle = 0.0;  ///< [rad]
+  double damping = 0.0;     ///< [N m s/rad]
+};
+
 /// Joint i carries body i; parents come before the bodies that they carry.
 struct Mechanism {
   std::vector<Body> bodies;
@@ -154,6 +164,7 @@ struct Mechanism {
   std::vector<AppliedLoad> loads;
   std::vector<LineForce> line_forces;
   std::vector<Spring> springs;
+  std::vector<TorsionSpring> torsion_springs;
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< [m/s^2]
   Duration duration;
 };

@@ -96,6 +96,11 @@ Tension tension_of(const Spring& spring, const State& state);
 /// What a spring does to its place on b, world axes [N]; to that on a the opposite.
 Eigen::Vector3d force_of(const Spring& spring, const State& state);
 
+/// What a torsion spring does to the body that its joint carries, world axes [N m]; to the carrying
+/// body the opposite.
+Eigen::Vector3d couple_of(const Mechanism& mechanism, const TorsionSpring& spring,
+                          const State& state);
+
 /// How a body moves; the ground does not.
 const BodyMotion& motion_of(const State& state, int body);
 
