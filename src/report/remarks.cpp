@@ -276,13 +276,36 @@ void add_beside(const Project& project, const Verification& verification,
 
 namespace {
 
+/// What of a situation that has no cycles of its own counts in fatigue.
+void add_uncounted(const Project& project, std::size_t index, std::vector<std::string>& remarks) {
+  if (!project.fatigue.asked || project.situations.size() < 2) return;
+  const auto is_part_of = [&](const Situation& of) {
+    return std::find(of.between.begin(), of.between.end(), index) != of.between.end();
+  };
+  const auto& all = project.situations;
+  const std::string& name = all[index].name;
+  if (std::none_of(all.begin(), all.end(), is_part_of)) {
+    remarks.push_back(fmt::format(
+        "situation \"{}\" has no cycles: it counts for strength, not for fatigue", name));
+  } else if (std::none_of(all.begin(), all.end(),
+                          [&](const Situation& of) { return of.in_order && is_part_of(of); })) {
+    remarks.push_back(
+        fmt::format("situation \"{}\" has no cycles of its own: of its ranges only the outermost "
+                    "counts, with the other one's, in the change between them",
+                    name));
+  }
+}
+
 void add_motion(const Project& project, const MotionSummary& motion,
                 std::vector<std::string>& remarks) {
   const Situation& situation = project.situations[motion.situation];
   report::front_end_text_of(project)->add_remarks(motion, remarks);
   // Of a situation that only its sequence counts, the sequence says how it repeats.
   const double cycles = situation.cycles;
-  if (cycles == 0.0) return;
+  if (cycles == 0.0) {
+    add_uncounted(project, motion.situation, remarks);
+    return;
+  }
   if (duration_of(project).length > 0.0) {
     remarks.push_back(
         fmt::format("one of the {:.6g} cycles of the fatigue demand is the whole time "

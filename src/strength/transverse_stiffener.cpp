@@ -17,6 +17,17 @@ SecondMoment rigid_stiffener_inertia(Length depth, Length thickness, Length leng
                                                         : 0.75 * h_w * std::pow(t, 3));
 }
 
+SecondMoment holding_stiffener_inertia(const HeldPlate& plate, Length e_max, Stress yield_strength,
+                                       double gamma_M1) {
+  constexpr double E = 210e9, pi = std::numbers::pi;
+  const double b = plate.width.value(), a_1 = plate.before.value(), a_2 = plate.behind.value();
+  const double sigma_m = plate.compression.value() / b * (1.0 / a_1 + 1.0 / a_2);
+  const double u =
+      std::max(1.0, pi * pi * E * e_max.value() * gamma_M1 / (yield_strength.value() * 300.0 * b));
+  const double w_0 = std::min({a_1, a_2, b}) / 300.0;
+  return si<SecondMoment>(sigma_m / E * std::pow(b / pi, 4) * (1.0 + w_0 * 300.0 / b * u));
+}
+
 Length working_width_of(Length beside, Length thickness, Stress yield_strength, bool whole) {
   const double epsilon = epsilon_of(yield_strength), ratio = beside / thickness;
   const double part =

@@ -135,6 +135,34 @@ std::optional<Length> panel_length_at(const Project& project, const Station& sta
   return length;
 }
 
+namespace {
+
+/// Whether the diaphragm at a station holds a plate that is compressed, so that its stiffeners are
+/// columns between one and the next: a whole one is stiff in its plane, one with an opening as the
+/// strip beside the plate.
+bool holds_compressed(const Project& project, const Station& station, const FourWalls& walls,
+                      BoxPlate plate) {
+  if (!bounded_from(project, station, plate)) return false;
+  const Diaphragm* const at = diaphragm_near(project.beam, station.s);
+  const auto strip = bounding_stiffener_at(project, station, walls, plate);
+  if (at == nullptr || !strip) return false;
+  if (!(at->opening > Length{})) return true;
+  const BoxWall& wall = walls.of(plate);
+  Area area = wall.clear() * wall.thickness;
+  for (const FlatStiffener& flat : wall.stiffeners) area += flat.depth * flat.thickness;
+  const Length before =
+      supports_around(project.beam, {station.s, Side::before}).before.value_or(Length{});
+  const Length behind = supports_around(project.beam, {station.s, Side::behind})
+                            .behind.value_or(project.beam.length());
+  const HeldPlate held{area * wall.yield_strength, wall.clear(), station.s - before,
+                       behind - station.s};
+  return stiffener_inertia(*strip) >= holding_stiffener_inertia(held, strip->width,
+                                                                strip->yield_strength,
+                                                                project.strength.gamma_M1);
+}
+
+}  // namespace
+
 Length supported_length_at(const Project& project, const Station& station) {
   const TaperedBeam& beam = project.beam;
   Supports of = supports_around(beam, station);
@@ -143,7 +171,7 @@ Length supported_length_at(const Project& project, const Station& station) {
   const auto holds = [&](const Station& end) {
     const auto walls = walls_at(project, end);
     return !walls || std::all_of(box_plates.begin(), box_plates.end(), [&](BoxPlate plate) {
-      return walls->of(plate).stiffeners.empty() || bounded_from(project, end, plate).has_value();
+      return walls->of(plate).stiffeners.empty() || holds_compressed(project, end, *walls, plate);
     });
   };
   while (of.before && *of.before > Length{} && !holds({*of.before, Side::behind}))

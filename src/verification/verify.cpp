@@ -12,6 +12,7 @@
 #include "boxbeam/verification/patch_checks.hpp"
 #include "boxbeam/verification/plausibility.hpp"
 #include "boxbeam/verification/twisting.hpp"
+#include "boxbeam/verification/unsaid.hpp"
 
 namespace boxbeam {
 namespace {
@@ -156,12 +157,15 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
       all_gates(std::move(beam.gates), std::move(neighbours.gates), model_gates_of(project, model));
   append(second_order_gates_of(model, checks), gates);
   append(material_gates_of(project), gates);
+  append(weld_gates_of(project), gates);
   append(stability_gates_of(project, runs), gates);
   append(distortion_gates_of(project, distortion.estimates, checks), gates);
   std::vector<NotJudged> not_judged =
       not_judged_in(project, checks, std::move(neighbours.not_judged));
   append(std::move(distortion.not_judged), not_judged);
   append(std::move(patches.not_judged), not_judged);
+  append(unsaid_joints_of(project), not_judged);
+  append(unfinished_motion_of(project, runs, checks), not_judged);
 
   std::vector<MotionSummary> motions = motion_summaries_of(project, runs);
   std::vector<CriticalInstant> instants = critical_instants_of(project, beam.stations, checks);

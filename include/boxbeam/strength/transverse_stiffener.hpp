@@ -16,6 +16,24 @@ namespace boxbeam {
 /// h_w, t  of the web; a  between stiffeners. Source: EN 1993-1-5:2006, 9.3.3(3).
 SecondMoment rigid_stiffener_inertia(Length depth, Length thickness, Length length);
 
+/// A plate with stiffeners along it that is compressed, between supports across it.
+struct HeldPlate {
+  Force compression;      ///< N_Ed, the largest of both panels beside the support
+  Length width;           ///< b
+  Length before, behind;  ///< a_1, a_2: how far to the supports beside it
+};
+
+/// The least second moment of a support across such a plate that lets its stiffeners be columns
+/// from one support to the next, about its centroid.
+///
+///     I_st = sigma_m/E (b/pi)^4 (1 + w_0 300/b u),  sigma_m = N_Ed/b (1/a_1 + 1/a_2)
+///     u = pi^2 E e_max/(f_y 300 b/gamma_M1) >= 1,   w_0 = min(a_1, a_2, b)/300
+///
+/// sigma_cr,c/sigma_cr,p taken as one, its largest; e_max from the centroid to its farther edge.
+/// Source: EN 1993-1-5:2006, 9.2.1(5), equation 9.1.
+SecondMoment holding_stiffener_inertia(const HeldPlate& plate, Length e_max, Stress yield_strength,
+                                       double gamma_M1);
+
 /// Of flats on one side of a web, or on both, with 15 eps t of the web on each side of them, about
 /// the centroid of all that. Source: EN 1993-1-5:2006, 9.1(2), 9.3.3, figure 9.1.
 SecondMoment stiffener_inertia(const BearingStiffener& flats);
