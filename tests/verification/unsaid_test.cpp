@@ -1,0 +1,123 @@
+// What a case leaves out that its verdict line must say.
+
+#include "boxbeam/verification/unsaid.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "boxbeam/strength/transverse_stiffener.hpp"
+#include "boxbeam/verification/verdict_text.hpp"
+#include "boxbeam/verification/verify.hpp"
+#include "catch.hpp"
+
+namespace unsaid_test {
+
+using namespace boxbeam;
+
+namespace {
+
+const std::string steel = "[material]\nsteel = \"S355\"\n[strength]\nrequired = 1.0\n";
+
+std::string line_of(const std::string& text) {
+  const Project project = parse_project("unsaid.toml", text);
+  return verdict_text_of(project, verify(project)).line;
+}
+
+/// A beam on two supports whose flanges are as thick as said behind and ahead of its middle.
+std::string stepped(double behind, double ahead, const char* more) {
+  const auto box = [](const char* name, double flange) {
+    return fmt::format(
+        "[sections.{}]\nkind = \"box\"\nwidth = \"400 mm\"\nheight = \"600 mm\"\nflange = \"{} "
+        "mm\"\nweb = \"12 mm\"\nseam_throat = \"12 mm\"\n",
+        name, flange);
+  };
+  return "[case]\nname = \"step\"\nkind = \"static\"\n[frame]\ngravity = [\"0 m/s^2\", \"0 "
+         "m/s^2\"]\n" +
+         box("a", behind) + box("b", ahead) +
+         "[beam]\ndensity = \"7850 kg/m^3\"\n[[beam.segments]]\nlength = \"2 m\"\nsection = "
+         "\"a\"\n[[beam.segments]]\nlength = \"2 m\"\nsection = \"b\"\n"
+         "[[beam.load_introductions]]\nfrom = \"0 m\"\nto = \"4 m\"\ninto = \"webs\"\n"
+         "[supports.a]\nkind = \"pinned\"\nat = \"0 m\"\n[supports.z]\nkind = \"roller\"\nat = "
+         "\"4 m\"\n[loads.f]\nkind = \"force\"\nat = \"2 m\"\nforce = [\"0 kN\", \"-300 kN\"]\n"
+         "[[situations]]\nname = \"off\"\nloads = { }\n[[situations]]\nname = \"on\"\nloads = { f "
+         "= 1.0 }\n[[situations]]\nname = \"change\"\nbetween = [\"off\", \"on\"]\ncycles = 2e6\n"
+         "[fatigue]\nloading = \"spectrum\"\ncategory = 112\ngamma_Mf = 1.0\nrequired = 1.0\n" +
+         more + steel;
+}
+
+}  // namespace
+
+TEST_CASE("the joint of plates that step in thickness is said where no detail lies there") {
+  CHECK_THAT(line_of(stepped(40.0, 20.0, "")), Catch::Contains("joint at s = 2 m in fatigue") &&
+                                                   Catch::Contains("top flange, 40 and 20 mm"));
+  CHECK_THAT(line_of(stepped(20.0, 40.0, "")), Catch::Contains("joint at s = 2 m in fatigue"));
+  CHECK_THAT(line_of(stepped(20.0, 20.0, "")), !Catch::Contains("joint at"));
+  const char* const butt =
+      "[[fatigue.details]]\nname = \"butt\"\nfrom = \"2 m\"\nto = \"2 m\"\ncategory = 71\n";
+  CHECK_THAT(line_of(stepped(40.0, 20.0, butt)), !Catch::Contains("joint at"));
+}
+
+TEST_CASE("a motion by forces that ends while its use grows says so") {
+  // It falls 0.1 m and is stopped: half of the stop's wave lasts pi sqrt(m/k) = 23 ms, behind 0.14
+  // s of the fall.
+  const auto fall = [](double duration) {
+    return line_of(
+        fmt::format("[case]\nname = \"fall\"\nkind = \"spatial\"\n[motion]\nduration = \"{} "
+                    "s\"\n[mechanism]\ngravity = [\"0 m/s^2\", \"0 m/s^2\", \"-9.81 m/s^2\"]\n",
+                    duration) +
+        "[bodies.car]\nmass = \"80 kg\"\npoints = { A = [\"0 m\", \"0 m\", \"0 m\"] }\n"
+        "[bodies.arm]\npoints = { B = [\"0 m\", \"0 m\", \"0 m\"], D = [\"1 m\", \"0 "
+        "m\", \"0 m\"] }\n[bodies.load]\nmass = \"80 kg\"\npoints = { D = [\"0 m\", "
+        "\"0 m\", \"0 m\"] }\n[joints.fall]\nkind = \"prismatic\"\nconnect = "
+        "[\"ground\", \"car.A\"]\naxis = \"z\"\nmoved_by = \"forces\"\nstart = \"0.3 "
+        "m\"\n[joints.root]\nkind = \"fixed\"\nconnect = [\"car.A\", \"arm.B\"]\n"
+        "[joints.end]\nkind = \"fixed\"\nconnect = [\"arm.D\", \"load.D\"]\n"
+        "[forces.stop]\nkind = \"spring\"\nconnect = [\"ground\", \"car.A\"]\nat = "
+        "[\"0 m\", \"0 m\", \"0 m\"]\nstiffness = \"4000 kN/m\"\nfree_length = \"0.2 "
+        "m\"\nacts = \"pushing\"\n[sections.s]\nkind = \"rectangular tube\"\nwidth = "
+        "\"150 mm\"\nheight = \"250 mm\"\nwall = \"8 mm\"\nouter_radius = \"0 mm\"\n"
+        "[beam]\nbody = \"arm\"\nstart = \"B\"\naxis = \"x\"\nz = \"z\"\ndensity = "
+        "\"7850 kg/m^3\"\n[[beam.segments]]\nlength = \"1 m\"\nsection = \"s\"\n"
+        "[[beam.load_introductions]]\nfrom = \"0 m\"\nto = \"1 m\"\ninto = \"webs\"\n" +
+        steel);
+  };
+  CHECK_THAT(fall(0.147), Catch::Contains("its last instant, 0.147 s"));
+  CHECK_THAT(fall(0.25), !Catch::Contains("last instant"));
+}
+
+TEST_CASE("a weld around a profile larger than the beam is no weld of the beam") {
+  const auto gates = [](const char* around) {
+    return weld_gates_of(parse_project(
+        "weld.toml",
+        fmt::format(
+            "[case]\nname = \"weld\"\nkind = \"static\"\n[frame]\ngravity = [\"0 m/s^2\", \"0 "
+            "m/s^2\"]\n[sections.s]\nkind = \"box\"\nwidth = \"200 mm\"\nheight = \"200 mm\"\n"
+            "flange = \"10 mm\"\nweb = \"8 mm\"\n[sections.big]\nkind = \"box\"\nwidth = \"400 "
+            "mm\"\nheight = \"400 mm\"\nflange = \"10 mm\"\nweb = \"8 mm\"\n[beam]\ndensity = "
+            "\"7850 kg/m^3\"\n[[beam.segments]]\nlength = \"2 m\"\nsection = \"s\"\n[supports.a]\n"
+            "kind = \"fixed\"\nat = \"0 m\"\n[[welds]]\nname = \"w\"\nstation = \"0 m\"\naround = "
+            "\"{}\"\nthroat = \"5 mm\"\n[loads.f]\nkind = \"force\"\nat = \"2 m\"\nforce = [\"0 "
+            "kN\", \"-60 kN\"]\n",
+            around) +
+            steel));
+  };
+  CHECK(gates("s").empty());
+  REQUIRE(gates("big").size() == 1);
+  CHECK_THAT(gates("big").front().finding, Catch::Contains("weld \"w\" at s = 0 m"));
+}
+
+// By hand: sigma_m = 12 870 kN/3 m (1/2 + 1/2 per m) = 4.29 MPa; (b/pi)^4 = 0.8315 m^4; w_0 = 2/300
+// m, 1 + 300 w_0/b = 5/3.
+TEST_CASE("what holds a compressed plate has the second moment of 9.2.1(5)") {
+  const HeldPlate plate{si<Force>(12.87e6), 3.0 * metre, 2.0 * metre, 2.0 * metre};
+  const double by_hand = 4.29e6 / 210e9 * std::pow(3.0 / std::numbers::pi, 4) * (1.0 + 2.0 / 3.0);
+  // u is one up to e_max = f_y 300 b/(pi^2 E) = 0.154 m, beyond it grows with e_max.
+  CHECK(holding_stiffener_inertia(plate, 0.1 * metre, si<Stress>(355e6), 1.0).value() ==
+        Approx(by_hand).epsilon(1e-9));
+  CHECK(holding_stiffener_inertia(plate, 0.2 * metre, si<Stress>(355e6), 1.0).value() >
+        1.1 * by_hand);
+}
+
+}  // namespace unsaid_test
