@@ -333,8 +333,8 @@ Steps member_steps(const Project& project, const CheckResult& result) {
   const double gamma_M1 = project.strength.gamma_M1;
   Derivation steps;
   const Traced use = basis.turns_over
-                         ? derive_lateral_use(steps, basis.load, BucklingCurve::d, gamma_M1)
-                         : derive_flexural_use(steps, basis.load, BucklingCurve::c, gamma_M1);
+                         ? derive_lateral_use(steps, basis.load, basis.curve, gamma_M1)
+                         : derive_flexural_use(steps, basis.load, basis.curve, gamma_M1);
   steps.note([&] { return "the beam " + basis.held; });
   steps.define("factor", 1.0 / use);
   steps.note([&] { return "the largest of N and of M at any instant, load factors counted"; });

@@ -37,8 +37,9 @@ CheckResult check_of(const Project& project, double use, const std::string& poin
   check.resisting = 1.0;
   check.safety_factor = 1.0 / use;
   check.required = project.strength.required;
-  check.source = basis.turns_over ? "EN 1993-1-1:2005, 6.3.4, curve d"
-                                  : "EN 1993-1-1:2005, 6.3.1 and 6.3.4, curve c";
+  check.source =
+      fmt::format("EN 1993-1-1:2005, {}6.3.4, curve {}", basis.turns_over ? "" : "6.3.1 and ",
+                  basis.curve == BucklingCurve::d ? "d" : "c");
   result.member = std::move(basis);
   return result;
 }
@@ -141,6 +142,19 @@ MemberLoss loss_of(const Project& project, const std::vector<BendingZone>& zones
   return loss;
 }
 
+/// Of welded profiles, whose own fabrication stresses count: curve c, of open ones with walls above
+/// 40 mm curve d. Source: EN 1993-1-1:2005, table 6.2.
+BucklingCurve bending_curve_of(const TaperedBeam& beam) {
+  const auto is_thick = [](const Segment& segment) {
+    const auto* const path = std::get_if<ThinWalled>(&segment.from.outer);
+    return path != nullptr &&
+           std::any_of(path->walls.begin(), path->walls.end(),
+                       [](const ThinWall& wall) { return wall.thickness > si<Length>(40e-3); });
+  };
+  return std::any_of(beam.segments.begin(), beam.segments.end(), is_thick) ? BucklingCurve::d
+                                                                           : BucklingCurve::c;
+}
+
 }  // namespace
 
 std::vector<CheckResult> check_member(const Project& project, const std::vector<BendingZone>& zones,
@@ -156,27 +170,29 @@ std::vector<CheckResult> check_member(const Project& project, const std::vector<
   const MemberLoss loss = loss_of(project, zones);
   MemberLoad load{loss.area * estimate.compressed, 0.0, 0.0};
   load.bent = loss.modulus * bent_by(estimate) + loss.shift * load.compressed;
+  const BucklingCurve curve = bending_curve_of(project.beam);
   const auto bends = [&](const BucklingLoad& of, const char* plane) {
     if (of.part <= no_buckling_below || of.part >= 1.0) return;
     load.critical = of.factored;
-    const double use = flexural_use(load, BucklingCurve::c, gamma_M1);
-    checks.push_back(check_of(project, use, plane, of.situation, of.when, {false, of.held, load}));
+    const double use = flexural_use(load, curve, gamma_M1);
+    checks.push_back(
+        check_of(project, use, plane, of.situation, of.when, {false, curve, of.held, load}));
   };
   bends(estimate.in_plane, project.in_space ? "along z" : "in the plane of motion");
   if (estimate.across)
     bends(*estimate.across, project.in_space ? "along y" : "across the plane of motion");
   if (twisting) {
     load.critical = twisting->factored;
-    const double use = flexural_use(load, BucklingCurve::c, gamma_M1);
+    const double use = flexural_use(load, curve, gamma_M1);
     checks.push_back(check_of(project, use, "by twisting", twisting->situation, twisting->when,
-                              {false, twisting->held, load}));
+                              {false, curve, twisting->held, load}));
   }
   if (const auto& of = estimate.lateral; of && of->part > no_turning_over_below && of->part < 1.0) {
     const double across = estimate.across ? estimate.across->factored : 0.0;
     load.critical = of->part + (twisting ? std::max(across, twisting->factored) : across);
     const double use = lateral_use(load, BucklingCurve::d, gamma_M1);
     checks.push_back(check_of(project, use, "sideways and turning over", of->situation, of->when,
-                              {true, of->held, load}));
+                              {true, BucklingCurve::d, of->held, load}));
   }
   return checks;
 }

@@ -167,7 +167,8 @@ struct DistortionBasis {
 /// What the check of the beam as a member rests on, all of it with load factors.
 struct MemberBasis {
   bool turns_over = false;  ///< laterally and by torsion; else it bends
-  std::string held;         ///< how the beam is taken to be held, in words
+  BucklingCurve curve = BucklingCurve::c;
+  std::string held;  ///< how the beam is taken to be held, in words
   MemberLoad load;
 };
 
