@@ -46,6 +46,11 @@ DistortedStretch::DistortedStretch(const Project& project, const std::deque<Situ
     std::vector<Loads>& of = loads_.emplace_back();
     for (std::size_t i = 0; i < run.loads.instants(); ++i) {
       of.push_back(loads_of(run.loads.diagram(i), least_torque(run)));
+      if (any_comes_by_flow()) {
+        const BeamLoads beam_loads = run.loads.loads_at(run.loads.time_of(i));
+        add_levers(beam_loads, least_torque(run), of.back());
+        note_flow(beam_loads, least_torque(run));
+      }
       distorted_ = distorted_ || !of.back().nodes.empty() || of.back().lines || of.back().tapers;
     }
   }
@@ -172,6 +177,53 @@ const LoadIntroduction* DistortedStretch::introduction_at(double s) const {
   return narrowest;
 }
 
+bool DistortedStretch::comes_by_flow(double s) const {
+  const LoadIntroduction* const by = introduction_at(s);
+  return by != nullptr && *by->torque_by == TorqueBy::flow;
+}
+
+bool DistortedStretch::any_comes_by_flow() const {
+  const std::vector<LoadIntroduction>& all = project_->beam.introductions;
+  return std::any_of(all.begin(), all.end(),
+                     [](const LoadIntroduction& of) { return of.torque_by == TorqueBy::flow; });
+}
+
+void DistortedStretch::add_levers(const BeamLoads& beam_loads, double least, Loads& loads) const {
+  for (const PointLoad& load : beam_loads.points) {
+    const double s = load.s.value();
+    if (s < from_ - near_ || s > to_ + near_ || !comes_by_flow(s)) continue;
+    // T_w = F_z y by the webs and T_f = -F_y z by the flanges, d = (T_w - T_f)/2.
+    const double d = 0.5 * (load.force.z() * load.at.x() + load.force.y() * load.at.y());
+    if (std::abs(d) <= least) continue;
+    for (const NodeLoad& at : shared(std::clamp(s, from_, to_), d)) add_node(at, loads);
+  }
+}
+
+void DistortedStretch::note_flow(const BeamLoads& beam_loads, double least) {
+  const std::vector<Diaphragm>& diaphragms = project_->beam.diaphragms;
+  for (const PointLoad& load : beam_loads.points) {
+    const double s = std::clamp(load.s.value(), from_, to_), torque = std::abs(torque_of(load));
+    if (std::abs(load.s.value() - s) > near_ || !comes_by_flow(s) || torque <= least ||
+        torque <= spread_by_nothing_.torque.value())
+      continue;
+    const BoxCell& cell = cells_[0];
+    const Length near = std::max(cell.width, cell.height);
+    if (std::any_of(diaphragms.begin(), diaphragms.end(),
+                    [&](const Diaphragm& of) { return abs(of.s - load.s) <= near; }))
+      continue;
+    spread_by_nothing_ = {load.s, si<Moment>(torque)};
+  }
+}
+
+void DistortedStretch::add_node(const NodeLoad& at, Loads& loads) {
+  const auto same = std::find_if(loads.nodes.begin(), loads.nodes.end(),
+                                 [&](const NodeLoad& other) { return other.node == at.node; });
+  if (same != loads.nodes.end())
+    same->d += at.d;
+  else
+    loads.nodes.push_back(at);
+}
+
 DistortedStretch::Loads DistortedStretch::loads_of(const CutForceDiagram& diagram,
                                                    double least) const {
   Loads loads;
@@ -183,13 +235,7 @@ DistortedStretch::Loads DistortedStretch::loads_of(const CutForceDiagram& diagra
     const LoadIntroduction* const by = introduction_at(of.s);
     for (const NodeLoad& at : shared(of.s, 0.5 * of.torque)) {
       if (by == nullptr) {
-        const auto same =
-            std::find_if(loads.nodes.begin(), loads.nodes.end(),
-                         [&](const NodeLoad& other) { return other.node == at.node; });
-        if (same != loads.nodes.end())
-          same->d += at.d;
-        else
-          loads.nodes.push_back(at);
+        add_node(at, loads);
       } else if (*by->torque_by != TorqueBy::flow) {
         known[at.node] += *by->torque_by == TorqueBy::webs ? at.d : -at.d;
       }
@@ -274,8 +320,10 @@ DistortionSize DistortedStretch::size_at(std::size_t place, std::size_t run,
   return size_at(place, loads_[run][instant]);
 }
 
-DistortionSize DistortedStretch::size_at(std::size_t place, const CutForceDiagram& diagram) const {
-  return size_at(place, loads_of(diagram, 0.0));
+DistortionSize DistortedStretch::size_at(std::size_t place, const BeamLoads& beam_loads) const {
+  Loads loads = loads_of(cut_forces_of(beam_loads), 0.0);
+  add_levers(beam_loads, 0.0, loads);
+  return size_at(place, loads);
 }
 
 DistortedStretch::Torque DistortedStretch::most_at(std::size_t place,

@@ -39,8 +39,10 @@ std::vector<BoxStretch> box_stretches_of(const TaperedBeam& beam) {
   return stretches;
 }
 
-/// Whether anything twists the beam at any instant.
-bool is_twisted(const std::deque<SituationRun>& runs) {
+/// Whether anything twists the beam at any instant, or may distort it without.
+bool is_twisted(const Project& project, const std::deque<SituationRun>& runs) {
+  for (const LoadIntroduction& of : project.beam.introductions)
+    if (of.torque_by == TorqueBy::flow) return true;
   for (const SituationRun& run : runs) {
     const double least = least_torque(run);
     for (std::size_t i = 0; i < run.loads.instants(); ++i) {
@@ -245,8 +247,7 @@ class DistortionSearch {
     constexpr int bits = 14;
     find_maximum(
         [&](double time) {
-          const CutForceDiagram diagram = history.diagram_at(si<Time>(time));
-          const PointUse use = use_in(diagram);
+          const PointUse use = use_in(history.loads_at(si<Time>(time)));
           if (use.use() > worst_.used) {
             worst_.used = use.use();
             worst_.use = use;
@@ -257,10 +258,10 @@ class DistortionSearch {
         low.value(), high.value(), bits);
   }
 
-  PointUse use_in(const CutForceDiagram& diagram) const {
+  PointUse use_in(const BeamLoads& loads) const {
     const DistortedPoint& of = points_[worst_.point];
-    const CutForces cut = diagram.at(station_of(worst_.place));
-    return use_of(of, stress_at(of.point.influence, cut), stretch_->size_at(worst_.place, diagram),
+    const CutForces cut = cut_forces_of(loads).at(station_of(worst_.place));
+    return use_of(of, stress_at(of.point.influence, cut), stretch_->size_at(worst_.place, loads),
                   (*runs_)[worst_.run].situation->load_factor);
   }
 
@@ -268,6 +269,7 @@ class DistortionSearch {
     if (points_.empty()) points_ = distorted_points_at(*project_, *zones_, *stretch_, worst_.place);
     const DistortedPoint& of = points_[worst_.point];
     const SituationRun& run = (*runs_)[worst_.run];
+    const BeamLoads loads = run.loads.loads_at(worst_.time);
     const CutForceDiagram diagram = run.loads.diagram_at(worst_.time);
     CheckResult result;
     Check& check = result.check;
@@ -286,7 +288,7 @@ class DistortionSearch {
     DistortionBasis& basis = result.distortion.emplace();
     basis.in_throat = of.point.on_throat;
     basis.load_factor = run.situation->load_factor;
-    basis.size = stretch_->size_at(worst_.place, diagram);
+    basis.size = stretch_->size_at(worst_.place, loads);
     basis.stress.point = of.point;
     basis.stress.weld = of.weld;
     basis.stress.cut_at_time = diagram.at(check.station);
@@ -312,13 +314,28 @@ class DistortionSearch {
 
 }  // namespace
 
+namespace {
+
+/// A couple that all plates of a box are said to bear though nothing spreads it there.
+NotJudged spread_by_nothing(const DistortedStretch::Torque& of) {
+  return {Criterion::distortion,
+          fmt::format("torque at s = {} m", to_text(Station{of.s, Side::both})),
+          fmt::format("{:.4g} kN m taken to come by all plates (torque_by = \"flow\") where no "
+                      "diaphragm stands that spreads it",
+                      1e-3 * of.torque.value())};
+}
+
+}  // namespace
+
 DistortionChecks check_distortion(const Project& project, const std::deque<SituationRun>& runs,
                                   const std::vector<BendingZone>& zones,
                                   const std::vector<Station>& stations) {
   DistortionChecks found;
-  if (!project.in_space || !is_twisted(runs)) return found;
+  if (!project.in_space || !is_twisted(project, runs)) return found;
   for (const BoxStretch& segments : box_stretches_of(project.beam)) {
     const DistortedStretch stretch(project, runs, segments, stations);
+    if (stretch.spread_by_nothing().torque > Moment{})
+      found.not_judged.push_back(spread_by_nothing(stretch.spread_by_nothing()));
     if (!stretch.is_distorted()) continue;
     DistortionSearch search(project, runs, zones, stretch, segments);
     for (CheckResult& check : search.checks()) found.checks.push_back(std::move(check));

@@ -417,6 +417,41 @@ TEST_CASE("a case may say by which plates torque comes", "[distortion]") {
         Approx(estimates_of(stout_beam(one)).front().across.value()));
 }
 
+TEST_CASE("flow is of couples alone: forces beside the axis come by their own plates",
+          "[distortion]") {
+  // The same torque, F y, distorts as by the webs, however it is said to come.
+  const auto force = [](double y, double z, double F_y, double F_z) {
+    return fmt::format(
+        "[loads.beside]\nkind = \"force\"\nat = [\"50 m\", \"{} m\", \"{} m\"]\n"
+        "force = [\"0 N\", \"{} N\", \"{} N\"]\n",
+        y, z, F_y, F_z);
+  };
+  const auto by = [](const std::string& word) {
+    return "[[beam.load_introductions]]\nstation = \"50 m\"\ninto = \"webs\"\ntorque_by = \"" +
+           word + "\"\n" + diaphragm(0.0, "50 mm");
+  };
+  const auto across = [&](const std::string& more) {
+    return estimate_of(stout_beam(more)).across.value();
+  };
+  const double by_webs = across(twist("couple", 50.0, 200e3) + by("webs"));
+  CHECK(across(force(0.25, 0.0, 0.0, -800e3) + by("webs")) == Approx(by_webs).epsilon(1e-6));
+  CHECK(across(force(0.25, 0.0, 0.0, -800e3) + by("flow")) == Approx(by_webs).epsilon(1e-6));
+  // Turned by 90 degrees, by the flanges.
+  CHECK(across(force(0.0, 0.25, 800e3, 0.0) + by("flow")) == Approx(by_webs).epsilon(1e-6));
+  // With the couple that takes the torque off again, which flows in, it distorts all the same.
+  const Project none =
+      stout_beam(force(0.25, 0.0, 0.0, -800e3) + twist("couple", 50.0, 200e3) + by("flow"));
+  CHECK(estimate_of(none).across.value() == Approx(by_webs).epsilon(1e-6));
+  // A couple flows where a diaphragm spreads it; else the verdict line says that none does.
+  const auto words = [&](const std::string& more) {
+    const Project project = stout_beam(twist("couple", 50.0, 200e3) + by("flow") + more);
+    const std::deque<SituationRun> runs = run_situations(project);
+    return check_distortion(project, runs, bending_zones_of(project, runs), {}).not_judged.size();
+  };
+  CHECK(words("") == 1);
+  CHECK(words(diaphragm(50.0, "50 mm")) == 0);
+}
+
 TEST_CASE("diaphragms every 0.5/lambda leave a third of what stretches edges", "[distortion]") {
   // Rigid, with the torque between two: a beam over many supports without foundation, M = 0.171 P L
   // (three equal spans in the middle of many; EI alone), of P/(4 lambda): 0.34 at L = 0.5/lambda.

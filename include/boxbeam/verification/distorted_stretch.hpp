@@ -22,10 +22,11 @@ double least_torque(const SituationRun& run);
 ///
 /// How a torque comes into a box, nobody knows from its cut forces: wherever T jumps, or a torque
 /// passes an end of the stretch, it comes by its webs alone or by its flanges alone, d = +-T/2
-/// each, all of them so that their effects add up; where the case says how (`torque_by`), so. What
-/// comes along the beam, dT/ds, comes alike everywhere, likewise; the part of a taper and of a jump
-/// of b/h is known, d = T/2 d(ln(h/b)). Forces at the beam axis are taken to come evenly by both
-/// webs or both flanges and do not distort. Ends and joints of the beam hold nothing in shape;
+/// each, all of them so that their effects add up; where the case says how (`torque_by`), so;
+/// "flow" of couples alone: forces beside the axis come by their own plates, d = (F_z y + F_y z)/2.
+/// What comes along the beam, dT/ds, comes alike everywhere, likewise; the part of a taper and of a
+/// jump of b/h is known, d = T/2 d(ln(h/b)). Forces at the beam axis are taken to come evenly by
+/// both webs or both flanges and do not distort. Ends and joints of the beam hold nothing in shape;
 /// diaphragms do, and what comes where one stands is taken by it. Stiffeners and inner profiles are
 /// left out, on the safe side.
 class DistortedStretch {
@@ -52,13 +53,16 @@ class DistortedStretch {
 
   /// Of an instant of a run, and of any loads.
   DistortionSize size_at(std::size_t place, std::size_t run, std::size_t instant) const;
-  DistortionSize size_at(std::size_t place, const CutForceDiagram& diagram) const;
+  DistortionSize size_at(std::size_t place, const BeamLoads& beam_loads) const;
 
   /// What comes at one place.
   struct Torque {
     Length s;
     Moment torque;
   };
+  /// The largest couple that is said to come by "flow" with no diaphragm as near as the box is wide
+  /// or high; zero of none.
+  const Torque& spread_by_nothing() const { return spread_by_nothing_; }
   /// The one that does most of a sum of effects, of M_D = 1 and of gamma = 1, at a place.
   Torque most_at(std::size_t place, const CutForceDiagram& diagram, double of_moment,
                  double of_angle) const;
@@ -87,7 +91,13 @@ class DistortedStretch {
   void find_introduced();
   void add_places();
   const LoadIntroduction* introduction_at(double s) const;
+  bool comes_by_flow(double s) const;
+  bool any_comes_by_flow() const;
   Loads loads_of(const CutForceDiagram& diagram, double least) const;
+  void note_flow(const BeamLoads& beam_loads, double least);
+  static void add_node(const NodeLoad& at, Loads& loads);
+  /// What forces beside the axis do where the case says "flow" of torque.
+  void add_levers(const BeamLoads& beam_loads, double least, Loads& loads) const;
   std::optional<Effects> line_effects(const CutForceDiagram& diagram, double least) const;
   std::optional<Effects> known_effects(const CutForceDiagram& diagram,
                                        std::vector<double> known) const;
@@ -111,6 +121,7 @@ class DistortedStretch {
   std::vector<std::vector<Loads>> loads_;           ///< of each run at its instants
   mutable std::map<std::size_t, Effects> of_node_;  ///< of d = 1 at a node
   bool distorted_ = false;
+  Torque spread_by_nothing_;
 };
 
 }  // namespace boxbeam
