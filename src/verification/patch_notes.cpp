@@ -120,7 +120,8 @@ void PatchNotes::take(const Patch& patch, const std::vector<Borne>& ways,
   }
   if (patch.diaphragm != nullptr) {
     for (const Borne& way : ways) take_diaphragm(patch, way, situation.load_factor);
-    const bool alone = !patch.together || patch.led_there;
+    // No check of fatigue knows torques, those led on from beside it neither.
+    const bool alone = !patch.together || patch.led_there || (patch.led_onto && patch.is_torque());
     if (alone && has_cycles(*project_, situation)) take_cycles(patch, ways, all);
     return;
   }

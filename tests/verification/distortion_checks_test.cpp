@@ -692,4 +692,58 @@ TEST_CASE("round tubes, boxes without torque, and boxes in the plane say nothing
   CHECK(estimates_of(plane).empty());
 }
 
+namespace {
+
+/// A box of 6 m on forks, 800 x 800 x 20, with a diaphragm of 12 mm at 3 m and such at its ends
+/// as bear all, loads that come and go.
+Project forked(const std::string& throat, const std::string& more, double cycles,
+               const std::string& opening = "") {
+  std::string text =
+      "[case]\nname = \"a\"\nkind = \"static\"\n[frame]\nspace = true\n"
+      "gravity = [\"0 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]\n[material]\nsteel = \"S355\"\n"
+      "fy_source = \"EN 1993-1-1\"\n[strength]\nrequired = 1.0\n"
+      "[sections.s]\nkind = \"box\"\nwidth = \"800 mm\"\nheight = \"800 mm\"\n"
+      "flange = \"20 mm\"\nweb = \"20 mm\"\nseam_throat = \"20 mm\"\n"
+      "[beam]\ndensity = \"7850 kg/m^3\"\n[[beam.segments]]\nlength = \"6 m\"\nsection = \"s\"\n"
+      "[supports.a]\nkind = \"pinned\"\nat = [\"0 m\", \"0 m\", \"0 m\"]\nfork = true\n"
+      "[supports.z]\nkind = \"roller\"\nat = [\"6 m\", \"0 m\", \"0 m\"]\ndirection = \"z\"\n"
+      "fork = true\n[supports.y]\nkind = \"roller\"\nat = [\"6 m\", \"0 m\", \"0 m\"]\n"
+      "direction = \"y\"\n";
+  for (const char* end : {"0", "6"})
+    text += fmt::format(
+        "[[beam.diaphragms]]\nstation = \"{} m\"\nthickness = \"20 mm\"\nthroat = \"30 mm\"\n",
+        end);
+  text += "[[beam.diaphragms]]\nstation = \"3 m\"\nthickness = \"12 mm\"\n";
+  if (!throat.empty()) text += "throat = \"" + throat + "\"\n";
+  text += opening + more;
+  if (cycles > 0.0)
+    text += fmt::format(
+        "[[situations]]\nname = \"off\"\nloads = {{  }}\n[[situations]]\nname = \"on\"\n"
+        "[[situations]]\nname = \"change\"\nbetween = [\"off\", \"on\"]\ncycles = {}\n"
+        "[fatigue]\nloading = \"spectrum\"\ncategory = 71\ngamma_Ff = 1.0\ngamma_Mf = 1.35\n"
+        "required = 1.0\n",
+        cycles);
+  return parse_project("a.toml", text);
+}
+
+std::string introduction(double from, double to, const std::string& what) {
+  return fmt::format("[[beam.load_introductions]]\nfrom = \"{} m\"\nto = \"{} m\"\n{}\n", from, to,
+                     what);
+}
+
+}  // namespace
+
+TEST_CASE("welds of a diaphragm that a torque beside it stresses anew are named", "[distortion]") {
+  // As where it stands on it.
+  const auto named = [](double at) {
+    const Verification of = verify(forked(
+        "10 mm", introduction(2.0, 4.0, "stiff_length = \"1 m\"") + twist("f", at, 200e3), 1e5));
+    return std::any_of(of.not_judged.begin(), of.not_judged.end(), [](const NotJudged& it) {
+      return it.by == Criterion::weld && it.what.find("the torque of f") != std::string::npos;
+    });
+  };
+  CHECK(named(3.0));
+  CHECK(named(2.7));
+}
+
 }  // namespace distortion_checks_test
