@@ -157,13 +157,15 @@ class DistortionSearch {
     const BoxCell& cell = stretch_->cell(place);
     const double E = project_->model.youngs_modulus,
                  nu = 0.5 * E / project_->model.shear_modulus - 1.0;
-    const double d = angle * diaphragm_stiffness(cell, of.thickness, of.opening, E, nu);
+    const double stiffness = diaphragm_stiffness(cell, of.thickness, of.opening, E, nu);
+    const double d = angle * stiffness;
     const std::vector<PlateOf> plates = plates_around(*project_, of.s, of.thickness);
     const PlateOf plate = first_to_yield(plates), joined = weakest_to_weld(plates);
     const auto yield = yield_strength_of(*plate.material, plate.thickness);
     const auto tensile = tensile_strength_of(*joined.material, joined.thickness);
     if (!yield || !tensile) return;
     DistortionEstimate::Holding holding{of.s, si<Force>(d / cell.width.value())};
+    holding.d = si<Moment>(d);
     ShearPanel panel;
     panel.depth = cell.height;
     panel.length = cell.width;
@@ -188,7 +190,29 @@ class DistortionSearch {
       holding.welds = needed / of.throat;
     else
       holding.needed = needed;
+    look_at_life(place, of, stiffness, holding);
+    found_.held.push_back(holding);
     if (!found_.holding || holding.used() > found_.holding->used()) found_.holding = holding;
+  }
+
+  /// Its fillets and its plate in shear, strips beside an opening bent in its plane as corners are.
+  void look_at_life(std::size_t place, const Diaphragm& of, double stiffness,
+                    DistortionEstimate::Holding& holding) const {
+    if (!project_->fatigue.asked || !(stiffness > 0.0)) return;
+    const BoxCell& cell = stretch_->cell(place);
+    const double flow = stiffness / (cell.width * cell.height).value();
+    const double throat = of.throat > Length{} ? of.throat.value() : 0.5 * of.thickness.value();
+    const double left = (std::min(cell.width, cell.height) - of.opening).value();
+    const double t = of.thickness.value(), in_welds = 0.5 * flow / throat;
+    holding.range = ranges_.range_of(place, in_welds);
+    holding.life =
+        std::max(ranges_.use_of(place, in_welds, project_->fatigue.throat, StressKind::shear),
+                 ranges_.use_of(place, flow / t * (1.0 + of.opening.value() / left),
+                                project_->fatigue.shear, StressKind::shear));
+    if (of.opening > Length{})
+      holding.life =
+          std::max(holding.life, ranges_.use_of(place, 6.0 * stiffness / (t * left * left),
+                                                project_->fatigue.corner, StressKind::direct));
   }
 
   void note_size(std::size_t place, std::size_t run, std::size_t instant,
@@ -316,6 +340,21 @@ class DistortionSearch {
 
 namespace {
 
+/// What of a diaphragm's fatigue is in no check, nor stops the verdict.
+void note_life(const DistortionEstimate& estimate, const DistortionEstimate::Holding& of,
+               std::vector<NotJudged>& not_judged) {
+  constexpr double hardly = 0.1;
+  if (!(of.life > hardly) || (estimate.ranges_judged && of.life > 1.0)) return;
+  not_judged.push_back(
+      {Criterion::distortion_fatigue,
+       fmt::format("welds of the diaphragm at s = {} m", to_text(Station{of.s, Side::both})),
+       fmt::format("so that the box keeps its shape sheared anew by up to {:.3g} MPa at every "
+                   "cycle, they or its plate {} (EN 1993-1-9, table 8.5, row 8), in no check",
+                   1e-6 * of.range.value(),
+                   estimate.ranges_judged ? fmt::format("used by {:.2g} in fatigue", of.life)
+                                          : "in a long record")});
+}
+
 /// A couple that all plates of a box are said to bear though nothing spreads it there.
 NotJudged spread_by_nothing(const DistortedStretch::Torque& of) {
   return {Criterion::distortion,
@@ -340,7 +379,10 @@ DistortionChecks check_distortion(const Project& project, const std::deque<Situa
     DistortionSearch search(project, runs, zones, stretch, segments);
     for (CheckResult& check : search.checks()) found.checks.push_back(std::move(check));
     found.estimates.push_back(search.estimate());
-    const auto& holding = found.estimates.back().holding;
+    const DistortionEstimate& estimate = found.estimates.back();
+    for (const DistortionEstimate::Holding& of : estimate.held)
+      note_life(estimate, of, found.not_judged);
+    const auto& holding = estimate.holding;
     if (!holding || !(project.strength.required * holding->needed > least_throat())) continue;
     found.not_judged.push_back(
         {Criterion::weld,

@@ -135,6 +135,17 @@ std::vector<Gate> distortion_gates_of(const Project& project,
           of.bending_range.value() * 1e-6));
     else if (!small_ranges && without.has_ranges)
       reasons.push_back(fmt::format("it is in no check of the fatigue of {}", without.names));
+    for (const DistortionEstimate::Holding& held : of.held) {
+      if (!(held.life > 1.0) || !of.ranges_judged) continue;
+      gates.push_back(
+          {"", "",
+           fmt::format("diaphragm at s = {:.4g} m: so that the box keeps its shape under torque it "
+                       "is sheared anew at every cycle, its fillets by {:.3g} MPa: these or its "
+                       "plate are used by {:.3g} in fatigue (EN 1993-1-9, table 8.5, row 8): "
+                       "thicker ones, or further [[beam.diaphragms]]",
+                       held.s.value() + 0.0, held.range.value() * 1e-6, held.life),
+           true});
+    }
     if (of.holding && project.strength.required * of.holding->used() > 1.0) {
       const bool by_welds = of.holding->welds > of.holding->plate;
       gates.push_back(

@@ -193,6 +193,26 @@ std::vector<SpectrumRow> DistortionRanges::spectrum_of(
   return spectrum;
 }
 
+double DistortionRanges::use_of(std::size_t place, double of_unit, const Detail& detail,
+                                StressKind kind) const {
+  const LifeChannel channel{spectrum_of(kind,
+                                        [&](const Sequence& sequence, const Situation& situation) {
+                                          const DistortionTravel& travel = sequence.travels[place];
+                                          return joined(situation, {}, of_unit * travel.range.angle,
+                                                        of_unit * travel.rise.angle);
+                                        }),
+                            curve_of(detail)};
+  if (channel.spectrum.empty()) return 0.0;
+  return project_->fatigue.required / life_of(*project_, {channel}).factor;
+}
+
+Stress DistortionRanges::range_of(std::size_t place, double of_unit) const {
+  double most = 0.0;
+  for (const Sequence& of : sequences_)
+    most = std::max(most, of_unit * of.travels[place].range.angle);
+  return si<Stress>(most);
+}
+
 CheckResult DistortionRanges::fatigue_check(std::size_t place, const DistortedPoint& of,
                                             const std::string& name,
                                             const std::vector<LifeChannel>& channels,

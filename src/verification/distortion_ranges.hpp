@@ -32,6 +32,10 @@ class DistortionRanges {
   bool judged() const { return counted_; }
   /// The largest ranges.
   const DistortionStresses& largest() const { return largest_; }
+  /// Of a stress that gamma causes at a place, `of_unit` for gamma = 1 [Pa]: how much of a detail
+  /// it uses, with `required`, and its largest range.
+  double use_of(std::size_t place, double of_unit, const Detail& detail, StressKind kind) const;
+  Stress range_of(std::size_t place, double of_unit) const;
   /// The worst by the details of the points and by `corner`.
   std::vector<CheckResult> checks() const;
 

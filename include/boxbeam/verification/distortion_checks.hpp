@@ -42,10 +42,16 @@ struct DistortionEstimate {
     /// Where the case does not say how thick these are: the throat that they need, without
     /// `required`.
     Length needed = {};
+    Moment d = {};  ///< that it takes, see DistortedBeam
+    /// In fatigue, of the fillets (half as thick as the diaphragm where the case does not say) and
+    /// of the plate, with `required`; the range of shear stress of the fillets.
+    double life = 0.0;
+    Stress range = {};
 
     double used() const { return std::max(plate, welds); }
   };
   std::optional<Holding> holding;  ///< the one used most
+  std::vector<Holding> held;       ///< all of them
 };
 
 struct DistortionChecks {
