@@ -388,10 +388,11 @@ DistortionChecks check_distortion(const Project& project, const std::deque<Situa
         {Criterion::weld,
          fmt::format("welds of the diaphragm at s = {} m",
                      to_text(Station{holding->s, Side::both})),
-         fmt::format(
-             "so that the box keeps its shape fillets on its faces need throats of {:.2g} mm, "
-             "which the case does not say",
-             1e3 * project.strength.required * holding->needed.value())});
+         fmt::format("so that the box keeps its shape fillets on its faces need throats of {:.2g} "
+                     "mm beside "
+                     "what forces there ask, "
+                     "which the case does not say",
+                     1e3 * project.strength.required * holding->needed.value())});
   }
   return found;
 }

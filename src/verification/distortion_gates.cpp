@@ -175,4 +175,89 @@ std::vector<Gate> distortion_gates_of(const Project& project,
   return gates;
 }
 
+namespace {
+
+using Holding = DistortionEstimate::Holding;
+
+bool stands_at(const Holding& of, Length s) { return abs(s - of.s).value() <= 1e-6; }
+
+double used_by_both(const Holding& held, const IntoDiaphragm& of) {
+  const double others =
+      held.d > Moment{} ? std::max(0.0, (1.0 - 0.5 * of.turns / held.d).value()) : 0.0;
+  switch (of.part) {
+    case IntoDiaphragm::Part::plate: return of.use + others * held.plate;
+    case IntoDiaphragm::Part::web_weld: return of.use + others * held.welds;
+    case IntoDiaphragm::Part::flange_weld: return std::hypot(of.use, others * held.welds);
+  }
+  return of.use;
+}
+
+const char* words_of(IntoDiaphragm::Part part) {
+  switch (part) {
+    case IntoDiaphragm::Part::plate: return "plate";
+    case IntoDiaphragm::Part::web_weld: return "welds with the webs";
+    case IntoDiaphragm::Part::flange_weld: return "welds with the flanges";
+  }
+  return "";
+}
+
+/// What both use of a diaphragm in strength, where that is above one and neither by itself is.
+std::optional<Gate> shared_in_strength(const Project& project, const Holding& held,
+                                       const std::vector<IntoDiaphragm>& into) {
+  const double required = project.strength.required;
+  const IntoDiaphragm* worst = nullptr;
+  double most = 1.0;
+  for (const IntoDiaphragm& of : into) {
+    if (!stands_at(held, of.s) || required * of.use > 1.0) continue;
+    const double both = required * used_by_both(held, of);
+    if (!(both > most)) continue;
+    most = both;
+    worst = &of;
+  }
+  if (worst == nullptr || required * held.used() > 1.0) return std::nullopt;
+  return Gate{
+      "", "",
+      fmt::format("diaphragm at s = {:.4g} m: so that the box keeps its shape under torque, "
+                  "{:.3g} kN along each web shear it, and with what \"{}\" puts there its "
+                  "{} are used by {:.3g}: a thicker one, or further [[beam.diaphragms]]",
+                  held.s.value() + 0.0, held.shear.value() * 1e-3, worst->under,
+                  words_of(worst->part), most),
+      true};
+}
+
+std::optional<Gate> shared_in_fatigue(const Holding& held, const std::vector<CheckResult>& checks) {
+  constexpr double hardly = 0.01;
+  const CheckResult* worst = nullptr;
+  for (const CheckResult& of : checks) {
+    if (!of.pressed || of.pressed->welds == 0 || !stands_at(held, of.check.station.s)) continue;
+    if (worst == nullptr || of.check.utilisation() > worst->check.utilisation()) worst = &of;
+  }
+  if (worst == nullptr || !(held.life > hardly) || held.life > 1.0) return std::nullopt;
+  const double both = worst->check.utilisation() + held.life;
+  if (!(both > 1.0) || worst->check.utilisation() > 1.0) return std::nullopt;
+  return Gate{
+      "", "",
+      fmt::format("{} at s = {:.4g} m: with what keeps the box in shape used by up to {:.3g} "
+                  "in fatigue, which is not judged together: a thicker one, or further "
+                  "[[beam.diaphragms]]",
+                  worst->check.point, held.s.value() + 0.0, both),
+      true};
+}
+
+}  // namespace
+
+std::vector<Gate> shared_diaphragm_gates_of(const Project& project,
+                                            const std::vector<DistortionEstimate>& estimates,
+                                            const std::vector<IntoDiaphragm>& into,
+                                            const std::vector<CheckResult>& checks) {
+  std::vector<Gate> gates;
+  for (const DistortionEstimate& estimate : estimates) {
+    for (const Holding& held : estimate.held) {
+      if (auto gate = shared_in_strength(project, held, into)) gates.push_back(*std::move(gate));
+      if (auto gate = shared_in_fatigue(held, checks)) gates.push_back(*std::move(gate));
+    }
+  }
+  return gates;
+}
+
 }  // namespace boxbeam

@@ -518,6 +518,7 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
                                 fmt::format("no fillet welds on its faces bear all of \"{}\"",
                                             found.unsaid_welds->under)});
   }
+  found.into_diaphragms = notes.into_diaphragms();
   for (NotJudged& of : notes.not_judged()) found.not_judged.push_back(std::move(of));
   for (Gate& of : notes.gates()) found.gates.push_back(std::move(of));
   for (const LoadIntroduction& of : project.beam.introductions) {

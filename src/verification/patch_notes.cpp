@@ -172,6 +172,44 @@ void PatchNotes::take_corner(const Patch& patch, const Borne& way, double load_f
             patch.s);
 }
 
+void PatchNotes::take_into(const Patch& patch, const Borne& way, IntoDiaphragm::Part part,
+                           double use, double load_factor) {
+  if (!project_->in_space || !way.basis.box) return;
+  const std::vector<LoadIntroduction>& all = project_->beam.introductions;
+  const bool flows = std::any_of(all.begin(), all.end(), [](const LoadIntroduction& of) {
+    return of.torque_by == TorqueBy::flow;
+  });
+  // What flows in is nothing that a diaphragm keeps in shape.
+  const Moment turns = load_factor * abs(patch.is_torque() ? patch.torque : patch.couple);
+  IntoDiaphragm of{patch.diaphragm->s, part, patch.name, load_factor * use,
+                   flows ? Moment{} : turns};
+  IntoDiaphragm& most = into_[{patch.diaphragm, part, patch.name}];
+  if (of.use > most.use || (of.use == most.use && of.turns < most.turns)) most = std::move(of);
+}
+
+void PatchNotes::take_welds(const Patch& patch, const Borne& way, const StiffenerWeld& weld,
+                            double load_factor) {
+  using enum IntoDiaphragm::Part;
+  const Force acting = way.basis.share * way.basis.force;
+  const double use = (acting / way.basis.resistance).value();
+  take_into(patch, way, weld.to_flange ? flange_weld : web_weld, use, load_factor);
+  if (!weld.to_flange || !way.basis.box) return;
+  // The force goes on along the web, by no more than the worse one of both.
+  StiffenerWeld along = weld;
+  along.to_flange = false;
+  along.length = way.basis.box->box().of(way.plate).clear();
+  const double used = weld.beside > 0.0
+                          ? use
+                          : std::min(use, (acting / stiffener_weld_resistance_of(along)).value());
+  take_into(patch, way, web_weld, used, load_factor);
+}
+
+std::vector<IntoDiaphragm> PatchNotes::into_diaphragms() const {
+  std::vector<IntoDiaphragm> all;
+  for (const auto& [key, of] : into_) all.push_back(of);
+  return all;
+}
+
 void PatchNotes::take_plate_between(const Patch& patch, const Borne& way, double load_factor) {
   const auto* const weld = std::get_if<StiffenerWeld>(&way.basis.bears);
   if (weld == nullptr || weld->to_flange || !way.basis.box) return;
@@ -188,10 +226,9 @@ void PatchNotes::take_plate_between(const Patch& patch, const Borne& way, double
   const Length left = std::max(Length{}, Length(panel.depth - patch.diaphragm->opening));
   const Force bears =
       (left / panel.depth) * shear_resistance_of(panel, project_->strength.gamma_M1).resistance;
-  keep_most(sheared_, patch.name,
-            project_->strength.required * load_factor *
-                (way.basis.share * way.basis.force / bears).value(),
-            patch.s);
+  const double use = (way.basis.share * way.basis.force / bears).value();
+  take_into(patch, way, IntoDiaphragm::Part::plate, use, load_factor);
+  keep_most(sheared_, patch.name, project_->strength.required * load_factor * use, patch.s);
 }
 
 void PatchNotes::take_diaphragm(const Patch& patch, const Borne& way, double load_factor) {
@@ -199,6 +236,7 @@ void PatchNotes::take_diaphragm(const Patch& patch, const Borne& way, double loa
   if (patch.kink != nullptr || patch.through) take_plate_between(patch, way, load_factor);
   if (!project_->in_space) return;
   if (const auto* const weld = std::get_if<StiffenerWeld>(&way.basis.bears)) {
+    if (way.part == Borne::Part::weld) take_welds(patch, way, *weld, load_factor);
     const auto flanges = flanges_across(patch, way);
     if (!flanges || !weld->to_flange || way.part != Borne::Part::weld) return;
     const Force between = between_webs(patch, *flanges);
@@ -239,6 +277,7 @@ void PatchNotes::take_diaphragm(const Patch& patch, const Borne& way, double loa
   const Force bears =
       (left / panel.depth) * shear_resistance_of(panel, project_->strength.gamma_M1).resistance;
   keep_most(sheared_, patch.name, scale * (sheared / bears).value(), patch.s);
+  take_into(patch, way, IntoDiaphragm::Part::plate, (sheared / bears).value(), load_factor);
   const Length pressed = pressed_across(patch, *flanges);
   const Force edge = pressed * stiffener->thickness * stiffener->yield_strength;
   keep_most(edges_, patch.name, scale * (between / edge).value(), patch.s);

@@ -4,10 +4,12 @@
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "boxbeam/verification/gates.hpp"
+#include "boxbeam/verification/patch_checks.hpp"
 #include "patch_search.hpp"
 #include "pressed_webs.hpp"
 
@@ -53,6 +55,8 @@ class PatchNotes {
   void take_bare_support(Length s);
 
   std::vector<NotJudged> not_judged() const;
+  /// Of boxes in space, of each force the largest.
+  std::vector<IntoDiaphragm> into_diaphragms() const;
   /// What bends a flange across by more than its strength beside the beam's own stress, and where
   /// one ends on bare webs.
   std::vector<Gate> gates() const;
@@ -97,6 +101,10 @@ class PatchNotes {
   static std::string words_of(const BentFlange& of);
   /// The plate of a diaphragm that leads to the webs what turns off from flanges.
   void take_plate_between(const Patch& patch, const Borne& way, double load_factor);
+  void take_into(const Patch& patch, const Borne& way, IntoDiaphragm::Part part, double use,
+                 double load_factor);
+  void take_welds(const Patch& patch, const Borne& way, const StiffenerWeld& weld,
+                  double load_factor);
   /// A diaphragm that leads to the webs what stands between them.
   void take_diaphragm(const Patch& patch, const Borne& way, double load_factor);
   void take_flange(const Patch& patch, const Borne& way, double load_factor, bool again);
@@ -112,6 +120,7 @@ class PatchNotes {
   std::vector<double> at_steps_;  ///< their largest forces [N]
   /// Diaphragms: their plates in shear, what presses their edges, strips beside access holes.
   UseByName sheared_, edges_, bridged_;
+  std::map<std::tuple<const Diaphragm*, IntoDiaphragm::Part, std::string>, IntoDiaphragm> into_;
   UseByName corners_;                       ///< of knees in shear
   std::map<std::string, BentFlange> bent_;  ///< by the name of the force
   PressedByName pressed_, welded_;          ///< and along z; webs, and welds of diaphragms

@@ -160,6 +160,8 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
   append(weld_gates_of(project), gates);
   append(stability_gates_of(project, runs), gates);
   append(distortion_gates_of(project, distortion.estimates, checks), gates);
+  append(shared_diaphragm_gates_of(project, distortion.estimates, patches.into_diaphragms, checks),
+         gates);
   std::vector<NotJudged> not_judged =
       not_judged_in(project, checks, std::move(neighbours.not_judged));
   append(std::move(distortion.not_judged), not_judged);

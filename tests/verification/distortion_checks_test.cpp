@@ -782,4 +782,52 @@ TEST_CASE("what keeps a box in shape shears a diaphragm's fillets anew at every 
         held(forked("12 mm", load(0.2 * T), cycles)).life);
 }
 
+TEST_CASE("a diaphragm bears what keeps the box in shape and the forces that it takes",
+          "[distortion]") {
+  // By hand: of both along the web the sum, across and along the flange's weld the vector; less
+  // what of d a force's own couple is, T/2.
+  const Project project = forked("3 mm", twist("f", 3.0, 100e3), 0.0);
+  DistortionEstimate estimate;
+  DistortionEstimate::Holding held;
+  held.s = si<Length>(3.0);
+  held.plate = 0.4;
+  held.welds = 0.5;
+  held.d = si<Moment>(100.0);
+  estimate.held = {held};
+  using Part = IntoDiaphragm::Part;
+  const auto stops = [&](Part part, double use, double turns = 0.0, double s = 3.0) {
+    const std::vector<Gate> gates = shared_diaphragm_gates_of(
+        project, {estimate}, {{si<Length>(s), part, "g", use, si<Moment>(turns)}}, {});
+    return !gates.empty() && gates.front().blocks;
+  };
+  CHECK(stops(Part::web_weld, 0.51));
+  CHECK_FALSE(stops(Part::web_weld, 0.49));
+  CHECK(stops(Part::plate, 0.61));
+  CHECK_FALSE(stops(Part::plate, 0.59));
+  CHECK(stops(Part::flange_weld, 0.87));
+  CHECK_FALSE(stops(Part::flange_weld, 0.86));
+  CHECK_FALSE(stops(Part::web_weld, 0.9, 200.0));
+  CHECK(stops(Part::web_weld, 0.76, 100.0));
+  CHECK_FALSE(stops(Part::web_weld, 0.9, 0.0, 2.9));
+
+  // 400 kN on either web, 400/(2 x 3 x 754)/251 = 0.35, and a torque beside it that shears the
+  // fillets by T/(2 b) at most, 1500/1.56/(2 x 3 x 780)/251 = 0.82.
+  const auto stopped = [](double force, double torque) {
+    std::string more = introduction(3.05, 3.15, "into = \"webs\"\ntorque_by = \"webs\"") +
+                       introduction(2.9, 3.1, "stiff_length = \"100 mm\"");
+    for (const double y : {0.39, -0.39})
+      more += fmt::format(
+          "[loads.{}]\nkind = \"force\"\nat = [\"3 m\", \"{} m\", \"0 m\"]\n"
+          "force = [\"0 N\", \"0 N\", \"{} N\"]\n",
+          y > 0.0 ? "left" : "right", y, -force);
+    const Verification of = verify(forked("3 mm", more + twist("t", 3.1, torque), 0.0));
+    return std::any_of(of.gates.begin(), of.gates.end(), [](const Gate& gate) {
+      return gate.finding.find("diaphragm at s = 3 m: so that the box") != std::string::npos;
+    });
+  };
+  CHECK(stopped(400e3, 1500e3));
+  CHECK_FALSE(stopped(400e3, 150e3));
+  CHECK_FALSE(stopped(1e3, 1500e3));
+}
+
 }  // namespace distortion_checks_test

@@ -9,6 +9,7 @@
 #include "boxbeam/verification/bending_zones.hpp"
 #include "boxbeam/verification/checks.hpp"
 #include "boxbeam/verification/gates.hpp"
+#include "boxbeam/verification/patch_checks.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 
 namespace boxbeam {
@@ -97,5 +98,14 @@ void leave_out_without_effect(std::vector<CheckResult>& checks);
 std::vector<Gate> distortion_gates_of(const Project& project,
                                       const std::vector<DistortionEstimate>& estimates,
                                       const std::vector<CheckResult>& checks);
+
+/// Where a diaphragm bears what keeps the box in shape and what forces put into the same parts of
+/// it: of the plate and the welds with the webs both as a sum, of those with the flange, across
+/// which the force comes, as a vector. What turns the beam there is a lever of the force itself,
+/// whose part of d, T/2, lies in what these bear of it. In fatigue the sum of both uses.
+std::vector<Gate> shared_diaphragm_gates_of(const Project& project,
+                                            const std::vector<DistortionEstimate>& estimates,
+                                            const std::vector<IntoDiaphragm>& into,
+                                            const std::vector<CheckResult>& checks);
 
 }  // namespace boxbeam

@@ -15,12 +15,23 @@ struct UnsaidWelds {
   std::optional<Length> throat;  ///< that suffices everywhere; nothing: none does
 };
 
+/// What comes into a part of a diaphragm beside what keeps the box in shape.
+struct IntoDiaphragm {
+  enum class Part { plate, web_weld, flange_weld };
+  Length s;
+  Part part = Part::plate;
+  std::string under;  ///< the force
+  double use = 0.0;   ///< without `required`
+  Moment turns = {};  ///< of it about the beam's axis, load factor applied
+};
+
 /// What is found where forces come into the webs of the beam.
 struct PatchChecks {
   std::vector<CheckResult> checks;
   std::vector<Gate> gates;
   std::vector<NotJudged> not_judged;
   std::optional<UnsaidWelds> unsaid_welds;
+  std::vector<IntoDiaphragm> into_diaphragms;
 };
 
 /// The webs of boxes and rectangular tubes under the forces across the beam that come into them
