@@ -9,6 +9,10 @@ namespace {
 constexpr int samples_per_piece = 32;
 /// Moments below this part of the largest are zero.
 constexpr double nothing = 1e-6;
+/// Situations whose moment at a place is below this part of the largest there govern nothing there.
+constexpr double little = 0.1;
+/// Steps of the beam by which the moments of situations are compared.
+constexpr std::size_t steps_along = 256;
 
 const Polynomial<5>& moment_of(const CutForcePiece& piece, BendingAxis about) {
   return about == BendingAxis::y ? piece.M_y : piece.M_z;
@@ -32,15 +36,33 @@ double largest_moment_of(const CutForceDiagram& diagram, BendingAxis about) {
   return largest;
 }
 
-LargestBending largest_bending_of(const std::deque<SituationRun>& runs, BendingAxis about) {
+LargestBending largest_bending_of(const SituationRun& run, BendingAxis about) {
   LargestBending largest;
-  for (const SituationRun& run : runs) {
-    for (std::size_t i = 0; i < run.loads.instants(); ++i) {
-      const double moment = largest_moment_of(run.loads.diagram(i), about);
-      if (largest.loads == nullptr || moment > largest.moment) largest = {&run.loads, i, moment};
-    }
+  for (std::size_t i = 0; i < run.loads.instants(); ++i) {
+    const double moment = largest_moment_of(run.loads.diagram(i), about);
+    if (largest.loads == nullptr || moment > largest.moment) largest = {&run.loads, i, moment};
   }
   return largest;
+}
+
+/// Of each situation.
+std::vector<LargestBending> largest_bendings_of(const std::deque<SituationRun>& runs,
+                                                BendingAxis about) {
+  std::vector<LargestBending> largest;
+  for (const SituationRun& run : runs) largest.push_back(largest_bending_of(run, about));
+  return largest;
+}
+
+/// The first of those with the largest moment.
+std::size_t leading_of(const std::vector<LargestBending>& bendings) {
+  const auto most = std::max_element(
+      bendings.begin(), bendings.end(),
+      [](const LargestBending& a, const LargestBending& b) { return a.moment < b.moment; });
+  return static_cast<std::size_t>(most - bendings.begin());
+}
+
+double largest_moment_of(const std::vector<LargestBending>& bendings) {
+  return bendings.empty() ? 0.0 : bendings[leading_of(bendings)].moment;
 }
 
 /// Places where the moment is zero or changes its sign, ascending.
@@ -122,6 +144,88 @@ std::vector<BendingZone> zones_about(BendingAxis about, const Project& project,
   return zones;
 }
 
+/// The largest moment of a situation at equal steps of the beam, of all its instants, with its load
+/// factor.
+std::vector<double> envelope_of(const SituationRun& run, BendingAxis about, double length) {
+  std::vector<double> envelope(steps_along + 1, 0.0);
+  for (std::size_t i = 0; i < run.loads.instants(); ++i) {
+    const CutForceDiagram diagram = run.loads.diagram(i);
+    for (std::size_t k = 0; k <= steps_along; ++k) {
+      const double s = length * static_cast<double>(k) / steps_along;
+      for (const Side side : {Side::before, Side::behind}) {
+        const CutForces cut = diagram.at({si<Length>(s), side});
+        const double moment = (about == BendingAxis::y ? cut.M_y : cut.M_z).value();
+        envelope[k] = std::max(envelope[k], run.situation->load_factor * std::abs(moment));
+      }
+    }
+  }
+  return envelope;
+}
+
+/// The part of a zone between two steps of the beam; nothing where it does not reach there.
+std::optional<BendingZone> part_of(BendingZone zone, Length from, Length to) {
+  zone.from = std::max(zone.from, from);
+  zone.to = std::min(zone.to, to);
+  if (zone.from >= zone.to) return std::nullopt;
+  return zone;
+}
+
+/// Whether another zone leaves no more of any plate wherever this one is.
+bool covered(const BendingZone& zone, const std::vector<BendingZone>& by, double length) {
+  const Length slack = si<Length>(nothing * length);
+  const auto beta_2 = [](const BendingZone& of) { return of.region != BendingRegion::sagging; };
+  return std::any_of(by.begin(), by.end(), [&](const BendingZone& other) {
+    return other.axis == zone.axis && other.from <= zone.from + slack &&
+           other.to >= zone.to - slack && (beta_2(other) || !beta_2(zone)) &&
+           other.effective_length <= (1.0 + nothing) * zone.effective_length;
+  });
+}
+
+/// Adds the parts of a situation's zones where it bends the beam by more than `little`: whole
+/// steps, with those beside them.
+void add_where_it_counts(const std::vector<BendingZone>& zones, const std::vector<double>& own,
+                         const std::vector<double>& most, double length,
+                         std::vector<BendingZone>& all) {
+  const auto counts = [&](std::size_t k) { return own[k] > 0.0 && own[k] >= little * most[k]; };
+  const auto counts_in = [&](std::size_t k) { return counts(k) || counts(k + 1); };
+  const auto at = [&](std::size_t k) {
+    return si<Length>(length * static_cast<double>(k) / steps_along);
+  };
+  for (std::size_t k = 0; k < steps_along; ++k) {
+    if (!counts_in(k)) continue;
+    const std::size_t first = k;
+    while (k < steps_along && counts_in(k)) ++k;
+    for (const BendingZone& zone : zones) {
+      const auto part = part_of(zone, at(first), at(k));
+      if (part && !covered(*part, all, length)) all.push_back(*part);
+    }
+  }
+}
+
+/// Those of the situation with the largest moment everywhere, of the others where they bend the
+/// beam noticeably: a situation's shear lag is that of its own moments (EN 1993-1-5, 3.2.1).
+std::vector<BendingZone> zones_of_all(BendingAxis about, const Project& project,
+                                      const std::deque<SituationRun>& runs,
+                                      const std::vector<LargestBending>& bendings, double least) {
+  if (bendings.empty()) return {};
+  const std::size_t leading = leading_of(bendings);
+  std::vector<BendingZone> all = zones_about(about, project, bendings[leading], least);
+  if (runs.size() < 2 || all.empty()) return all;
+  const double length = project.beam.length().value();
+  std::vector<std::vector<double>> envelopes;
+  std::vector<double> most(steps_along + 1, 0.0);
+  for (const SituationRun& run : runs) {
+    envelopes.push_back(envelope_of(run, about, length));
+    for (std::size_t k = 0; k <= steps_along; ++k) most[k] = std::max(most[k], envelopes.back()[k]);
+  }
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (i != leading)
+      add_where_it_counts(zones_about(about, project, bendings[i], least), envelopes[i], most,
+                          length, all);
+  }
+  return all;
+}
+
 /// The plates that shear lag works in: width between supports, thickness, area of stiffeners.
 struct WidePlates {
   Length clear, middles, thickness;
@@ -159,21 +263,51 @@ std::optional<WidePlates> wide_plates_of(const Profile& profile, BendingAxis axi
   return std::nullopt;
 }
 
+bool reaches(const BendingZone& zone, const Station& station) {
+  const Length s = station.s;
+  if (s < zone.from || s > zone.to) return false;
+  return station.side == Side::before ? s > zone.from : station.side == Side::both || s < zone.to;
+}
+
+ShearLag lag_in(const BendingZone& zone, const WidePlate& plate) {
+  ShearLag lag{plate};
+  lag.effective_length = zone.effective_length;
+  lag.kappa = shear_lag_kappa(lag.b_0, lag.thickness, lag.stiffeners, lag.effective_length);
+  lag.region = zone.region;
+  lag.beta = shear_lag_factor(lag.kappa, zone.region);
+  return lag;
+}
+
+/// Of the zones at a station that in which least is left, by `share`.
+template <class Share>
+std::optional<ShearLag> least_lag_at(const std::vector<BendingZone>& zones, const Station& station,
+                                     BendingAxis axis, const WidePlate& plate, const Share& share) {
+  std::optional<ShearLag> least;
+  for (const BendingZone& zone : zones) {
+    if (zone.axis != axis || !reaches(zone, station)) continue;
+    if (!shear_lag_counts(plate.b_0, zone.effective_length)) continue;
+    const ShearLag lag = lag_in(zone, plate);
+    if (!least || share(lag) < share(*least)) least = lag;
+  }
+  return least;
+}
+
 }  // namespace
 
 std::vector<BendingZone> bending_zones_of(const Project& project,
                                           const std::deque<SituationRun>& runs) {
   if (!project.strength.shear_lag) return {};
-  const LargestBending upright = largest_bending_of(runs, BendingAxis::y);
+  const std::vector<LargestBending> upright = largest_bendings_of(runs, BendingAxis::y);
   // Beside the other one, and beside the forces over the beam's length, it is round-off.
   double force = 0.0;
   for (const SituationRun& run : runs) force = std::max(force, run.loads.largest_force());
-  double least = 1e-9 * std::max(upright.moment, force * project.beam.length().value());
-  if (!project.in_space) return zones_about(BendingAxis::y, project, upright, least);
-  const LargestBending sideways = largest_bending_of(runs, BendingAxis::z);
-  least = std::max(least, 1e-9 * sideways.moment);
-  std::vector<BendingZone> zones = zones_about(BendingAxis::y, project, upright, least);
-  const std::vector<BendingZone> others = zones_about(BendingAxis::z, project, sideways, least);
+  double least = 1e-9 * std::max(largest_moment_of(upright), force * project.beam.length().value());
+  if (!project.in_space) return zones_of_all(BendingAxis::y, project, runs, upright, least);
+  const std::vector<LargestBending> sideways = largest_bendings_of(runs, BendingAxis::z);
+  least = std::max(least, 1e-9 * largest_moment_of(sideways));
+  std::vector<BendingZone> zones = zones_of_all(BendingAxis::y, project, runs, upright, least);
+  const std::vector<BendingZone> others =
+      zones_of_all(BendingAxis::z, project, runs, sideways, least);
   zones.insert(zones.end(), others.begin(), others.end());
   return zones;
 }
@@ -181,21 +315,23 @@ std::vector<BendingZone> bending_zones_of(const Project& project,
 std::optional<ShearLag> plate_lag_at(const std::vector<BendingZone>& zones, const Station& station,
                                      BendingAxis axis, Length b_0, Length thickness,
                                      Area stiffeners) {
-  const Length s = station.s;
-  const auto zone = std::find_if(zones.begin(), zones.end(), [&](const BendingZone& z) {
-    if (z.axis != axis || s < z.from || s > z.to) return false;
-    return station.side == Side::before ? s > z.from : station.side == Side::both || s < z.to;
-  });
-  if (zone == zones.end() || !shear_lag_counts(b_0, zone->effective_length)) return std::nullopt;
-  ShearLag lag;
-  lag.b_0 = b_0;
-  lag.effective_length = zone->effective_length;
-  lag.thickness = thickness;
-  lag.stiffeners = stiffeners;
-  lag.kappa = shear_lag_kappa(lag.b_0, lag.thickness, lag.stiffeners, lag.effective_length);
-  lag.region = zone->region;
-  lag.beta = shear_lag_factor(lag.kappa, zone->region);
-  return lag;
+  return least_lag_at(zones, station, axis, {b_0, thickness, stiffeners, {}, {}},
+                      [](const ShearLag& lag) { return lag.beta; });
+}
+
+double ultimate_share_at(const std::vector<BendingZone>& zones, const Station& station,
+                         BendingAxis axis, Length b_0, Length thickness, Area stiffeners) {
+  const auto lag =
+      least_lag_at(zones, station, axis, {b_0, thickness, stiffeners, {}, {}}, ultimate_share_of);
+  return lag ? ultimate_share_of(*lag) : 1.0;
+}
+
+double ultimate_share_at(const std::vector<BendingZone>& zones, const Section& section,
+                         const Station& station, BendingAxis axis) {
+  const auto plates = wide_plates_of(section.outer, axis);
+  if (!plates) return 1.0;
+  return ultimate_share_at(zones, station, axis, 0.5 * plates->middles, plates->thickness,
+                           plates->stiffeners);
 }
 
 double ultimate_share_of(const ShearLag& lag) {

@@ -212,11 +212,8 @@ bool may_buckle_in_shear(const BoxWall& wall) {
 
 LagShares lag_shares_at(const std::vector<BendingZone>& zones, const Section& section,
                         const Station& station) {
-  const ShearLags lags = shear_lags_at(zones, section, station);
-  const auto share = [](const std::optional<ShearLag>& lag) {
-    return lag ? ultimate_share_of(*lag) : 1.0;
-  };
-  return {share(lags.flanges), share(lags.webs)};
+  return {ultimate_share_at(zones, section, station, BendingAxis::y),
+          ultimate_share_at(zones, section, station, BendingAxis::z)};
 }
 
 }  // namespace boxbeam

@@ -253,9 +253,7 @@ std::optional<PathSection> judged_path_at(const Project& project,
   of->length = supported_length_at(project, station);
   for (const PathPlate& plate : of->plates) {
     const auto share = [&](BendingAxis axis) {
-      const auto lag =
-          plate_lag_at(zones, station, axis, lagging_width_of(*of, plate), plate.thickness);
-      return lag ? ultimate_share_of(*lag) : 1.0;
+      return ultimate_share_at(zones, station, axis, lagging_width_of(*of, plate), plate.thickness);
     };
     of->lag.push_back({share(BendingAxis::y), share(BendingAxis::z)});
   }

@@ -122,6 +122,46 @@ TEST_CASE("shear lag of a simply supported beam: beta_1 under its weight, beta_2
                BendingRegion::hogging) == Approx(beta_2).epsilon(1e-6));
 }
 
+TEST_CASE("shear lag of several situations: each by its own zero moments, the least part counts") {
+  // A beam of 5 m on supports at 0 and 4 m, b_0 = 95 mm. A: 1000 kN at the tip, zero moments at 0
+  // and 5 m, M = 500 kN m at 2 m. B: 300 kN at 2 m, zero moments at 0 and 4 m, M = 300 kN m there.
+  const auto lag_at = [](double s, double size_of_B, double factor_of_B, bool with_A = true) {
+    Project project = parse_project(
+        "case.toml",
+        fmt::format(
+            "[case]\nname = \"two\"\nkind = \"static\"\n[frame]\ngravity = [\"0 m/s^2\", \"0 "
+            "m/s^2\"]\n[sections.box]\nkind = \"box\"\nwidth = \"200 mm\"\nheight = \"200 mm\"\n"
+            "flange = \"10 mm\"\nweb = \"10 mm\"\n[beam]\ndensity = \"7850 kg/m^3\"\n"
+            "[[beam.segments]]\nlength = \"5 m\"\nsection = \"box\"\n"
+            "[supports.left]\nkind = \"pinned\"\nat = \"0 m\"\n"
+            "[supports.right]\nkind = \"roller\"\nat = \"4 m\"\n"
+            "[loads.tip]\nkind = \"force\"\nat = \"5 m\"\nforce = [\"0 kN\", \"-1000 kN\"]\n"
+            "[loads.middle]\nkind = \"force\"\nat = \"2 m\"\nforce = [\"0 kN\", \"{} kN\"]\n"
+            "[[situations]]\nname = \"A\"\nloads = {{ tip = {} }}\n"
+            "[[situations]]\nname = \"B\"\nloads = {{ middle = 1.0 }}\n"
+            "[material]\nsteel = \"S355\"\n[strength]\nrequired = 1.0\n",
+            -size_of_B, with_A ? "1.0" : "0.0"));
+    project.situations.back().load_factor = factor_of_B;
+    const std::deque<SituationRun> runs = run_situations(project);
+    const std::vector<BendingZone> zones = bending_zones_of(project, runs);
+    const Length at = si<Length>(s);
+    const auto lag = shear_lag_at(zones, section_at(project.beam, {at}), {at});
+    REQUIRE(lag);
+    CHECK(ultimate_share_at(zones, section_at(project.beam, {at}), {at}, BendingAxis::y) ==
+          Approx(std::pow(lag->beta, lag->kappa)).epsilon(1e-12));
+    return *lag;
+  };
+  const double of_A = 0.095 / 5.0, of_B = 0.095 / 4.0;
+  CHECK(lag_at(2.0, 300.0, 1.0).kappa == Approx(of_B).epsilon(1e-6));
+  // As B by itself.
+  CHECK(lag_at(2.0, 300.0, 1.0).beta == Approx(lag_at(2.0, 300.0, 1.0, false).beta).epsilon(1e-9));
+  // Where B does not bend the beam, and where it bends it by less than a tenth of A's moment.
+  CHECK(lag_at(4.5, 300.0, 1.0).kappa == Approx(of_A).epsilon(1e-6));
+  CHECK(lag_at(2.0, 20.0, 1.0).kappa == Approx(of_A).epsilon(1e-6));
+  // With its load factor: 3 times 20 kN m beside 500.
+  CHECK(lag_at(2.0, 20.0, 3.0).kappa == Approx(of_B).epsilon(1e-6));
+}
+
 TEST_CASE("a case that leaves shear lag out has no bending zones") {
   Project project = test::rig();
   project.strength.shear_lag = false;

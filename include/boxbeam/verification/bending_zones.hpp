@@ -16,7 +16,7 @@ namespace boxbeam {
 enum class BendingAxis { y, z };
 
 /// A stretch of the beam between two places of zero moment about one axis, at the instant when that
-/// moment is largest.
+/// moment is largest in a situation, or the part of it where that situation counts.
 struct BendingZone {
   Length from, to;
   /// Length between zero moments, for shear lag; twice the stretch where the moment is largest at
@@ -27,9 +27,11 @@ struct BendingZone {
   BendingAxis axis = BendingAxis::y;
 };
 
-/// The stretches of the beam, in order, of M_y and behind them, in space, of M_z; none where it is
-/// never bent, or the case leaves shear lag out.
-/// Source: EN 1993-1-5:2006, 3.2.1, figure 3.1 (lengths between zero moments).
+/// The stretches of the beam of M_y and behind them, in space, of M_z; none where it is never bent,
+/// or the case leaves shear lag out. First, in order, those of the situation with the largest
+/// moment, then those of all others where their moment, with its load factor, is above a tenth of
+/// the largest there: stretches of several situations overlap, and the one that leaves least of a
+/// plate counts. Source: EN 1993-1-5:2006, 3.2.1, figure 3.1 (lengths between zero moments).
 std::vector<BendingZone> bending_zones_of(const Project& project,
                                           const std::deque<SituationRun>& runs);
 
@@ -55,6 +57,14 @@ std::optional<ShearLag> plate_lag_at(const std::vector<BendingZone>& zones, cons
 /// What it leaves at the ultimate limit state, beta^kappa >= beta. Source: EN 1993-1-5:2006, 3.3,
 /// note 3.
 double ultimate_share_of(const ShearLag& lag);
+
+/// The least of it that any situation leaves at a station, of a plate and of a section's flanges
+/// (webs); not always where beta is least, for kappa stands in the exponent. One where it does not
+/// count.
+double ultimate_share_at(const std::vector<BendingZone>& zones, const Station& station,
+                         BendingAxis axis, Length b_0, Length thickness, Area stiffeners = {});
+double ultimate_share_at(const std::vector<BendingZone>& zones, const Section& section,
+                         const Station& station, BendingAxis axis);
 
 /// Shear lag of both bendings at a place. One effective section serves both: what is idle in the
 /// flanges under M_y and what is idle in the webs under M_z is left out of it together. Each plate
