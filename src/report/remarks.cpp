@@ -342,7 +342,8 @@ std::string shape_text(const Project& project) {
   const bool all = std::all_of(segments.begin(), segments.end(), is_open);
   if (project.in_space) {
     return all ? "warping, whether open sections keep their shape"
-               : "warping, distortion but of boxes and rectangular tubes";
+               : "warping, distortion but of boxes, rectangular tubes and paths around one "
+                 "rectangle";
   }
   std::string text =
       all ? ""

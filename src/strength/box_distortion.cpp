@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "path_cell.hpp"
+
 namespace boxbeam {
 namespace {
 
@@ -165,6 +167,30 @@ double phi_of(const DistortedBeam& beam, std::size_t element) {
          (mean_of(beam.shear_stiffness[element]) * L * L);
 }
 
+/// Of a path: in its corners both plates, as far as each of them is thick; of what leads a plate
+/// on, parts below 0 and above 1, for omega goes on as it is along the plate. What the plate bends
+/// is less there than so.
+std::vector<CellPlace> places_in(const PathCell& of, Length y, Length z) {
+  using enum BoxPlate;
+  const Length near = 1e-9 * (of.cell.width + of.cell.height);
+  const auto in = [&](Length from, BoxPlate plate) {
+    return abs(from) <= 0.5 * of.cell.thickness[static_cast<std::size_t>(plate)] + near;
+  };
+  const bool left = in(of.left - y, left_web), right = in(y - of.right, right_web);
+  const bool top = in(of.top - z, top_flange), bottom = in(z - of.bottom, bottom_flange);
+  if ((left || right) && (top || bottom)) {
+    const std::size_t corner = left ? (top ? 0 : 1) : (top ? 3 : 2);
+    return {{corner, 0.0}, {(corner + 3) % 4, 1.0}};
+  }
+  const double down = ((of.top - z) / of.cell.height).value();
+  const double across = ((of.left - y) / of.cell.width).value();
+  if (left) return {{0, down}};
+  if (bottom) return {{1, across}};
+  if (right) return {{2, 1.0 - down}};
+  if (top) return {{3, 1.0 - across}};
+  return {};
+}
+
 }  // namespace
 
 std::optional<BoxCell> box_cell_of(const Profile& profile) {
@@ -177,12 +203,17 @@ std::optional<BoxCell> box_cell_of(const Profile& profile) {
     const Length t = tube->wall;
     return BoxCell{tube->width - t, tube->height - t, {t, t, t, t}};
   }
+  if (const auto* path = std::get_if<ThinWalled>(&profile)) {
+    if (const auto of = path_cell_of(*path)) return of->cell;
+  }
   return std::nullopt;
 }
 
 std::vector<CellPlace> places_in_cell(const Profile& profile, Length y, Length z) {
   const std::optional<BoxCell> cell = box_cell_of(profile);
   if (!cell) return {};
+  if (const auto* path = std::get_if<ThinWalled>(&profile))
+    return places_in(*path_cell_of(*path), y, z);
   const auto t = [&](BoxPlate plate) { return thickness_of(*cell, plate); };
   const auto* const tube = std::get_if<RectangularTube>(&profile);
   const double round = tube != nullptr ? tube->outer_radius.value() : 0.0;
@@ -220,8 +251,10 @@ DistortionInfluence distortion_at(const BoxCell& cell, const CellDistortion& of,
   DistortionInfluence at;
   at.along =
       2.0 * std::lerp(of.warping[place.plate], of.warping[next], place.part) / of.warping_inertia;
-  at.moment = std::abs((1.0 - place.part) * of.corner_moments[place.plate] -
-                       place.part * of.corner_moments[next]);
+  // Nothing bends what leads a plate on and ends freely.
+  if (place.part >= 0.0 && place.part <= 1.0)
+    at.moment = std::abs((1.0 - place.part) * of.corner_moments[place.plate] -
+                         place.part * of.corner_moments[next]);
   at.across = 6.0 * at.moment / (t * t);
   at.flow = of.flow[place.plate] + flow_along(cell, of, place.plate, place.part);
   at.shear = at.flow / t;

@@ -10,14 +10,14 @@
 #include <utility>
 
 #include "boxbeam/numerics/extremum.hpp"
-#include "boxbeam/project/plate_material.hpp"
-#include "boxbeam/strength/shear_buckling.hpp"
-#include "boxbeam/strength/weld_throat.hpp"
 #include "boxbeam/verification/distorted_stretch.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
+#include "boxbeam/verification/slender_path.hpp"
 #include "check_sources.hpp"
 #include "counts_in_fatigue.hpp"
+#include "distorted_paths.hpp"
 #include "distortion_ranges.hpp"
+#include "holding_diaphragm.hpp"
 
 namespace boxbeam {
 namespace {
@@ -31,7 +31,7 @@ std::vector<BoxStretch> box_stretches_of(const TaperedBeam& beam) {
   std::vector<BoxStretch> stretches;
   bool before = false;
   for (std::size_t i = 0; i < beam.segments.size(); ++i) {
-    const bool box = box_cell_of(beam.segments[i].from.outer).has_value();
+    const bool box = has_cell(beam.segments[i]);
     if (box && before) stretches.back().last = i;
     if (box && !before) stretches.push_back({i, i});
     before = box;
@@ -118,7 +118,8 @@ class DistortionSearch {
     std::vector<std::vector<CutForces>> cuts;
     for (const SituationRun& run : *runs_) cuts.push_back(run.loads.cuts_at(station_of(place)));
     look_at_bending(points, cuts);
-    const bool slender = slender_plates_at(*project_, *zones_, station_of(place)) != nullptr;
+    const bool slender = slender_plates_at(*project_, *zones_, station_of(place)) != nullptr ||
+                         slender_path_at(*project_, *zones_, station_of(place)) != nullptr;
     for (std::size_t r = 0; r < cuts.size(); ++r) {
       const double factor = (*runs_)[r].situation->load_factor;
       for (std::size_t i = 0; factor > 0.0 && i < cuts[r].size(); ++i) {
@@ -139,8 +140,6 @@ class DistortionSearch {
       ranges_.look_at(place, points, cuts, {along, across}, no_effect * yield);
   }
 
-  /// A shear flow d/(b h) all around its plate, by twice d the torque that comes by the webs alone.
-  /// The strips beside an opening bend as the frame does (`diaphragm_stiffness`): M = d/4.
   void look_at(const Diaphragm& of) {
     const auto& places = stretch_->places();
     const auto away = [&](const DistortedStretch::Place& at) { return abs(at.station.s - of.s); };
@@ -159,40 +158,11 @@ class DistortionSearch {
                  nu = 0.5 * E / project_->model.shear_modulus - 1.0;
     const double stiffness = diaphragm_stiffness(cell, of.thickness, of.opening, E, nu);
     const double d = angle * stiffness;
-    const std::vector<PlateOf> plates = plates_around(*project_, of.s, of.thickness);
-    const PlateOf plate = first_to_yield(plates), joined = weakest_to_weld(plates);
-    const auto yield = yield_strength_of(*plate.material, plate.thickness);
-    const auto tensile = tensile_strength_of(*joined.material, joined.thickness);
-    if (!yield || !tensile) return;
-    DistortionEstimate::Holding holding{of.s, si<Force>(d / cell.width.value())};
-    holding.d = si<Moment>(d);
-    ShearPanel panel;
-    panel.depth = cell.height;
-    panel.length = cell.width;
-    panel.thickness = of.thickness;
-    panel.yield_strength = *yield;
-    const double gamma_M1 = project_->strength.gamma_M1;
-    const Length least = std::min(cell.width, cell.height) - of.opening;
-    if (!(least > Length{})) return;
-    holding.plate = holding.shear / (shear_resistance_of(panel, gamma_M1).resistance *
-                                     (least / (least + of.opening)));
-    if (of.opening > Length{}) {
-      const Stress bent = si<Stress>(6.0 * 0.25 * d /
-                                     (of.thickness.value() * 0.25 * least.value() * least.value()));
-      holding.plate =
-          std::max(holding.plate, (bent * project_->strength.gamma_M0 / *yield).value());
-    }
-    constexpr NoDerivation plainly;
-    const WeldStrength strength{*tensile, joined.material->beta_w, project_->strength.gamma_M2};
-    const Length needed =
-        std::sqrt(3.0) * holding.shear / (2.0 * cell.height * weld_strength(plainly, strength));
-    if (of.throat > Length{})
-      holding.welds = needed / of.throat;
-    else
-      holding.needed = needed;
-    look_at_life(place, of, stiffness, holding);
-    found_.held.push_back(holding);
-    if (!found_.holding || holding.used() > found_.holding->used()) found_.holding = holding;
+    auto holding = holding_of(*project_, of, cell, d);
+    if (!holding) return;
+    look_at_life(place, of, stiffness, *holding);
+    found_.held.push_back(*holding);
+    if (!found_.holding || holding->used() > found_.holding->used()) found_.holding = holding;
   }
 
   /// Its fillets and its plate in shear, strips beside an opening bent in its plane as corners are.
@@ -384,16 +354,9 @@ DistortionChecks check_distortion(const Project& project, const std::deque<Situa
       note_life(estimate, of, found.not_judged);
     const auto& holding = estimate.holding;
     if (!holding || !(project.strength.required * holding->needed > least_throat())) continue;
-    found.not_judged.push_back(
-        {Criterion::weld,
-         fmt::format("welds of the diaphragm at s = {} m",
-                     to_text(Station{holding->s, Side::both})),
-         fmt::format("so that the box keeps its shape fillets on its faces need throats of {:.2g} "
-                     "mm beside "
-                     "what forces there ask, "
-                     "which the case does not say",
-                     1e3 * project.strength.required * holding->needed.value())});
+    found.not_judged.push_back(unsaid_welds(project, *holding));
   }
+  look_at_other_cells(project, runs, found);
   return found;
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "boxbeam/section/torsion.hpp"
+#include "boxbeam/strength/box_distortion.hpp"
 #include "boxbeam/strength/patch_loading.hpp"
 #include "boxbeam/verification/judged_section.hpp"
 #include "boxbeam/verification/slender_path.hpp"
@@ -179,7 +179,7 @@ void PressedPlatesAlong::look_at_path(const Station& station, PressedPlates& of)
   of.stout_y = stout_path(*project_, *path, false, of.none);
   if (!slender_path_at(*project_, {}, station)) return;
   of.path = of.along_y = of.along_z = true;
-  of.closed = enclosed_area_of(section.outer).value() > 0.0;
+  of.closed = box_cell_of(section.outer).has_value();
   const auto slender = [&](bool along_z) {
     const std::vector<PathWeb> webs = webs_of_path(*path, along_z, true).webs;
     return std::any_of(webs.begin(), webs.end(), [](const PathWeb& web) { return web.slender; });

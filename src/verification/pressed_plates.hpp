@@ -39,7 +39,7 @@ struct PressedPlates {
   /// A force over a plate's depth that is far below what bears it.
   Force none = si<Force>(std::numeric_limits<double>::infinity());
   Length depth;         ///< the largest
-  bool closed = false;  ///< a path that may buckle, around cells
+  bool closed = false;  ///< a path that may buckle, around one rectangle
   Stout stout_z, stout_y;
 
   const Stout& stout(bool z) const { return z ? stout_z : stout_y; }

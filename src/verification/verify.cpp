@@ -162,6 +162,7 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
   append(distortion_gates_of(project, distortion.estimates, checks), gates);
   append(shared_diaphragm_gates_of(project, distortion.estimates, patches.into_diaphragms, checks),
          gates);
+  append(std::move(distortion.gates), gates);
   std::vector<NotJudged> not_judged =
       not_judged_in(project, checks, std::move(neighbours.not_judged));
   append(std::move(distortion.not_judged), not_judged);

@@ -43,8 +43,9 @@ struct BoxCell {
   std::array<Length, 4> thickness;  ///< by BoxPlate
 };
 
-/// The cell of a box, without its stiffeners, or of a rectangular tube, its corners taken as sharp;
-/// nothing of other profiles.
+/// The cell of a box, without its stiffeners, of a rectangular tube, its corners taken as sharp, or
+/// of a thin-walled path around one rectangle along y and z, each of whose four plates is of one
+/// thickness, without what ends freely within it or leads a plate on; nothing of other profiles.
 std::optional<BoxCell> box_cell_of(const Profile& profile);
 
 /// Corners of a cell in the order in which its values stand, one behind the other around it.
@@ -63,7 +64,8 @@ struct CellDistortion {
   std::array<double, 4> flow{};
 };
 
-/// A place on a plate of a cell: plate k leads from corner k to the next one, its part from 0 to 1.
+/// A place on a plate of a cell: plate k leads from corner k to the next one, its part from 0 to 1,
+/// beyond that where the plate of a path leads on.
 struct CellPlace {
   std::size_t plate = 0;
   double part = 0.0;

@@ -59,10 +59,11 @@ struct DistortionChecks {
   std::vector<CheckResult> checks;
   std::vector<NotJudged> not_judged;
   std::vector<DistortionEstimate> estimates;
+  std::vector<Gate> gates;  ///< of cells whose distortion is not computed
 };
 
-/// Distortion of every stretch of boxes and rectangular tubes of a beam in space to which torque
-/// comes: of each the places that are used most, in strength by
+/// Distortion of every stretch of boxes, rectangular tubes and thin-walled paths around a rectangle
+/// of a beam in space to which torque comes: of each the places that are used most, in strength by
 ///
 ///     sigma_x = |sigma| + sigma_D,  sigma_t = 6 m/t^2,  tau = |tau| + tau_D
 ///
