@@ -370,7 +370,13 @@ struct Project {
 /// Adds a hole, and its mark to the beam.
 void add_hole(Project& project, BeamHole hole);
 
-/// The holes whose centre is at s.
+/// What holes take out of the section at s, where the centre of one of them is: those there, and
+/// of those beside it in the same plates what a path across the plate through both loses by them,
+///
+///     d - s^2/(4 p)
+///
+/// s and p are the distances of their centres along and across the beam. Nothing at other stations.
+/// Source: EN 1993-1-1:2005, 6.2.2.2(4).
 std::vector<Hole> holes_at(const Project& project, Length s);
 
 /// The mechanism of a case, of a kind that the caller knows.
