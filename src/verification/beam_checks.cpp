@@ -298,7 +298,7 @@ BeamChecks check_beam(const Project& project, const std::deque<SituationRun>& ru
     throw AnalysisError(
         {"nothing to verify: no point of the beam is ever stressed", "beam", {}, {}, {}});
   }
-  append(check_welds(project, runs), beam.checks);
+  append(check_welds(project, runs, zones), beam.checks);
   if (WholeLife* const whole = whole_life_of(runs); whole != nullptr && project.fatigue.asked)
     count_near_largest(project, runs, *whole, beam.checks);
   give_seam_throats(beam.checks);

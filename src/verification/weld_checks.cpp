@@ -4,6 +4,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "boxbeam/strength/weld_throat.hpp"
 #include "boxbeam/verification/drawn_samples.hpp"
 #include "boxbeam/verification/station_samples.hpp"
+#include "weld_losses.hpp"
 
 namespace boxbeam {
 namespace {
@@ -20,16 +22,20 @@ namespace {
 /// One face of a weld's station and all that is cut there: a load at the very station is cut off on
 /// one side only.
 struct WeldFace {
-  WeldFace(const Project& project, const std::deque<SituationRun>& runs, const Station& at)
+  WeldFace(const Project& project, const std::deque<SituationRun>& runs,
+           const std::vector<BendingZone>& zones, const Station& at)
       : station(at),
         histories(histories_at(runs, {at.s, behind_or_before(at.side)})),
-        samples(project, histories) {}
+        samples(project, histories),
+        in_fatigue(lag_loss_at(project, zones, at.s)),
+        in_strength(in_fatigue * buckling_loss_at(project, zones, at.s, samples)) {}
 
   static Side behind_or_before(Side side) { return side == Side::before ? side : Side::behind; }
 
   Station station;
   std::vector<SituationHistory> histories;
   StationSamples samples;
+  WeldLoss in_fatigue, in_strength;
 };
 
 /// A place of the weld's line back from the outer face of the throat to its root.
@@ -61,12 +67,13 @@ void look_along(const StressField& field, const Look& look) {
 
 /// What the points at a weld have in common.
 StressPoint point_at(const Project& project, const WeldInput& weld, const Station& station,
-                     const Section& section, const SectionProperties& properties) {
+                     const Section& section, const WeldLoss& loss) {
   const std::vector<PlateOf> around = plates_around(project, weld.s, weld.thickness);
   StressPoint point;
   point.station = station;
   point.section = section;
-  point.gross = point.net = properties;
+  point.gross = properties_of(section);
+  point.net = less(point.gross, loss);
   point.first_to_yield = first_to_yield(around);
   point.joined = weakest_to_weld(around);
   point.yield_strength =
@@ -76,10 +83,9 @@ StressPoint point_at(const Project& project, const WeldInput& weld, const Statio
 
 /// The places of a weld's line, as points of a beam whose section it is.
 std::vector<StressPoint> line_points_of(const Project& project, const WeldInput& weld,
-                                        const Station& station) {
+                                        const Station& station, const WeldLoss& loss) {
   const Section section = weld_line_of(weld);
-  const SectionProperties properties = properties_of(section);
-  const StressPoint common = point_at(project, weld, station, section, properties);
+  const StressPoint common = point_at(project, weld, station, section, loss);
   std::vector<StressPoint> points;
   look_along(stress_field_of(section, {}, {}), [&](const WallStretch& stretch, auto place) {
     const SectionPlace root = at_root(weld, place);
@@ -89,7 +95,7 @@ std::vector<StressPoint> line_points_of(const Project& project, const WeldInput&
     point.z = root.z;
     point.influence = place.influence;
     point.influence.normal =
-        normal_influence(sums_of(properties), root.y.value(), root.z.value()).normal;
+        normal_influence(sums_of(common.net), root.y.value(), root.z.value()).normal;
     point.prismatic = point.influence;
     point.torsion = place.torsion;
     point.plate = weld.thickness;
@@ -102,10 +108,9 @@ std::vector<StressPoint> line_points_of(const Project& project, const WeldInput&
 
 /// The places of the profile at a weld's toe, on the outer faces of its walls.
 std::vector<StressPoint> toe_points_of(const Project& project, const WeldInput& weld,
-                                       const Station& station) {
+                                       const Station& station, const WeldLoss& loss) {
   const Section section{weld.around, {}};
-  const SectionProperties properties = properties_of(section);
-  const StressPoint common = point_at(project, weld, station, section, properties);
+  const StressPoint common = point_at(project, weld, station, section, loss);
   std::vector<StressPoint> points;
   look_along(stress_field_of(section, {}, {}), [&](const WallStretch& stretch, auto place) {
     StressPoint& point = points.emplace_back(common);
@@ -114,6 +119,10 @@ std::vector<StressPoint> toe_points_of(const Project& project, const WeldInput& 
     point.z = place.z;
     point.influence = place.influence;
     point.prismatic = place.prismatic;
+    if (!loss.none()) {
+      point.influence.normal =
+          normal_influence(sums_of(common.net), place.y.value(), place.z.value()).normal;
+    }
     point.torsion = place.torsion;
     point.plate = stretch.plate;
     point.yield = weld.full;
@@ -197,11 +206,16 @@ std::optional<CheckResult> check_full_penetration(const Project& project, const 
   return result;
 }
 
+enum class Part { line, toe };
+
+const std::vector<Criterion> fatigue_criteria{Criterion::fatigue, Criterion::shear_fatigue,
+                                              Criterion::combined_fatigue};
+
 /// The checks of some criteria, each where `points` are used most by it.
 std::vector<CheckResult> check_points(const Project& project, const WeldInput& weld,
                                       const WeldFace& face, const std::vector<StressPoint>& points,
-                                      const std::vector<Criterion>& by) {
-  const bool of_line = by.front() == Criterion::weld;
+                                      Part part, const std::vector<Criterion>& by) {
+  const bool of_line = part == Part::line;
   std::vector<Utilisations> uses;
   for (const StressPoint& point : points) {
     Utilisations& use = uses.emplace_back(
@@ -233,23 +247,38 @@ std::vector<CheckResult> check_points(const Project& project, const WeldInput& w
   return results;
 }
 
+void append(std::vector<CheckResult> from, std::vector<CheckResult>& to) {
+  std::move(from.begin(), from.end(), std::back_inserter(to));
+}
+
 /// Throat and root.
 std::vector<CheckResult> check_line(const Project& project, const WeldInput& weld,
                                     const WeldFace& face) {
-  return check_points(
-      project, weld, face, line_points_of(project, weld, face.station),
-      {Criterion::weld, Criterion::fatigue, Criterion::shear_fatigue, Criterion::combined_fatigue});
+  std::vector<CheckResult> results = check_points(
+      project, weld, face, line_points_of(project, weld, face.station, face.in_strength),
+      Part::line, {Criterion::weld});
+  append(check_points(project, weld, face,
+                      line_points_of(project, weld, face.station, face.in_fatigue), Part::line,
+                      fatigue_criteria),
+         results);
+  return results;
 }
 
 std::vector<CheckResult> check_toe(const Project& project, const WeldInput& weld,
                                    const WeldFace& face) {
-  std::vector<Criterion> by;
-  if (weld.full) by.push_back(Criterion::yield);
-  if (project.fatigue.asked)
-    by.insert(by.end(), {Criterion::fatigue, Criterion::shear_fatigue, Criterion::combined_fatigue,
-                         Criterion::stress_range});
-  if (by.empty()) return {};
-  return check_points(project, weld, face, toe_points_of(project, weld, face.station), by);
+  std::vector<CheckResult> results;
+  if (weld.full) {
+    results = check_points(project, weld, face,
+                           toe_points_of(project, weld, face.station, face.in_strength), Part::toe,
+                           {Criterion::yield});
+  }
+  if (!project.fatigue.asked) return results;
+  std::vector<Criterion> by = fatigue_criteria;
+  by.push_back(Criterion::stress_range);
+  append(check_points(project, weld, face,
+                      toe_points_of(project, weld, face.station, face.in_fatigue), Part::toe, by),
+         results);
+  return results;
 }
 
 /// The thickest line that leaves the ring a hollow, and with which the search ends.
@@ -321,12 +350,12 @@ bool jumps(const std::vector<SituationHistory>& before,
 
 /// The faces on which a weld is judged: both where the cut forces jump.
 std::deque<WeldFace> faces_of(const Project& project, const std::deque<SituationRun>& runs,
-                              const WeldInput& weld) {
+                              const std::vector<BendingZone>& zones, const WeldInput& weld) {
   std::deque<WeldFace> faces;
   const bool both =
       jumps(histories_at(runs, {weld.s, Side::before}), histories_at(runs, {weld.s, Side::behind}));
-  if (both) faces.emplace_back(project, runs, Station{weld.s, Side::before});
-  faces.emplace_back(project, runs, Station{weld.s, both ? Side::behind : Side::both});
+  if (both) faces.emplace_back(project, runs, zones, Station{weld.s, Side::before});
+  faces.emplace_back(project, runs, zones, Station{weld.s, both ? Side::behind : Side::both});
   return faces;
 }
 
@@ -344,10 +373,11 @@ Section weld_line_of(const WeldInput& weld) {
           {}};
 }
 
-std::vector<CheckResult> check_welds(const Project& project, const std::deque<SituationRun>& runs) {
+std::vector<CheckResult> check_welds(const Project& project, const std::deque<SituationRun>& runs,
+                                     const std::vector<BendingZone>& zones) {
   std::vector<CheckResult> results;
   for (const WeldInput& weld : project.welds) {
-    const std::deque<WeldFace> faces = faces_of(project, runs, weld);
+    const std::deque<WeldFace> faces = faces_of(project, runs, zones, weld);
     std::vector<CheckResult> of_line;
     double most = 0.0;
     for (const WeldFace& face : faces) {
