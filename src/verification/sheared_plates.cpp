@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "boxbeam/section/section_points.hpp"
 #include "boxbeam/section/wall_stretches.hpp"
@@ -49,15 +50,22 @@ ShearStiffeners shear_stiffeners_of(const BoxWall& wall) {
 }
 
 /// A plate without what it carries of the shear flow.
-ShearedPlate sheared_plate(double gamma_M1, const BoxWall& wall, BoxPlate plate, bool alike) {
+ShearedPlate sheared_plate(double gamma_M1, const BoxWall& wall, BoxPlate plate, bool in_plane,
+                           bool alike) {
   ShearedPlate of;
   of.plate = plate;
-  of.as_flange = of.by_subpanels = is_flange(plate);
+  of.as_flange = of.by_subpanels = is_flange(plate) || !in_plane;
+  of.web_in_space = !is_flange(plate) && !in_plane;
   of.name = alike && !is_flange(plate) ? "web" : to_text(plate);
   of.panel = {wall.clear(), wall.thickness, wall.yield_strength,
               {},           false,          shear_stiffeners_of(wall)};
   of.resists = shear_resistance_of(of.panel, gamma_M1);
   return of;
+}
+
+/// The mean of a parabola by its ends and its middle: Simpson's rule is exact.
+double mean_of(const std::array<double, 3>& stress) {
+  return (stress[0] + 4.0 * stress[1] + stress[2]) / 6.0;
 }
 
 /// The part of the shear flow on a stretch of a plate.
@@ -77,25 +85,32 @@ ShearedPlate::Piece piece_of(const StressField& field, const WallStretch& stretc
 }  // namespace
 
 Force ShearedWall::force_of(const CutForces& cut) const {
-  double sum = 0.0, most = 0.0, most_of_pieces = 0.0;
+  double sum = 0.0, most = 0.0, sum_along = 0.0;
+  // Means of the pieces by what counts by subpanels.
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   for (const Piece& piece : pieces) {
-    std::array<double, 3> stress{};
+    std::array<double, 3> stress{}, along{};
     for (std::size_t i = 0; i < stress.size(); ++i) {
       for (std::size_t k = 0; k < cut_force::count; ++k) {
         const double acting = value_of(cut, static_cast<cut_force::Index>(k));
         // What is not known counts only where it acts.
-        if (acting != 0.0) stress[i] += piece.per_cut_force[i][k] * acting;
+        if (acting == 0.0) continue;
+        const double part = piece.per_cut_force[i][k] * acting;
+        stress[i] += part;
+        if (web_in_space && k != cut_force::V_y && k != cut_force::M_z) along[i] += part;
       }
       most = std::max(most, std::abs(stress[i]));
     }
-    // Simpson's rule is exact for a parabola.
-    const double mean = (stress[0] + 4.0 * stress[1] + stress[2]) / 6.0;
+    const double mean = mean_of(stress), mean_along = mean_of(along);
     sum += piece.width * mean;
-    most_of_pieces = std::max(most_of_pieces, std::abs(mean));
+    sum_along += piece.width * mean_along;
+    lowest = std::min(lowest, mean - mean_along);
+    highest = std::max(highest, mean - mean_along);
   }
   double mean = std::abs(sum);
   if (as_flange) mean = std::max(mean, 0.5 * most);
-  if (by_subpanels && pieces.size() > 1) mean = std::max(mean, most_of_pieces);
+  if (by_subpanels && pieces.size() > 1)
+    mean = std::max({mean, std::abs(sum_along + lowest), std::abs(sum_along + highest)});
   return si<Stress>(mean) * (panel.depth * panel.thickness);
 }
 
@@ -115,7 +130,7 @@ std::vector<ShearedPlate> sheared_plates_of(const Section& section, const FourWa
     auto at = std::find_if(plates.begin(), plates.end(),
                            [&](const ShearedPlate& of) { return of.plate == *plate; });
     if (at == plates.end())
-      at = plates.insert(at, sheared_plate(gamma_M1, walls.of(*plate), *plate, alike));
+      at = plates.insert(at, sheared_plate(gamma_M1, walls.of(*plate), *plate, in_plane, alike));
     at->pieces.push_back(piece_of(field, stretch));
   }
   for (ShearedPlate& plate : plates) {

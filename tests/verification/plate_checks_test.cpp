@@ -10,6 +10,7 @@
 #include <random>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/report/report.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
@@ -649,6 +650,34 @@ TEST_CASE("beta^kappa of both regions of a beam", "[plates]") {
   lag.beta = shear_lag_factor(0.1, BendingRegion::hogging);
   CHECK(lag.beta == Approx(0.6281).margin(5e-5));
   CHECK(ultimate_share_of(lag) == Approx(0.9546).margin(5e-5));
+}
+
+TEST_CASE("webs under V_y count as flanges under V_z do: the box turned by 90 degrees",
+          "[plates]") {
+  const auto plates = [](double width, double height, double flange, double web) {
+    const Section section{
+        symmetric_box(si<Length>(width), si<Length>(height), si<Length>(flange), si<Length>(web)),
+        {}};
+    const Project project = parse_project(
+        "slender.toml", cantilever(box("a", 1e3 * width, 1e3 * height, 1e3 * flange, 1e3 * web),
+                                   segment(1.0, "a"), tip(1.0, -1.0)));
+    const auto walls = four_walls_of(section.outer, materials_of(project, 0));
+    REQUIRE(walls);
+    return sheared_plates_of(section, *walls, {}, false, 1.0);
+  };
+  const auto most = [](const std::vector<ShearedPlate>& of, bool flange, const CutForces& cut) {
+    double force = 0.0;
+    for (const ShearedPlate& plate : of)
+      if (is_flange(plate.plate) == flange) force = std::max(force, plate.force_of(cut).value());
+    return force;
+  };
+  CutForces along_z{}, along_y{};
+  along_z.V_z = along_y.V_y = si<Force>(1750e3);
+  const auto upright = plates(1.5, 0.6, 0.006, 0.025), lying = plates(0.6, 1.5, 0.025, 0.006);
+  const double force = most(upright, true, along_z);
+  CHECK(most(lying, false, along_y) == Approx(force).epsilon(1e-9));
+  // By hand: q = V S/I = 1.75e6 x 1.292e6/2.435e9 = 928 N/mm beside a web, half of it counts.
+  CHECK(force == Approx(0.5 * 928e3 * 1.45).epsilon(0.01));
 }
 
 }  // namespace plate_checks_test

@@ -29,9 +29,10 @@ struct ShearedWall {
   std::vector<Piece> pieces;
 
   /// As a flange is looked at, EN 1993-1-5, 7.1(5): with at least half of its largest stress, for
-  /// under V_z both halves of it balance each other; with stiffeners with the largest mean of its
-  /// subpanels, as if all were stressed like it.
-  bool as_flange = false, by_subpanels = false;
+  /// under the shear force across it both halves of it balance each other; with stiffeners with the
+  /// largest mean of its subpanels, as if all were stressed like it. In space webs are flanges of
+  /// M_z: with stiffeners V_y, across them, counts by subpanels, V_z by the whole depth (5.3).
+  bool as_flange = false, by_subpanels = false, web_in_space = false;
 
   /// The size of its force in its plane, over its clear width.
   Force force_of(const CutForces& cut) const;
