@@ -132,10 +132,23 @@ class PatchRun {
     if (size > most.size) most = {patch.s, size, of->why};
   }
 
+  /// All forces along y that come in at a place.
+  Force along_y_at(const BeamLoads& loads, Length s) const {
+    const Length near = 1e-6 * project_->beam.length();
+    Force along_y;
+    for (const PointLoad& load : loads.points)
+      if (abs(load.s - s) <= near) along_y += si<Force>(load.force.y());
+    return along_y;
+  }
+
   /// Of what holds slender webs, and of moments that come in between the ends.
   void note_places(const BeamLoads& loads) {
-    for (const double s : run_->motion->supports(loads))
-      if (search_->lacks_diaphragm(si<Length>(s))) notes_->take_bare_support(si<Length>(s));
+    for (const double s : run_->motion->supports(loads)) {
+      const Length at = si<Length>(s);
+      if (search_->lacks_diaphragm(at)) notes_->take_bare_support(at, true);
+      if (search_->lacks_diaphragm_along_y(at, along_y_at(loads, at)))
+        notes_->take_bare_support(at, false);
+    }
     for (const PointLoad& load : loads.points) {
       const auto moment = search_->unjudged_moment_of(load);
       if (!moment) continue;

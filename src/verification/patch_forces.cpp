@@ -133,6 +133,13 @@ bool PatchSearch::lacks_diaphragm(Length s) {
   return (of.path ? of.web_along_z : of.along_z) && diaphragm_at(at) == nullptr;
 }
 
+bool PatchSearch::lacks_diaphragm_along_y(Length s, Force along_y) {
+  const Length at = std::clamp(s, Length{}, project_->beam.length());
+  const PressedPlates& of = plates_.near(at);
+  return abs(along_y) > of.none && (of.path ? of.web_along_y : of.along_y) &&
+         diaphragm_at(at) == nullptr;
+}
+
 bool PatchSearch::feels_couple(Length s, Moment couple, bool about_y) {
   Patch at;
   at.s = std::clamp(s, Length{}, project_->beam.length());

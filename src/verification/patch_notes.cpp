@@ -412,7 +412,9 @@ void PatchNotes::take_led_on(const std::string& name, Length s, Moment moment) {
   keep_most(led_on_, name, moment, s);
 }
 
-void PatchNotes::take_bare_support(Length s) { bare_.insert(to_text(Station{s, Side::both})); }
+void PatchNotes::take_bare_support(Length s, bool along_z) {
+  (along_z ? bare_ : bare_along_y_).insert(to_text(Station{s, Side::both}));
+}
 
 std::string PatchNotes::words_of(const BentFlange& of) {
   const char* const again = of.again ? ", nor counted in fatigue" : "";
@@ -567,11 +569,15 @@ std::vector<NotJudged> PatchNotes::not_judged() const {
   say(couples_, "webs under", "");
   say(led_on_, "plates at",
       " comes by plates of another body, which may not lie in line with the beam's, and");
-  if (!bare_.empty())
-    found.push_back({Criterion::shear_buckling,
-                     fmt::format("webs at s = {} m", fmt::join(bare_, ", ")),
-                     "no diaphragm where they are held, which their resistance in shear takes for "
-                     "granted (EN 1993-1-5, 5.1(2))"});
+  for (const bool webs : {true, false}) {
+    const std::set<std::string>& bare = webs ? bare_ : bare_along_y_;
+    if (bare.empty()) continue;
+    found.push_back(
+        {Criterion::shear_buckling,
+         fmt::format("{} at s = {} m", webs ? "webs" : "plates along y", fmt::join(bare, ", ")),
+         "no diaphragm where they are held, which their resistance in shear takes for "
+         "granted (EN 1993-1-5, 5.1(2))"});
+  }
   return found;
 }
 

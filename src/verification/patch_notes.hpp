@@ -51,8 +51,8 @@ class PatchNotes {
   void take_couple(const std::string& name, Length s, Moment couple);
   /// A moment at an end that a joint leads on into a body whose plates are not known to be in line.
   void take_led_on(const std::string& name, Length s, Moment moment);
-  /// Where slender webs are held without a diaphragm.
-  void take_bare_support(Length s);
+  /// Where slender webs are held without a diaphragm, or along y the plates that are webs of that.
+  void take_bare_support(Length s, bool along_z);
 
   std::vector<NotJudged> not_judged() const;
   /// Of boxes in space, of each force the largest.
@@ -126,7 +126,7 @@ class PatchNotes {
   PressedByName pressed_, welded_;          ///< and along z; webs, and welds of diaphragms
   using MomentByName = std::map<std::string, std::pair<Moment, Length>>;
   MomentByName couples_, led_on_;
-  std::set<std::string> bare_;
+  std::set<std::string> bare_, bare_along_y_;
 };
 
 }  // namespace boxbeam

@@ -149,6 +149,8 @@ class PatchSearch {
 
   /// Whether webs that may buckle in shear stand there without a diaphragm.
   bool lacks_diaphragm(Length s);
+  /// The same of the plates along y, which are the webs of a force along y.
+  bool lacks_diaphragm_along_y(Length s, Force along_y);
   /// The moment about y, in space the larger one of both axes, that is not judged as forces where
   /// webs would feel it as two of them as far apart as the section is deep: of a load between the
   /// beam's ends, but where diaphragms stand within that length on both its sides; at an end of a

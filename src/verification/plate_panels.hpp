@@ -62,9 +62,9 @@ bool may_buckle_with_stiffeners(const FourWalls& walls, BoxPlate plate);
 /// Why the stiffened plates of a section are not judged, "" where they are.
 std::string stiffener_obstacle(const FourWalls& of);
 
-/// Why a flange of a box may buckle into one of its slender webs, "" where none may. Source: EN
-/// 1993-1-5:2006, 8(1).
-std::string induced_obstacle(const FourWalls& of);
+/// Why a flange of a box may buckle into one of its slender webs, "" where none may; in space a web
+/// into a slender flange, too, for under M_z each is the other. Source: EN 1993-1-5:2006, 8(1).
+std::string induced_obstacle(const FourWalls& of, bool in_space);
 
 /// Whether a plate without stiffeners is so slender that it may buckle in shear (5.1(2)).
 bool may_buckle_in_shear(const BoxWall& wall);

@@ -98,6 +98,37 @@ std::string ending_obstacle(const Project& project, const Station& station,
   return "";
 }
 
+/// Why one of two plates of a box may buckle into one of the two that stand between them.
+std::string induced_obstacle(const FourWalls& walls, const std::array<BoxPlate, 2>& webs,
+                             const std::array<BoxPlate, 2>& flanges) {
+  for (const BoxPlate plate : webs) {
+    const BoxWall& web = walls.of(plate);
+    if (!may_buckle(web)) continue;
+    for (const BoxPlate by : flanges) {
+      const BoxWall& flange = walls.of(by);
+      // Half of it is this web's; between flats it is taken as whole.
+      const Length outside = 2.0 * web.thickness;
+      Length works = flange.clear();
+      if (flange.stiffeners.empty()) {
+        if (const auto of = internal_effective_width(works, flange.thickness, 1.0,
+                                                     epsilon_of(flange.class_strength)))
+          works = of->b_eff;
+      }
+      const double limit =
+          flange_induced_limit(web.clear() * web.thickness,
+                               0.5 * (works + outside) * flange.thickness, flange.class_strength);
+      const double ratio = web.clear() / web.thickness;
+      if (ratio > limit) {
+        return fmt::format(
+            "the {} may buckle into the {}, h_w/t_w = {:.3g} is above {:.3g} (EN "
+            "1993-1-5, 8)",
+            to_text(by), to_text(plate), ratio, limit);
+      }
+    }
+  }
+  return "";
+}
+
 }  // namespace
 
 const char* to_text(PlateRoute route) {
@@ -157,7 +188,7 @@ std::vector<int> plate_choices_at(const Project& project, const Station& station
   const auto walls = deciding_walls_at(project, station);
   if (!walls) return path_choices_at(project, station);
   std::vector<int> choices{stiffener_obstacle(*walls).empty() ? 1 : 0,
-                           induced_obstacle(*walls).empty() ? 1 : 0};
+                           induced_obstacle(*walls, project.in_space).empty() ? 1 : 0};
   for (const BoxWall& wall : walls->walls) {
     choices.push_back(may_buckle(wall) ? 1 : 0);
     choices.push_back(may_buckle_in_shear(wall) ? 1 : 0);
@@ -218,38 +249,16 @@ std::string plates_obstacle(const Project& project, const Station& station) {
               : std::string(": write plates = \"effective widths\" under [strength]"));
     }
   }
-  if (std::string why = induced_obstacle(*walls); !why.empty()) return why;
+  if (std::string why = induced_obstacle(*walls, project.in_space); !why.empty()) return why;
   return hole_obstacle(project, station);
 }
 
-std::string induced_obstacle(const FourWalls& walls) {
+std::string induced_obstacle(const FourWalls& walls, bool in_space) {
   using enum BoxPlate;
-  for (const BoxPlate plate : {left_web, right_web}) {
-    const BoxWall& web = walls.of(plate);
-    if (!may_buckle(web)) continue;
-    for (const BoxPlate by : {top_flange, bottom_flange}) {
-      const BoxWall& flange = walls.of(by);
-      // Half of it is this web's; between flats it is taken as whole.
-      const Length outside = 2.0 * web.thickness;
-      Length works = flange.clear();
-      if (flange.stiffeners.empty()) {
-        if (const auto of = internal_effective_width(works, flange.thickness, 1.0,
-                                                     epsilon_of(flange.class_strength)))
-          works = of->b_eff;
-      }
-      const double limit =
-          flange_induced_limit(web.clear() * web.thickness,
-                               0.5 * (works + outside) * flange.thickness, flange.class_strength);
-      const double ratio = web.clear() / web.thickness;
-      if (ratio > limit) {
-        return fmt::format(
-            "the {} may buckle into the {}, h_w/t_w = {:.3g} is above {:.3g} (EN "
-            "1993-1-5, 8)",
-            to_text(by), to_text(plate), ratio, limit);
-      }
-    }
-  }
-  return "";
+  constexpr std::array webs{left_web, right_web}, flanges{top_flange, bottom_flange};
+  if (std::string why = induced_obstacle(walls, webs, flanges); !why.empty()) return why;
+  // Under M_z the flanges are the webs.
+  return in_space ? induced_obstacle(walls, flanges, webs) : "";
 }
 
 bool may_buckle_with_stiffeners(const FourWalls& walls, BoxPlate plate) {

@@ -680,4 +680,21 @@ TEST_CASE("webs under V_y count as flanges under V_z do: the box turned by 90 de
   CHECK(force == Approx(0.5 * 928e3 * 1.45).epsilon(0.01));
 }
 
+TEST_CASE("clause 8 asks of a box that lies on its side what it asks of the upright one",
+          "[plates]") {
+  const auto stops = [](double width, double height, double flange, double web, bool space) {
+    const std::string load = space ? "[loads.tip]\nkind = \"force\"\nat = \"6 m\"\n"
+                                     "force = [\"0 kN\", \"-50 kN\", \"0 kN\"]\n"
+                                   : tip(6.0, -50.0);
+    const Verification of =
+        verified(cantilever(box("a", width, height, flange, web),
+                            segment(6.0, "a") + diaphragms({0.0, 2.0, 4.0, 6.0}, 20.0), load,
+                            space ? "space = true\n" : ""));
+    return has_gate(of, "may buckle into");
+  };
+  // The numbers of the upright box above: 4 mm stop, 6 mm do not.
+  for (const double thin : {4.0, 6.0})
+    CHECK(stops(1280.0, 600.0, thin, 40.0, true) == stops(600.0, 1280.0, 40.0, thin, false));
+}
+
 }  // namespace plate_checks_test
