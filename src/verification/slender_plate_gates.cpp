@@ -67,12 +67,20 @@ double breathing_of(double width_to_thickness, const PlateStress& stress, Stress
          limit;
 }
 
+/// Whether a plate so slender is spared breathing: the border of the standard, for webs and their
+/// subpanels, is one of plates that are bent in their plane. What is pressed all over buckles at a
+/// sixth of their stress. Source: EN 1993-2:2006, 7.4(2) (recalled, not confirmed).
+bool is_spared_breathing(double width_to_thickness, const PlateStress& stress, Stress yield) {
+  constexpr double most_of_webs = 120.0, hardly_pressed = 1e-3;
+  const bool all_over = stress.psi > 0.0 && stress.compression > hardly_pressed * yield;
+  return width_to_thickness <= most_of_webs && !all_over;
+}
+
 }  // namespace
 
 void PlateGates::look_at_slender(const std::string& segment, const SlenderPlates& plates,
                                  const AreaSums& sums,
                                  const std::vector<SituationHistory>& histories) {
-  constexpr double never_breathes = 120.0;
   const StrengthDemand& strength = project_->strength;
   for (const ShearedPlate& plate : plates.sheared) {
     if (!project_->fatigue.asked) continue;
@@ -90,8 +98,8 @@ void PlateGates::look_at_slender(const std::string& segment, const SlenderPlates
         PlateStress stress = ends.under(cut);
         least = std::min(least, working_share(wall, plates.box.box().length, stress,
                                               factor * (stress.compression / wall.class_strength)));
+        if (!repeats || is_spared_breathing(ratio, stress, wall.class_strength)) continue;
         if (divided) stress.psi = 1.0;
-        if (!repeats || ratio <= never_breathes) continue;
         const Stress shear = plate.force_of(cut) / (wall.clear() * wall.thickness);
         most_breathing = std::max(most_breathing, breathing_of(ratio, stress, shear));
       }
@@ -103,7 +111,6 @@ void PlateGates::look_at_slender(const std::string& segment, const SlenderPlates
 
 void PlateGates::look_at_slender(const std::string& segment, const SlenderPath& path,
                                  const std::vector<SituationHistory>& histories) {
-  constexpr double never_breathes = 120.0;
   const StrengthDemand& strength = project_->strength;
   const PathSection& section = path.section.path();
   for (const PathPlate& plate : section.plates) {
@@ -130,9 +137,10 @@ void PlateGates::look_at_slender(const std::string& segment, const SlenderPath& 
               plate_alone(plate, part * plate.class_strength, section.length, at_low, at_high);
           least = std::min(least, 1.0 - alone.idle() / plate.clear().value());
         }
-        if (!repeats || ratio <= never_breathes || sheared == path.sheared.end()) continue;
+        if (!repeats || sheared == path.sheared.end()) continue;
         PlateStress stress{si<Stress>(most), {}};
         if (most > 0.0) stress.psi = std::max(-3.0, std::min(at_low, at_high) / most);
+        if (is_spared_breathing(ratio, stress, plate.class_strength)) continue;
         const Stress shear = sheared->force_of(cut) / (plate.clear() * plate.thickness);
         most_breathing = std::max(most_breathing, breathing_of(ratio, stress, shear));
       }

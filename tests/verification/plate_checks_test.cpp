@@ -697,4 +697,21 @@ TEST_CASE("clause 8 asks of a box that lies on its side what it asks of the upri
     CHECK(stops(1280.0, 600.0, thin, 40.0, true) == stops(600.0, 1280.0, 40.0, thin, false));
 }
 
+TEST_CASE("a flange that is pressed all over breathes below b/t = 120 as well", "[plates]") {
+  // sigma_E = 190e9/116.8^2 = 13.93 MPa, k_sigma = 4: 1.1 x 4 x 13.93 = 61.3 MPa is the limit.
+  const auto at = [](double moment) {
+    return verified(
+        cantilever(box("a", 1200.0, 800.0, 10.0, 16.0), segment(2.0, "a"),
+                   "[loads.tip]\nkind = \"force\"\nat = \"2 m\"\nforce = [\"0 kN\", \"0 kN\"]\n" +
+                       fmt::format("moment = \"{:.17g} kN m\"\n", moment)) +
+        fatigue +
+        "[[situations]]\nname = \"on\"\nloads = { tip = 1.0 }\n"
+        "[[situations]]\nname = \"off\"\nloads = { tip = 0.0 }\n"
+        "[[situations]]\nname = \"lift\"\nbetween = [\"on\", \"off\"]\ncycles = 1000\n");
+  };
+  // I = (1200 x 800^3 - 1168 x 780^3)/12 = 5.01e9 mm^4: 395 mm from the axis 50 and 100 MPa.
+  CHECK_FALSE(has_gate(at(634.0), "breathes"));
+  CHECK(has_gate(at(1268.0), "breathes"));
+}
+
 }  // namespace plate_checks_test
