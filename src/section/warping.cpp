@@ -1,5 +1,8 @@
 #include "boxbeam/section/warping.hpp"
 
+#include <algorithm>
+#include <limits>
+
 #include "boxbeam/section/torsion.hpp"
 #include "boxbeam/section/wall_graph.hpp"
 
@@ -14,7 +17,7 @@ double swept(const Eigen::Vector2d& pole, const Eigen::Vector2d& from, const Eig
 
 }  // namespace
 
-std::optional<double> warping_constant_of(const Profile& profile) {
+std::optional<Warping> warping_of(const Profile& profile) {
   const Section section{profile, {}};
   if (!std::holds_alternative<ThinWalled>(profile) || enclosed_area_of(profile).value() > 0.0)
     return std::nullopt;
@@ -38,6 +41,7 @@ std::optional<double> warping_constant_of(const Profile& profile) {
     }
   }
   double area = 0.0, first = 0.0, second = 0.0;
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   for (const Wall& wall : graph.walls) {
     const Eigen::Vector2d& node = graph.nodes[wall.from];
     const double a = *omega[wall.from] + swept(pole, node, wall.start);
@@ -46,8 +50,16 @@ std::optional<double> warping_constant_of(const Profile& profile) {
     area += dA;
     first += 0.5 * (a + b) * dA;
     second += (a * a + a * b + b * b) / 3.0 * dA;
+    lowest = std::min({lowest, a, b});
+    highest = std::max({highest, a, b});
   }
-  return second - first * first / area;
+  const double mean = first / area;
+  return Warping{second - first * mean, std::max(highest - mean, mean - lowest)};
+}
+
+std::optional<double> warping_constant_of(const Profile& profile) {
+  const auto of = warping_of(profile);
+  return of ? std::optional(of->I_w) : std::nullopt;
 }
 
 }  // namespace boxbeam

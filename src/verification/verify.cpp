@@ -13,6 +13,7 @@
 #include "boxbeam/verification/plausibility.hpp"
 #include "boxbeam/verification/twisting.hpp"
 #include "boxbeam/verification/unsaid.hpp"
+#include "boxbeam/verification/warping_notes.hpp"
 
 namespace boxbeam {
 namespace {
@@ -169,6 +170,7 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
   append(std::move(patches.not_judged), not_judged);
   append(unsaid_joints_of(project), not_judged);
   append(unfinished_motion_of(project, runs, checks), not_judged);
+  if (project.given_stresses.empty()) append(warping_not_judged(project, runs), not_judged);
 
   std::vector<MotionSummary> motions = motion_summaries_of(project, runs);
   std::vector<CriticalInstant> instants = critical_instants_of(project, beam.stations, checks);
