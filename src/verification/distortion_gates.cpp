@@ -183,7 +183,7 @@ bool stands_at(const Holding& of, Length s) { return abs(s - of.s).value() <= 1e
 
 double used_by_both(const Holding& held, const IntoDiaphragm& of) {
   const double others =
-      held.d > Moment{} ? std::max(0.0, (1.0 - 0.5 * of.turns / held.d).value()) : 0.0;
+      held.d > Moment{} ? std::max(0.0, 1.0 - (0.5 * of.turns / held.d).value()) : 0.0;
   switch (of.part) {
     case IntoDiaphragm::Part::plate: return of.use + others * held.plate;
     case IntoDiaphragm::Part::web_weld: return of.use + others * held.welds;
