@@ -145,7 +145,9 @@ TEST_CASE("other cells under torque: kept in shape where it comes, or no verdict
   CHECK(std::any_of(held.not_judged.begin(), held.not_judged.end(),
                     [](const NotJudged& of) { return of.by == Criterion::distortion; }));
   // Without torque there is nothing to say.
-  CHECK_FALSE(is_blocked("", twist(4.0, 0.0)));
+  CHECK_FALSE(is_blocked("",
+                         "[loads.p]\nkind = \"force\"\nat = [\"4 m\", \"0 m\", \"0 m\"]\n"
+                         "force = [\"0 N\", \"0 N\", \"-10 kN\"]\n"));
 }
 
 }  // namespace distorted_paths_test
