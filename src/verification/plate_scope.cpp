@@ -9,7 +9,9 @@
 #include <numbers>
 
 #include "boxbeam/project/plate_material.hpp"
+#include "boxbeam/section/plate_force.hpp"
 #include "boxbeam/strength/section_class.hpp"
+#include "boxbeam/verification/hole_gates.hpp"
 #include "boxbeam/verification/judged_section.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
 #include "boxbeam/verification/slender_path.hpp"
@@ -20,9 +22,6 @@ namespace {
 
 /// Up to this slope of its edges a plate counts as a rectangle. Source: EN 1993-1-5:2006, 2.3(1).
 constexpr double steepest = 10.0 * std::numbers::pi / 180.0;
-
-/// Up to this part of a plate's width an opening does not count. Source: EN 1993-1-5:2006, 2.3(1).
-constexpr double widest_opening = 0.05;
 
 /// The steepest edge of a segment [rad].
 double slope_of(const Segment& segment) {
@@ -42,13 +41,7 @@ std::string hole_obstacle(const Project& project, const Station& station) {
     const auto walls = four_walls_of(section_at(project.beam, here).outer,
                                      materials_of(project, segment_at(project.beam, here)));
     if (!walls) continue;  // those of its station are none of these
-    Length width;          // of all holes of these plates in one section
-    for (const BeamHole& other : project.holes) {
-      if (other.s != at.s || other.hole.walls != at.hole.walls) continue;
-      const bool pair =
-          other.hole.walls == HoleWalls::flanges && other.hole.position.value() != 0.0;
-      width += (pair ? 2.0 : 1.0) * other.hole.diameter;
-    }
+    const Length width = taken_by_holes(holes_at(project, at.s), at.hole.walls);
     for (const BoxPlate plate : box_plates) {
       const bool drilled = (at.hole.walls == HoleWalls::flanges) == is_flange(plate);
       if (drilled && width > widest_opening * walls->of(plate).clear())

@@ -8,6 +8,7 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/project/plate_detail.hpp"
 #include "boxbeam/section/normal_stress.hpp"
+#include "boxbeam/section/plate_force.hpp"
 #include "boxbeam/verification/judged_section.hpp"
 
 namespace boxbeam {
@@ -65,6 +66,7 @@ class StressPoints {
         materials_(materials_of(project, segment_at(project.beam, station))),
         taper_(taper_at(project.beam, station)),
         set_(project.in_space ? PointSet::in_space : PointSet::in_plane),
+        fields_(&fields),
         shared_field_(
             fields.of(judged_section_at(project, station), holes_at(project, station.s), taper_)),
         field_(*shared_field_),
@@ -234,6 +236,18 @@ class StressPoints {
         if (!at.concentration) resist_hole(point, at);
       }
     }
+    add_strips(at);
+  }
+
+  /// The flow beside a hole is that of one section, which the hole passes on. What the plate
+  /// carries as a whole before and behind it, goes through the strips.
+  void add_strips(const BeamHole& at) {
+    const auto whole = fields_->of(field_.section, {}, taper_);
+    for (const PlateStrip& strip : strips_beside(field_, *whole, at.hole, set_)) {
+      StressPoint& point = add(strip.point);
+      point.shear_detail = if_asked(project_->fatigue.shear);
+      if (!at.concentration) resist_hole(point, at);
+    }
   }
 
   /// The points at a level, whose direct stress is not judged yet.
@@ -364,6 +378,7 @@ class StressPoints {
   PlateMaterials materials_;
   Taper taper_;
   PointSet set_;
+  StressFields* fields_;
   std::shared_ptr<const StressField> shared_field_;
   const StressField& field_;  ///< the same
   SectionProperties gross_, net_;

@@ -7,6 +7,7 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/verification/deflection.hpp"
 #include "boxbeam/verification/distortion_checks.hpp"
+#include "boxbeam/verification/hole_gates.hpp"
 #include "boxbeam/verification/member_checks.hpp"
 #include "boxbeam/verification/model_gates.hpp"
 #include "boxbeam/verification/patch_checks.hpp"
@@ -160,6 +161,7 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
   append(material_gates_of(project), gates);
   append(weld_gates_of(project), gates);
   append(stability_gates_of(project, runs), gates);
+  if (project.given_stresses.empty()) append(hole_gates_of(project, runs), gates);
   append(distortion_gates_of(project, distortion.estimates, checks), gates);
   append(shared_diaphragm_gates_of(project, distortion.estimates, patches.into_diaphragms, checks),
          gates);

@@ -1,0 +1,67 @@
+// What goes through a plate before and behind a hole, goes through what the hole leaves of it: hand
+// formulas.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "boxbeam/verification/verify.hpp"
+#include "catch.hpp"
+#include "support/pressed_beams.hpp"
+
+namespace holes_in_balance_test {
+
+using namespace boxbeam;
+using pressed_beams::stops;
+using pressed_beams::use_at;
+
+namespace {
+
+std::string hole(const std::string& name, double diameter, double at, const std::string& through,
+                 double place, const std::string& judged = "detail = { row = \"8.1/11\" }") {
+  return fmt::format(
+      "[[beam.holes]]\nname = \"{}\"\ndiameter = \"{} mm\"\nstation = \"{} m\"\nthrough = "
+      "\"{}\"\n{} = [\"{} mm\"]\n{}\n",
+      name, diameter, at, through, through == "webs" ? "levels" : "offsets", place, judged);
+}
+
+/// A box 400 x 600, flanges 20 mm, webs 12 mm, of 2 m on two supports, 1600 kN in its middle, which
+/// bosses lead into the webs.
+pressed_beams::Beam beam(const std::string& holes) {
+  pressed_beams::Beam of;
+  const pressed_beams::Sizes box{400.0, 600.0, 20.0, 12.0, 0.0};
+  of.pieces = {{2.0, box, box}};
+  of.diaphragms = {0.0, 2.0};
+  of.weld = 8.0;
+  of.supports = {{0.0, 0.0}, {2.0, 0.0}};
+  of.forces = {{.at = 1.0, .down = 1600.0}};
+  of.more =
+      "[[beam.load_introductions]]\nfrom = \"0.05 m\"\nto = \"1.95 m\"\ninto = \"webs\"\n" + holes;
+  return of;
+}
+
+}  // namespace
+
+TEST_CASE("all of V goes through what a hole leaves of the webs: V/(2 t (h_w - d))") {
+  for (const double d : {300.0, 400.0, 540.0}) {
+    const Verification of = beam(hole("a", d, 0.5, "webs", 0.0)).verified();
+    // 800 kN of shear; f_y = 355 MPa. The edges' own stress of bending is added by von Mises.
+    const double tau = 800e3 / (2.0 * 12.0 * (560.0 - d));
+    const double use = use_at(of, Criterion::yield, "strip beside hole a");
+    INFO(d);
+    CHECK(use > 0.98 * std::sqrt(3.0) * tau / 355.0);
+    // M = 400 kN m, W of the flanges alone 400 x 20 x 580 mm^3.
+    const double bending = 400e6 / (400.0 * 20.0 * 580.0);
+    CHECK(use < 1.06 * std::sqrt(3.0 * tau * tau + bending * bending) / 355.0);
+    CHECK(stops(of, "leaves bends by about"));
+  }
+}
+
+TEST_CASE("a small hole with a detail leaves a verdict") {
+  const Verification of = beam(hole("a", 60.0, 0.5, "webs", 0.0)).verified();
+  CHECK(!stops(of, "hole"));
+  CHECK(use_at(of, Criterion::yield, "strip beside hole a") > 0.0);
+}
+
+}  // namespace holes_in_balance_test
