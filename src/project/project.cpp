@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <limits>
 #include <utility>
 
 #include "boxbeam/project/case_source.hpp"
@@ -193,12 +194,65 @@ void add_hole(Project& project, BeamHole hole) {
   project.holes.push_back(std::move(hole));
 }
 
-std::vector<Hole> holes_at(const Project& project, Length s) {
-  std::vector<Hole> holes;
-  for (const BeamHole& at : project.holes) {
-    if (at.s == s) holes.push_back(at.hole);
+namespace {
+
+/// What is free of a plate around a place between the holes that are taken out of it.
+std::pair<Length, Length> free_around(Length place, const std::vector<Hole>& taken,
+                                      HoleWalls walls) {
+  Length low = si<Length>(-std::numeric_limits<double>::infinity()), high = -low;
+  for (const Hole& of : taken) {
+    if (of.walls != walls) continue;
+    // Strips that touch would leave walls without length between them.
+    const Length reach = (0.5 + 1e-4) * of.diameter;
+    if (of.position > place)
+      high = std::min(high, Length(of.position - reach));
+    else
+      low = std::max(low, Length(of.position + reach));
   }
-  return holes;
+  return {low, high};
+}
+
+/// What of a hole counts in a section beside it: less s^2/(4 p) for the way to the hole there that
+/// it is nearest to by that, and no more than does not lie behind those.
+std::optional<Hole> counted_beside(const BeamHole& beside, const std::vector<BeamHole>& counted,
+                                   const std::vector<Hole>& taken) {
+  Length left;
+  for (const BeamHole& of : counted) {
+    const Length s = abs(beside.s - of.s), p = abs(beside.hole.position - of.hole.position);
+    if (of.hole.walls != beside.hole.walls || !(p > Length{})) continue;
+    left = std::max(left, Length(beside.hole.diameter - s * s / (4.0 * p)));
+  }
+  Hole hole = beside.hole;
+  const auto [free_low, free_high] = free_around(hole.position, taken, hole.walls);
+  const Length low = std::max(free_low, Length(hole.position - 0.5 * hole.diameter));
+  const Length high = std::min(free_high, Length(hole.position + 0.5 * hole.diameter));
+  const Length width = std::min(left, Length(high - low));
+  if (!(width > Length{})) return std::nullopt;
+  hole.position = std::clamp(hole.position, Length(low + 0.5 * width), Length(high - 0.5 * width));
+  hole.diameter = width;
+  return hole;
+}
+
+}  // namespace
+
+std::vector<Hole> holes_at(const Project& project, Length s) {
+  std::vector<Hole> taken;
+  for (const BeamHole& at : project.holes) {
+    if (at.s == s) taken.push_back(at.hole);
+  }
+  if (taken.empty() || taken.size() == project.holes.size()) return taken;
+  std::vector<BeamHole> counted, beside;
+  for (const BeamHole& at : project.holes) (at.s == s ? counted : beside).push_back(at);
+  std::stable_sort(beside.begin(), beside.end(), [&](const BeamHole& a, const BeamHole& b) {
+    return abs(a.s - s) < abs(b.s - s);
+  });
+  for (const BeamHole& of : beside) {
+    const auto hole = counted_beside(of, counted, taken);
+    if (!hole) continue;
+    taken.push_back(*hole);
+    counted.push_back(of);
+  }
+  return taken;
 }
 
 spatial::BeamPlacement placement_in(const Project& project, const spatial::Mechanism& mechanism) {

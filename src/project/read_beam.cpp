@@ -78,14 +78,15 @@ std::optional<std::string> misplacement_of(const TaperedBeam& beam, Length s, co
   return std::nullopt;
 }
 
-/// Whether a hole cuts into one that is already there: their strips would be taken out twice.
+/// Whether a hole cuts into one that is already there, or into its own mirror image.
 bool overlaps(const Project& project, Length s, const Hole& hole) {
   const bool own_pair = hole.walls == HoleWalls::flanges && hole.position > Length{} &&
                         2.0 * hole.position < hole.diameter;
-  const std::vector<Hole> others = holes_at(project, s);
-  return own_pair || std::any_of(others.begin(), others.end(), [&](const Hole& other) {
-           return other.walls == hole.walls &&
-                  abs(other.position - hole.position) < 0.5 * (other.diameter + hole.diameter);
+  return own_pair ||
+         std::any_of(project.holes.begin(), project.holes.end(), [&](const BeamHole& other) {
+           const Length along = s - other.s, across = hole.position - other.hole.position;
+           const Length reach = 0.5 * (other.hole.diameter + hole.diameter);
+           return other.hole.walls == hole.walls && along * along + across * across < reach * reach;
          });
 }
 
@@ -197,8 +198,7 @@ void read_hole(TableReader table, Project& project) {
     if (auto trouble = misplacement_of(beam, at.s, hole)) {
       table.problem(where, *trouble, "move the hole, or make it smaller");
     } else if (overlaps(project, at.s, hole)) {
-      table.problem(where, "the hole overlaps another one in the same section",
-                    "move them apart, or write one hole");
+      table.problem(where, "the hole overlaps another one", "move them apart, or write one hole");
     }
     add_hole(project, at);
   }

@@ -64,4 +64,23 @@ TEST_CASE("a small hole with a detail leaves a verdict") {
   CHECK(use_at(of, Criterion::yield, "strip beside hole a") > 0.0);
 }
 
+TEST_CASE("holes nearly in one section count together: d - s^2/(4 p)") {
+  Project project = parse_project("a.toml", beam(hole("a", 100.0, 1.0, "flanges", 0.0) +
+                                                 hole("b", 100.0, 1.05, "flanges", 120.0))
+                                                .text());
+  const std::vector<Hole> at = holes_at(project, si<Length>(1.0));
+  REQUIRE(at.size() == 2);
+  CHECK(at[0].diameter.value() == Approx(0.1));
+  CHECK(at[1].diameter.value() == Approx(0.1 - 0.05 * 0.05 / (4.0 * 0.12)));
+  CHECK(holes_at(project, si<Length>(1.02)).empty());
+}
+
+TEST_CASE("holes that overlap at stations of their own are refused") {
+  CHECK_THROWS_AS(
+      parse_project(
+          "a.toml",
+          beam(hole("a", 100.0, 1.0, "webs", 0.0) + hole("b", 100.0, 1.06, "webs", 50.0)).text()),
+      InputError);
+}
+
 }  // namespace holes_in_balance_test
