@@ -4,6 +4,7 @@
 
 #include "boxbeam/project/detail_reader.hpp"
 #include "boxbeam/section/section_defect.hpp"
+#include "boxbeam/strength/effective_box.hpp"
 #include "boxbeam/strength/hole_concentration.hpp"
 #include "readers.hpp"
 
@@ -55,6 +56,19 @@ Length room_for_holes(const Profile& profile, HoleWalls walls) {
   return (walls == HoleWalls::webs ? extent.z_high : extent.y_high) - corner;
 }
 
+/// The plate of a box whose flat a hole cuts; nothing where it cuts none.
+std::optional<BoxPlate> plate_of_cut_flat(const Profile& profile, const Hole& hole) {
+  const auto* box = std::get_if<Box>(&profile);
+  if (box == nullptr) return std::nullopt;
+  for (const Stiffener& flat : box->stiffeners) {
+    const bool flange = is_flange(flat.plate);
+    if (flange != (hole.walls == HoleWalls::flanges)) continue;
+    const Length place = flange ? abs(flat.place) : flat.place;
+    if (abs(place - hole.position) <= 0.5 * (hole.diameter + flat.thickness)) return flat.plate;
+  }
+  return std::nullopt;
+}
+
 /// What is wrong with a hole in the sections at its station, or nothing.
 std::optional<std::string> misplacement_of(const TaperedBeam& beam, Length s, const Hole& hole) {
   for (const Side side : {Side::before, Side::behind}) {
@@ -73,6 +87,10 @@ std::optional<std::string> misplacement_of(const TaperedBeam& beam, Length s, co
           "mm",
           hole.position.value() * 1e3, (abs(hole.position) + 0.5 * hole.diameter).value() * 1e3,
           room.value() * 1e3);
+    }
+    if (const auto plate = plate_of_cut_flat(section.outer, hole)) {
+      return fmt::format("the hole at {:.4g} mm cuts a stiffener of the {}",
+                         hole.position.value() * 1e3, to_text(*plate));
     }
   }
   return std::nullopt;

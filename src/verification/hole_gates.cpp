@@ -28,6 +28,12 @@ Gate gate_at(const Project& project, const BeamHole& at, const std::string& find
   return {project.beam.segments[segment].name, "", name_of(at) + finding, true};
 }
 
+const Diaphragm* diaphragm_in(const Project& project, const BeamHole& at) {
+  for (const Diaphragm& of : project.beam.diaphragms)
+    if (abs(of.s - at.s) < 0.5 * (at.hole.diameter + of.thickness)) return &of;
+  return nullptr;
+}
+
 /// How a hole leaves a plate to bend beside it.
 struct StripBending {
   std::string place;
@@ -104,6 +110,18 @@ bool is_wide(const Project& project, const BeamHole& at) {
 std::vector<Gate> hole_gates_of(const Project& project, const std::deque<SituationRun>& runs) {
   std::vector<Gate> gates;
   for (const BeamHole& at : project.holes) {
+    if (is_wide(project, at)) {
+      const Length radius = 0.5 * at.hole.diameter;
+      if (const Diaphragm* of = diaphragm_in(project, at))
+        gates.push_back(gate_at(project, at,
+                                fmt::format(": the diaphragm at s = {} m stands on it, which is "
+                                            "taken to stand on whole plates",
+                                            to_text(Station{of->s, Side::both}))));
+      if (at.s < radius || at.s > project.beam.length() - radius)
+        gates.push_back(gate_at(project, at,
+                                " reaches over the end of the beam, which is taken to be "
+                                "that of whole plates"));
+    }
     if (at.concentration) continue;
     const auto bending = strip_bending_of(project, runs, at);
     if (!bending || !(bending->used > felt)) continue;

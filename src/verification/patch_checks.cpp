@@ -13,6 +13,7 @@
 #include "boxbeam/verification/front_end.hpp"
 #include "patch_notes.hpp"
 #include "patch_search.hpp"
+#include "patched_holes.hpp"
 #include "patched_path.hpp"
 
 namespace boxbeam {
@@ -49,13 +50,14 @@ class PatchRun {
  public:
   PatchRun(const Project& project, PatchSearch& search, const SituationRun& run,
            std::map<BorneKey, WorstPatch>& worst, OnPaths& on_paths, PatchNotes& notes,
-           PressedWebs* pressed)
+           PatchedHoles& holes, PressedWebs* pressed)
       : project_(&project),
         search_(&search),
         run_(&run),
         worst_(&worst),
         on_paths_(&on_paths),
         notes_(&notes),
+        holes_(&holes),
         pressed_(pressed) {}
 
   void look() {
@@ -111,6 +113,7 @@ class PatchRun {
         const double load_factor = run_->situation->load_factor;
         const double use =
             project_->strength.required * load_factor / search_->factor_of(borne.basis);
+        if (borne.part == Borne::Part::plate) holes_->take(patch, use);
         const BorneKey key{patch.key(), borne.part};
         double& most = uses[key];
         most = std::max(most, use);
@@ -246,6 +249,7 @@ class PatchRun {
   std::map<BorneKey, WorstPatch>* worst_;
   OnPaths* on_paths_;
   PatchNotes* notes_;
+  PatchedHoles* holes_;
   PressedWebs* pressed_;  ///< nothing where no cycles are counted
 };
 
@@ -452,8 +456,10 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
   // Of long records not all instants are looked at.
   const bool counted = project.fatigue.asked && whole_life_of(runs) == nullptr;
   PatchNotes notes(project, std::move(steps), counted ? &pressed : nullptr);
+  PatchedHoles holes(project);
   for (const SituationRun& run : runs)
-    PatchRun(project, search, run, worst, on_paths, notes, counted ? &pressed : nullptr).look();
+    PatchRun(project, search, run, worst, on_paths, notes, holes, counted ? &pressed : nullptr)
+        .look();
   add_gates(project, on_paths, found.gates);
   // A use this small is none, as stress is (`no_stress_at`).
   constexpr double no_use = 1e-6;
@@ -534,6 +540,7 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
   found.into_diaphragms = notes.into_diaphragms();
   for (NotJudged& of : notes.not_judged()) found.not_judged.push_back(std::move(of));
   for (Gate& of : notes.gates()) found.gates.push_back(std::move(of));
+  for (Gate& of : holes.gates()) found.gates.push_back(std::move(of));
   for (const LoadIntroduction& of : project.beam.introductions) {
     const std::string why = of.stiff_length ? search.obstacle_of(of) : "";
     if (why.empty()) continue;

@@ -83,4 +83,19 @@ TEST_CASE("holes that overlap at stations of their own are refused") {
       InputError);
 }
 
+TEST_CASE("a hole at a diaphragm, or over the end of the beam, has no verdict") {
+  const Verification of = beam(hole("a", 200.0, 0.05, "webs", 0.0)).verified();
+  CHECK(stops(of, "the diaphragm at s = 0 m stands on it"));
+  CHECK(stops(of, "reaches over the end of the beam"));
+}
+
+TEST_CASE("a hole under a force that comes in by the flange has no verdict, far from it it has") {
+  for (const double at : {1.0, 1.6}) {
+    pressed_beams::Beam of = beam("");
+    of.forces.front().down = 1000.0;
+    of.more = pressed_beams::introduced(0.05, 1.95, 150.0) + hole("a", 60.0, at, "webs", 200.0);
+    CHECK(stops(of.verified(), "lies where \"f\" comes in") == (at == 1.0));
+  }
+}
+
 }  // namespace holes_in_balance_test

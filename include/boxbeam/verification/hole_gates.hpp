@@ -14,8 +14,9 @@ constexpr double widest_opening = 0.05;
 /// Whether a hole is wider than that in a plate that it goes through.
 bool is_wide(const Project& project, const BeamHole& at);
 
-/// What stands against believing stresses at holes: strips that bend beside one of more than 0.3 of
-/// its plate whose detail alone is given. Under the force F of the plate, by n strips,
+/// What stands against believing stresses at holes: one at a diaphragm or over an end of the beam,
+/// and strips that bend beside one of more than 0.3 of its plate whose detail alone is given. Under
+/// the force F of the plate, by n strips,
 ///
 ///     M = F/n 0.225 d
 ///

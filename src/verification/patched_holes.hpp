@@ -1,0 +1,35 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "boxbeam/verification/gates.hpp"
+#include "patch_search.hpp"
+
+namespace boxbeam {
+
+/// Holes so near forces that come into webs that these press no whole webs: in the web within half
+/// of its depth beside the loaded length, in the flange on that. Clause 6 is for webs without
+/// openings (2.3). A force that comes into stout webs at a hole's own station, of which the case
+/// says no more, is taken to come by a pin in it.
+class PatchedHoles {
+ public:
+  explicit PatchedHoles(const Project& project) : project_(&project) {}
+
+  /// `use`: of the webs, as if they were whole.
+  void take(const Patch& patch, double use);
+
+  std::vector<Gate> gates() const;
+
+ private:
+  struct Pressed {
+    Length s;
+    std::string by;
+    double use = 0.0;
+  };
+  const Project* project_;
+  std::map<const BeamHole*, Pressed> worst_;
+};
+
+}  // namespace boxbeam
