@@ -20,7 +20,7 @@ bool is_wide(const Project& project, const BeamHole& at);
 ///
 ///     M = F/n 0.225 d
 ///
-/// in each. Source: SCI P355 (2011), circular openings as rectangles 0.45 d long; recalled.
+/// in each. Source: SCI P355 (2011), circular openings as rectangles 0.45 d long.
 std::vector<Gate> hole_gates_of(const Project& project, const std::deque<SituationRun>& runs);
 
 }  // namespace boxbeam
