@@ -212,6 +212,17 @@ std::vector<BendingZone> zones_of_all(BendingAxis about, const Project& project,
   std::vector<BendingZone> all = zones_about(about, project, bendings[leading], least);
   if (runs.size() < 2 || all.empty()) return all;
   const double length = project.beam.length().value();
+  // Most situations bend the beam over the same lengths: then where they count need not be known.
+  std::vector<std::vector<BendingZone>> others(runs.size());
+  bool all_covered = true;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (i == leading) continue;
+    others[i] = zones_about(about, project, bendings[i], least);
+    all_covered = all_covered &&
+                  std::all_of(others[i].begin(), others[i].end(),
+                              [&](const BendingZone& zone) { return covered(zone, all, length); });
+  }
+  if (all_covered) return all;
   std::vector<std::vector<double>> envelopes;
   std::vector<double> most(steps_along + 1, 0.0);
   for (const SituationRun& run : runs) {
@@ -219,9 +230,7 @@ std::vector<BendingZone> zones_of_all(BendingAxis about, const Project& project,
     for (std::size_t k = 0; k <= steps_along; ++k) most[k] = std::max(most[k], envelopes.back()[k]);
   }
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (i != leading)
-      add_where_it_counts(zones_about(about, project, bendings[i], least), envelopes[i], most,
-                          length, all);
+    if (i != leading) add_where_it_counts(others[i], envelopes[i], most, length, all);
   }
   return all;
 }
