@@ -313,7 +313,8 @@ namespace {
 /// What of a diaphragm's fatigue is in no check, nor stops the verdict.
 void note_life(const DistortionEstimate& estimate, const DistortionEstimate::Holding& of,
                std::vector<NotJudged>& not_judged) {
-  constexpr double hardly = 0.1;
+  // Judged and below one it is said where little is left for what forces put there as well.
+  const double hardly = estimate.ranges_judged ? 0.5 : 0.1;
   if (!(of.life > hardly) || (estimate.ranges_judged && of.life > 1.0)) return;
   not_judged.push_back(
       {Criterion::distortion_fatigue,

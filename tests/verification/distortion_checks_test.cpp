@@ -695,7 +695,7 @@ TEST_CASE("round tubes, boxes without torque, and boxes in the plane say nothing
 namespace {
 
 /// A box of 6 m on forks, 800 x 800 x 20, with a diaphragm of 12 mm at 3 m and such at its ends
-/// as bear all, loads that come and go.
+/// as bear all; where there are cycles its load "f" comes and goes.
 Project forked(const std::string& throat, const std::string& more, double cycles,
                const std::string& opening = "") {
   std::string text =
@@ -719,7 +719,7 @@ Project forked(const std::string& throat, const std::string& more, double cycles
   if (cycles > 0.0)
     text += fmt::format(
         "[[situations]]\nname = \"off\"\nloads = {{  }}\n[[situations]]\nname = \"on\"\n"
-        "[[situations]]\nname = \"change\"\nbetween = [\"off\", \"on\"]\ncycles = {}\n"
+        "loads = {{ f = 1.0 }}\n[[situations]]\nname = \"change\"\nbetween = [\"off\", \"on\"]\ncycles = {}\n"
         "[fatigue]\nloading = \"spectrum\"\ncategory = 71\ngamma_Ff = 1.0\ngamma_Mf = 1.35\n"
         "required = 1.0\n",
         cycles);
