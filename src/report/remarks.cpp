@@ -276,24 +276,33 @@ void add_beside(const Project& project, const Verification& verification,
 
 namespace {
 
-/// What of a situation that has no cycles of its own counts in fatigue.
-void add_uncounted(const Project& project, std::size_t index, std::vector<std::string>& remarks) {
-  if (!project.fatigue.asked || project.situations.size() < 2) return;
-  const auto is_part_of = [&](const Situation& of) {
-    return std::find(of.between.begin(), of.between.end(), index) != of.between.end();
-  };
-  const auto& all = project.situations;
-  const std::string& name = all[index].name;
-  if (std::none_of(all.begin(), all.end(), is_part_of)) {
-    remarks.push_back(fmt::format(
-        "situation \"{}\" has no cycles: it counts for strength, not for fatigue", name));
-  } else if (std::none_of(all.begin(), all.end(),
-                          [&](const Situation& of) { return of.in_order && is_part_of(of); })) {
-    remarks.push_back(
-        fmt::format("situation \"{}\" has no cycles of its own: of its ranges only the outermost "
-                    "counts, with the other one's, in the change between them",
-                    name));
+/// Situations whose own ranges do not count in fatigue, though their loads change.
+void add_uncounted(const Project& project, const std::vector<MotionSummary>& motions,
+                   std::vector<std::string>& remarks) {
+  const std::vector<Situation>& all = project.situations;
+  if (!project.fatigue.asked || all.size() < 2) return;
+  std::vector<std::string> for_strength, for_change;
+  for (const MotionSummary& motion : motions) {
+    const Situation& of = all[motion.situation];
+    if (motion.stands_still || of.cycles != 0.0) continue;
+    const auto is_part = [&](const Situation& whole) {
+      return std::find(whole.between.begin(), whole.between.end(), motion.situation) !=
+             whole.between.end();
+    };
+    const auto counts_it = [&](const Situation& whole) { return whole.in_order && is_part(whole); };
+    if (std::none_of(all.begin(), all.end(), is_part))
+      for_strength.push_back("\"" + of.name + "\"");
+    else if (std::none_of(all.begin(), all.end(), counts_it))
+      for_change.push_back("\"" + of.name + "\"");
   }
+  if (!for_strength.empty())
+    remarks.push_back(fmt::format("without cycles, for strength and not for fatigue: {}",
+                                  fmt::join(for_strength, ", ")));
+  if (!for_change.empty())
+    remarks.push_back(
+        fmt::format("without cycles of their own: {}; of their ranges only the "
+                    "outermost count, in the change between them",
+                    fmt::join(for_change, ", ")));
 }
 
 void add_motion(const Project& project, const MotionSummary& motion,
@@ -302,10 +311,7 @@ void add_motion(const Project& project, const MotionSummary& motion,
   report::front_end_text_of(project)->add_remarks(motion, remarks);
   // Of a situation that only its sequence counts, the sequence says how it repeats.
   const double cycles = situation.cycles;
-  if (cycles == 0.0) {
-    add_uncounted(project, motion.situation, remarks);
-    return;
-  }
+  if (cycles == 0.0) return;
   if (duration_of(project).length > 0.0) {
     remarks.push_back(
         fmt::format("one of the {:.6g} cycles of the fatigue demand is the whole time "
@@ -556,6 +562,7 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
       remarks[i] = fmt::format("situation \"{}\": {}", name, remarks[i]);
     }
   }
+  add_uncounted(project, verification.motions, remarks);
   add_whole_records(verification, remarks);
   add_sudden_start(project, verification, remarks);
   add_missing(project, verification, remarks);
