@@ -49,6 +49,11 @@ TEST_CASE("the rows of a spectrum do the damage of its check, in all cases") {
   CHECK(seen > 100);
 }
 
+/// By so much the weld at the box end bears more than the tube's own modulus says: of each flange
+/// of the box, 50 mm thick, 27.60 mm are idle by shear lag (EN 1993-1-5, 3.2, kappa = 175/6200), so
+/// that of I = 6.117e-3 m^4 of box and tube 0.2093e-3 m^4 do not work.
+constexpr double by_idle_flanges = 6.117 / (6.117 - 0.2093);
+
 TEST_CASE("in the detailed rig normal running does the damage, not the rare over-stroke") {
   // The root of the weld, category 36: its ranges with gamma_Mf = 1.35 lie above the knee
   // 36 (2/5)^(1/3) = 26.5 MPa, where 2e6 (36/range)^3 cycles are endured; there are 1e8 of them.
@@ -62,7 +67,7 @@ TEST_CASE("in the detailed rig normal running does the damage, not the rare over
   }
   // By hand: 26.23 MPa in the fibre of 290 x 490 mm, wall 56 mm, and the section moduli of that
   // tube and of a line of 40 mm around it, 0.00204203 and 0.00219568 m^4 at the same distance.
-  CHECK(range == Approx(1.35 * 26.23 * 0.00204203 / 0.00219568).epsilon(2e-3));
+  CHECK(range == Approx(1.35 * 26.23 * 0.00204203 / 0.00219568 * by_idle_flanges).epsilon(2e-3));
   REQUIRE(range > 36.0 * std::cbrt(2.0 / 5.0));
   CHECK(running == Approx(1e8 / (2e6 * std::pow(36.0 / range, 3.0))).epsilon(1e-9));
   CHECK(running > 0.999 * basis.damage);
@@ -77,7 +82,8 @@ TEST_CASE("captions of ranges name the largest of all, and what is factored") {
     largest = std::max(largest, range);
     if (row.situation == "normal running") running = std::max(running, range);
   }
-  CHECK(largest == Approx(31.47 * 0.00204203 / 0.00219568).epsilon(2e-3));  // of the over-stroke
+  // Of the over-stroke.
+  CHECK(largest == Approx(31.47 * 0.00204203 / 0.00219568 * by_idle_flanges).epsilon(2e-3));
   const std::string spectrum = caption_of(rig, "spectrum");
   CAPTURE(spectrum);
   CHECK(spectrum.find(fmt::format("the largest is {:.4g} MPa", largest)) != std::string::npos);
