@@ -72,6 +72,14 @@ bool forces_move(const Project& project, const SituationRun& run) {
 
 }  // namespace
 
+bool judged_in_fatigue(const std::vector<CheckResult>& checks) {
+  using enum Criterion;
+  return std::any_of(checks.begin(), checks.end(), [](const CheckResult& of) {
+    return of.check.criterion == fatigue || of.check.criterion == shear_fatigue ||
+           of.check.criterion == combined_fatigue;
+  });
+}
+
 std::vector<NotJudged> unsaid_joints_of(const Project& project) {
   std::vector<NotJudged> unsaid;
   const std::vector<Segment>& segments = project.beam.segments;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "boxbeam/verification/unsaid.hpp"
+
 namespace boxbeam {
 namespace {
 
@@ -46,12 +48,9 @@ VerdictText verdict_text_of(const Project& project, const Verification& verifica
   const char* const word = word_of(verification.verdict);
   VerdictText text{word, word, {}};
   const std::vector<NotJudged>& missing = verification.not_judged;
-  const bool no_range = std::any_of(missing.begin(), missing.end(), [](const NotJudged& of) {
-    return of.by == Criterion::fatigue;
-  });
   if (!project.fatigue.asked) {
     text.line += " (strength only)";
-  } else if (no_range && verification.verdict == Verdict::pass) {
+  } else if (!judged_in_fatigue(verification.checks) && verification.verdict == Verdict::pass) {
     text.line += " for strength";
   }
   const bool applicable = verification.verdict != Verdict::not_applicable;

@@ -55,9 +55,7 @@ std::vector<NotJudged> not_judged_in(const Project& project, const std::vector<C
     return governing_of(checks, criterion) != nullptr;
   };
   std::vector<NotJudged> not_judged;
-  const bool by_fatigue = is_checked(Criterion::fatigue) || is_checked(Criterion::shear_fatigue) ||
-                          is_checked(Criterion::combined_fatigue);
-  if (project.fatigue.asked && !by_fatigue)
+  if (project.fatigue.asked && !judged_in_fatigue(checks))
     not_judged.push_back({Criterion::fatigue, "fatigue", "no stress range"});
   append(std::move(neighbours), not_judged);
   if (project.deflection && !is_checked(Criterion::deflection))

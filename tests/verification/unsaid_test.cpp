@@ -52,7 +52,8 @@ std::string stepped(double behind, double ahead, const char* more) {
 TEST_CASE("the joint of plates that step in thickness is said where no detail lies there") {
   CHECK_THAT(line_of(stepped(40.0, 20.0, "")), Catch::Contains("joint at s = 2 m in fatigue") &&
                                                    Catch::Contains("top flange, 40 and 20 mm"));
-  CHECK_THAT(line_of(stepped(20.0, 40.0, "")), Catch::Contains("joint at s = 2 m in fatigue"));
+  CHECK_THAT(line_of(stepped(20.0, 40.0, "")),
+             Catch::StartsWith("PASS; joint at s = 2 m in fatigue"));
   CHECK_THAT(line_of(stepped(20.0, 20.0, "")), !Catch::Contains("joint at"));
   const char* const butt =
       "[[fatigue.details]]\nname = \"butt\"\nfrom = \"2 m\"\nto = \"2 m\"\ncategory = 71\n";

@@ -9,6 +9,9 @@
 
 namespace boxbeam {
 
+/// Whether any of the checks is one of stress ranges against a detail: else there were none.
+bool judged_in_fatigue(const std::vector<CheckResult>& checks);
+
 /// Joints of plates that get thicker or thinner at the border of two segments, where fatigue is
 /// asked and neither a detail nor a weld around the profile lies there: their category is that of
 /// the case's own weld (EN 1993-1-9, table 8.3), which nothing says. Profiles of unlike kinds are
