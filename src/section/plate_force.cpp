@@ -60,7 +60,8 @@ std::vector<PlateStrip> strips_in_solid(const StressField& field, const Hole& ho
         "strip beside hole " + hole.name + " " + signed_axis(towards, upright ? 'z' : 'y');
     const double y = upright ? extent.y_high.value() : edge,
                  z = upright ? edge : extent.z_high.value();
-    PlateStrip& strip = strips.emplace_back(WallPart::path, point_in_solid(field, name, y, z));
+    PlateStrip& strip =
+        strips.emplace_back(PlateStrip{WallPart::path, point_in_solid(field, name, y, z)});
     set_shear(strip.point.influence, shear);
     set_shear(strip.point.prismatic, shear);
     strip.point.torsion.reset();
@@ -130,7 +131,8 @@ std::vector<PlateStrip> strips_beside(const StressField& field, const StressFiel
       std::string name = "strip beside hole " + hole.name;
       if (!one_half) name += " " + signed_axis(webs ? side : towards, 'y');
       name += " " + signed_axis(webs ? towards : side, 'z');
-      PlateStrip& strip = strips.emplace_back(plate, place_on(field, plate, name, edge));
+      PlateStrip& strip =
+          strips.emplace_back(PlateStrip{plate, place_on(field, plate, name, edge)});
       set_shear(strip.point.influence, shear);
       set_shear(strip.point.prismatic, prismatic);
       strip.point.torsion.reset();

@@ -48,11 +48,11 @@ std::vector<Gate> PatchedHoles::gates() const {
     const auto& [s, by, use] = of->second;
     gates.push_back(
         {project_->beam.segments[segment_at(project_->beam, {at.s, Side::both})].name, "",
-         fmt::format("hole \"{}\" at s = {} m lies where \"{}\" comes in at s = {} m, which uses "
-                     "whole webs by {:.3g}: EN 1993-1-5, clause 6, is for webs without openings "
-                     "(2.3); [[beam.diaphragms]] take it, or move the hole",
-                     at.hole.name, to_text(Station{at.s, Side::both}), by,
-                     to_text(Station{s, Side::both}), use),
+         fmt::format(
+             "hole \"{}\" at s = {} m: \"{}\" presses the webs by {:.3g} of what whole ones "
+             "bear at s = {} m (EN 1993-1-5, 2.3, 6): a diaphragm there takes it",
+             at.hole.name, to_text(Station{at.s, Side::both}), by, use,
+             to_text(Station{s, Side::both})),
          true});
   }
   return gates;
