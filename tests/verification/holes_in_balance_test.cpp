@@ -94,7 +94,7 @@ TEST_CASE("a hole under a force that comes in by the flange has no verdict, far 
     pressed_beams::Beam of = beam("");
     of.forces.front().down = 1000.0;
     of.more = pressed_beams::introduced(0.05, 1.95, 150.0) + hole("a", 60.0, at, "webs", 200.0);
-    CHECK(stops(of.verified(), "lies where \"f\" comes in") == (at == 1.0));
+    CHECK(stops(of.verified(), ": \"f\" presses the webs") == (at == 1.0));
   }
 }
 
