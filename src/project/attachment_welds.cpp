@@ -117,12 +117,11 @@ class Attachments {
   double concentration_;
 };
 
-/// As the search for the weakest detail of a place compares them.
-double strength_of(const BeamDetail& of) {
+}  // namespace
+
+double comparable_strength_of(const BeamDetail& of) {
   return strength_at(curve_of(of.detail), 2e6, Loading::spectrum).value() / of.stress_factor;
 }
-
-}  // namespace
 
 std::vector<AttachmentWeld> attachment_welds_of(const TaperedBeam& beam, const BeamDetail& of_beam,
                                                 const AttachmentDetails& given) {
@@ -131,11 +130,11 @@ std::vector<AttachmentWeld> attachment_welds_of(const TaperedBeam& beam, const B
 }
 
 bool may_govern(const FatigueInput& fatigue, const AttachmentWeld& weld) {
-  const double strength = strength_of(weld.detail);
+  const double strength = comparable_strength_of(weld.detail);
   const auto is_as_weak = [&](const BeamDetail& of) {
     const bool counts_as_much =
         !of.detail.compression_reduced || weld.detail.detail.compression_reduced;
-    return !of.detail.in_plates && counts_as_much && strength_of(of) <= strength;
+    return !of.detail.in_plates && counts_as_much && comparable_strength_of(of) <= strength;
   };
   bool elsewhere = false;  // some place there has a detail of its own
   for (const BeamDetail& of : fatigue.details) {

@@ -109,12 +109,10 @@ void read_torsion_spring(const std::string& name, TableReader& table, Mechanism&
                   fmt::format("there is no revolute joint \"{}\" that carries a body", joint),
                   unknown_hint(joint, names));
   }
-  spring.stiffness =
-      table.not_negative({"stiffness", "moment per angle"}, wanted::torsional_stiffness);
-  spring.free_angle = table.quantity({"free_angle", "without moment"}, wanted::angle, 0.0);
-  spring.damping = table.not_negative({"damping", "moment per angular velocity"},
-                                      wanted::torsional_damping, 0.0);
-  refuse_idle(table, spring.stiffness, spring.damping, wanted::torsional_stiffness);
+  const TorsionOf of = read_torsion(table);
+  spring.stiffness = of.stiffness;
+  spring.free_angle = of.free_angle;
+  spring.damping = of.damping;
   if (table.problems().size() == before) mechanism.torsion_springs.push_back(std::move(spring));
 }
 
@@ -127,15 +125,13 @@ void read_chain_loads(TableReader& root, Mechanism& mechanism, TimeTables& table
     const std::size_t kind = table.kind(
         {"kind", "of load"}, {"force", "couple", "line force", "spring", "torsion spring"});
     if (table.problems().size() != before) continue;
-    if (kind == 4)
-      read_torsion_spring(name, table, mechanism);
-    else if (kind == 3)
-      read_spring(name, table, mechanism);
-    else if (kind == 2)
-      read_line(name, table, mechanism, tables);
-    else
-      read_load(name, table, kind == 1 ? spatial::LoadKind::couple : spatial::LoadKind::force,
-                mechanism, tables);
+    switch (kind) {
+      case 0: read_load(name, table, spatial::LoadKind::force, mechanism, tables); break;
+      case 1: read_load(name, table, spatial::LoadKind::couple, mechanism, tables); break;
+      case 2: read_line(name, table, mechanism, tables); break;
+      case 3: read_spring(name, table, mechanism); break;
+      default: read_torsion_spring(name, table, mechanism); break;
+    }
     table.finish();
   }
 }

@@ -33,12 +33,10 @@ planar::TorsionSpring read_torsion_spring(TableReader& table, const Mechanism& m
                "a torsion spring",
                false},
               mechanism);
-  spring.stiffness =
-      table.not_negative({"stiffness", "moment per angle"}, wanted::torsional_stiffness);
-  spring.free_angle = table.quantity({"free_angle", "without moment"}, wanted::angle, 0.0);
-  spring.damping = table.not_negative({"damping", "moment per angular velocity"},
-                                      wanted::torsional_damping, 0.0);
-  refuse_idle(table, spring.stiffness, spring.damping, wanted::torsional_stiffness);
+  const TorsionOf of = read_torsion(table);
+  spring.stiffness = of.stiffness;
+  spring.free_angle = of.free_angle;
+  spring.damping = of.damping;
   return spring;
 }
 
@@ -78,6 +76,16 @@ planar::ForceKind read_kind(TableReader& table, std::size_t kind, const Mechanis
 }
 
 }  // namespace
+
+TorsionOf read_torsion(TableReader& table) {
+  TorsionOf of;
+  of.stiffness = table.not_negative({"stiffness", "moment per angle"}, wanted::torsional_stiffness);
+  of.free_angle = table.quantity({"free_angle", "without moment"}, wanted::angle, 0.0);
+  of.damping = table.not_negative({"damping", "moment per angular velocity"},
+                                  wanted::torsional_damping, 0.0);
+  refuse_idle(table, of.stiffness, of.damping, wanted::torsional_stiffness);
+  return of;
+}
 
 void refuse_idle(TableReader& table, double stiffness, double damping,
                  const WantedDimension& of_stiffness) {

@@ -200,6 +200,12 @@ int body_of(TableReader& table, const Key& key, const planar::Mechanism& mechani
 int body_of(TableReader& table, const Key& key, const spatial::Mechanism& mechanism);
 int joint_of(TableReader& table, const Key& key, const planar::Mechanism& mechanism);
 
+/// What a torsion spring says beside where it is.
+struct TorsionOf {
+  double stiffness = 0.0, free_angle = 0.0, damping = 0.0;  ///< [N m/rad, rad, N m s/rad]
+};
+TorsionOf read_torsion(TableReader& table);
+
 /// Refuses a spring with neither stiffness nor damping.
 void refuse_idle(TableReader& table, double stiffness, double damping,
                  const WantedDimension& of_stiffness);

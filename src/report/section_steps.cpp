@@ -47,7 +47,8 @@ void give_values(Derivation& steps, const StressPoint& point, bool space) {
   const std::string kind = kind_of(point);
   const char* note = "along the border of the section";
   if (kind == "eff") note = "less what shear lag leaves idle, and holes";
-  if (kind == "net") note = "less holes, of a weld what the beam's plates leave idle";
+  if (kind == "net") note = "less holes";
+  if (point.beside_idle) note = "less as much as the beam's plates beside the weld leave idle";
   const auto given = [&](const std::string& symbol, const auto& value, const char* what) {
     steps.given({symbol, ""}, value, what);
   };

@@ -30,7 +30,7 @@ int decimals_of(const std::vector<double>& terms, double sum) {
 
 /// Round-off of a stress of zero is zero.
 double in_MPa(double pascals) {
-  constexpr double round_off = 1.0;
+  constexpr double round_off = 1e-3;
   return std::abs(pascals) < round_off ? 0.0 : pascals * 1e-6;
 }
 

@@ -246,6 +246,12 @@ std::vector<Traced> level_terms_of(const Project& project, const StressPoint& po
 /// What a coefficient of shear stress means.
 std::string shear_coefficient_note(std::size_t which, bool space, const StressPoint& point) {
   const std::string name = name_of(which, space);
+  if (point.is_strip) {
+    return fmt::format(
+        "shear stress per {}: the force of the whole plate in its plane, before and "
+        "behind the hole, over what holes leave of its width and its thickness",
+        name);
+  }
   const bool wall = point.torsion.has_value();
   const char* const part = wall ? "what hangs on the wall" : "the part beyond the level";
   const char* const closed =

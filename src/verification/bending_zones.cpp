@@ -170,14 +170,16 @@ std::optional<BendingZone> part_of(BendingZone zone, Length from, Length to) {
   return zone;
 }
 
-/// Whether another zone leaves no more of any plate wherever this one is.
+/// Whether another zone leaves no more of any plate wherever this one is. Lengths as alike as the
+/// search for the governing place is exact are one.
 bool covered(const BendingZone& zone, const std::vector<BendingZone>& by, double length) {
-  const Length slack = si<Length>(nothing * length);
+  constexpr double alike = 1e-4;
+  const Length slack = si<Length>(alike * length);
   const auto beta_2 = [](const BendingZone& of) { return of.region != BendingRegion::sagging; };
   return std::any_of(by.begin(), by.end(), [&](const BendingZone& other) {
     return other.axis == zone.axis && other.from <= zone.from + slack &&
            other.to >= zone.to - slack && (beta_2(other) || !beta_2(zone)) &&
-           other.effective_length <= (1.0 + nothing) * zone.effective_length;
+           other.effective_length <= (1.0 + alike) * zone.effective_length;
   });
 }
 

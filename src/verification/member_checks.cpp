@@ -145,11 +145,14 @@ MemberLoss loss_of(const Project& project, const std::vector<BendingZone>& zones
 /// Of welded profiles, whose own fabrication stresses count: curve c, of open ones with walls above
 /// 40 mm curve d. Source: EN 1993-1-1:2005, table 6.2.
 BucklingCurve bending_curve_of(const TaperedBeam& beam) {
-  const auto is_thick = [](const Segment& segment) {
-    const auto* const path = std::get_if<ThinWalled>(&segment.from.outer);
+  const auto has_thick_walls = [](const Section& section) {
+    const auto* const path = std::get_if<ThinWalled>(&section.outer);
     return path != nullptr &&
            std::any_of(path->walls.begin(), path->walls.end(),
                        [](const ThinWall& wall) { return wall.thickness > si<Length>(40e-3); });
+  };
+  const auto is_thick = [&](const Segment& segment) {
+    return has_thick_walls(segment.from) || has_thick_walls(segment.to);
   };
   return std::any_of(beam.segments.begin(), beam.segments.end(), is_thick) ? BucklingCurve::d
                                                                            : BucklingCurve::c;

@@ -113,7 +113,7 @@ class PatchRun {
         const double load_factor = run_->situation->load_factor;
         const double use =
             project_->strength.required * load_factor / search_->factor_of(borne.basis);
-        if (borne.part == Borne::Part::plate) holes_->take(patch, use);
+        if (borne.part == Borne::Part::plate) holes_->take(patch, borne.basis, load_factor, use);
         const BorneKey key{patch.key(), borne.part};
         double& most = uses[key];
         most = std::max(most, use);

@@ -18,7 +18,7 @@ class PatchedHoles {
   explicit PatchedHoles(const Project& project) : project_(&project) {}
 
   /// `use`: of the webs, as if they were whole.
-  void take(const Patch& patch, double use);
+  void take(const Patch& patch, const PatchBasis& basis, double load_factor, double use);
 
   std::vector<Gate> gates() const;
 
@@ -26,7 +26,8 @@ class PatchedHoles {
   struct Pressed {
     Length s;
     std::string by;
-    double use = 0.0;
+    double use = 0.0;  ///< of the strip of the web, or of whole webs
+    bool in_web = false;
   };
   const Project* project_;
   std::map<const BeamHole*, Pressed> worst_;

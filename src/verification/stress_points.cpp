@@ -245,6 +245,7 @@ class StressPoints {
     const auto whole = fields_->of(field_.section, {}, taper_);
     for (const PlateStrip& strip : strips_beside(field_, *whole, at.hole, set_)) {
       StressPoint& point = add(strip.point);
+      point.is_strip = true;
       point.shear_detail = if_asked(project_->fatigue.shear);
       if (!at.concentration) resist_hole(point, at);
     }

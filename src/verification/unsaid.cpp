@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "boxbeam/fatigue/size_effect.hpp"
+#include "boxbeam/project/attachment_welds.hpp"
+#include "boxbeam/project/plate_detail.hpp"
 #include "boxbeam/section/outline.hpp"
 #include "boxbeam/verification/front_end.hpp"
 
@@ -14,20 +17,22 @@ namespace {
 struct PlateThickness {
   const char* name;
   Length of;
+  DetailPlace on;  ///< details of which hold in it
 };
 
 struct PlatesOf {
   std::vector<PlateThickness> operator()(const Box& box) const {
-    return {{"top flange", box.top_flange},
-            {"bottom flange", box.bottom_flange},
-            {"left web", box.left_web},
-            {"right web", box.right_web}};
+    using enum DetailPlace;
+    return {{"top flange", box.top_flange, fibres},
+            {"bottom flange", box.bottom_flange, fibres},
+            {"left web", box.left_web, webs},
+            {"right web", box.right_web, webs}};
   }
   std::vector<PlateThickness> operator()(const RectangularTube& tube) const {
-    return {{"wall", tube.wall}};
+    return {{"wall", tube.wall, DetailPlace::fibres}};
   }
   std::vector<PlateThickness> operator()(const RoundTube& tube) const {
-    return {{"wall", tube.wall}};
+    return {{"wall", tube.wall, DetailPlace::fibres}};
   }
   /// Full sections have no plate that is joined, walls of paths no names.
   template <class Other>
@@ -36,29 +41,56 @@ struct PlatesOf {
   }
 };
 
-/// "top flange 20 and 40 mm", of the first plate whose thickness steps; "" where none does.
-std::string step_between(const Profile& behind, const Profile& ahead) {
-  if (behind.index() != ahead.index()) return "";
-  const std::vector<PlateThickness> from = std::visit(PlatesOf{}, behind);
-  const std::vector<PlateThickness> to = std::visit(PlatesOf{}, ahead);
+/// The strength of the splice of two thicknesses, as that of details is compared.
+double splice_strength_of(Length a, Length b) {
+  BeamDetail splice;
+  splice.detail = detail_of_row("8.3/17", "splice of two thicknesses");
+  const Length thinner = std::min(a, b), thicker = std::max(a, b);
+  splice.detail.size_factor =
+      size_factor_of_eccentric_butt_weld(thinner, thicker, 0.5 * (thicker - thinner));
+  return comparable_strength_of(splice);
+}
+
+/// Whether a plate at a station is judged by a detail of that place, no longer than the section is
+/// deep, or by one so weak, or weaker.
+bool is_judged_by(const Project& project, Length s, DetailPlace on, double strength) {
+  const Length near = 1e-9 * project.beam.length();
+  const auto is_so_weak = [&](const BeamDetail& of) {
+    return !of.detail.in_plates && comparable_strength_of(of) <= strength;
+  };
+  const Extent extent = extent_of(section_at(project.beam, {s, Side::behind}).outer);
+  const Length short_one = std::max(extent.z_high - extent.z_low, extent.y_high - extent.y_low);
+  bool held = false;
+  for (const BeamDetail& of : project.fatigue.details) {
+    if (of.from > s + near || of.to < s - near) continue;
+    if (of.on != DetailPlace::section && of.on != on) continue;
+    held = true;
+    if (of.to - of.from <= short_one || is_so_weak(of)) return true;
+  }
+  return !held && is_so_weak(project.fatigue.beam);
+}
+
+/// "top flange, 20 and 40 mm", of the first plate whose thickness steps unsaid; "" where none does.
+std::string step_at(const Project& project, const Segment& behind, const Segment& ahead) {
+  if (behind.to.outer.index() != ahead.from.outer.index()) return "";
+  const std::vector<PlateThickness> from = std::visit(PlatesOf{}, behind.to.outer);
+  const std::vector<PlateThickness> to = std::visit(PlatesOf{}, ahead.from.outer);
   // What rounding of units makes is no step.
   const Length least = si<Length>(1e-6);
   for (std::size_t i = 0; i < from.size(); ++i) {
     if (abs(from[i].of - to[i].of) <= least) continue;
+    if (is_judged_by(project, ahead.start, from[i].on, splice_strength_of(from[i].of, to[i].of)))
+      continue;
     return fmt::format("{}, {:.4g} and {:.4g} mm", from[i].name, 1e3 * from[i].of.value(),
                        1e3 * to[i].of.value());
   }
   return "";
 }
 
-bool is_said(const Project& project, Length s) {
+bool has_weld_at(const Project& project, Length s) {
   const Length near = 1e-9 * project.beam.length();
-  const auto lies_there = [&](const BeamDetail& of) {
-    return of.from <= s + near && of.to >= s - near;
-  };
-  const auto stands_there = [&](const WeldInput& of) { return abs(of.s - s) <= near; };
-  return std::any_of(project.fatigue.details.begin(), project.fatigue.details.end(), lies_there) ||
-         std::any_of(project.welds.begin(), project.welds.end(), stands_there);
+  return std::any_of(project.welds.begin(), project.welds.end(),
+                     [&](const WeldInput& of) { return abs(of.s - s) <= near; });
 }
 
 /// Whether forces move what carries the beam: how it goes on after the time looked at is not known.
@@ -86,8 +118,8 @@ std::vector<NotJudged> unsaid_joints_of(const Project& project) {
   if (!project.fatigue.asked || !project.given_stresses.empty()) return unsaid;
   for (std::size_t i = 1; i < segments.size(); ++i) {
     const Length s = segments[i].start;
-    const std::string step = step_between(segments[i - 1].to.outer, segments[i].from.outer);
-    if (step.empty() || is_said(project, s)) continue;
+    const std::string step = step_at(project, segments[i - 1], segments[i]);
+    if (step.empty() || has_weld_at(project, s)) continue;
     unsaid.push_back({Criterion::fatigue,
                       fmt::format("joint at s = {:.6g} m in fatigue", s.value()),
                       fmt::format("the weld of plates of unlike thickness ({}) is not said: a "
@@ -100,19 +132,23 @@ std::vector<NotJudged> unsaid_joints_of(const Project& project) {
 std::vector<NotJudged> unfinished_motion_of(const Project& project,
                                             const std::deque<SituationRun>& runs,
                                             const std::vector<CheckResult>& checks) {
-  const auto worst = std::find_if(checks.begin(), checks.end(), [](const CheckResult& of) {
-    return of.check.on_beam && of.check.criterion != Criterion::deflection;
-  });
-  if (worst == checks.end()) return {};
-  const Check& check = worst->check;
+  constexpr double counts = 0.5;  // of the largest use
+  if (checks.empty()) return {};
+  const double least = counts * checks.front().check.utilisation();
   for (const SituationRun& run : runs) {
-    if (!check.situation.empty() && check.situation != run.situation->name) continue;
+    if (!forces_move(project, run)) continue;
     const Time end = run.loads.begin() + run.loads.period();
-    if (!forces_move(project, run) || check.time < end - 1e-6 * run.loads.period()) continue;
-    return {{check.criterion, "the motion",
-             fmt::format("its last instant, {:.6g} s, is that of the largest use; what follows is "
-                         "not looked at ([motion] duration)",
-                         end.value())}};
+    const auto at_end = std::find_if(checks.begin(), checks.end(), [&](const CheckResult& of) {
+      const Check& check = of.check;
+      const bool here = check.situation.empty() || check.situation == run.situation->name;
+      return here && check.on_beam && check.utilisation() >= least &&
+             check.time >= end - 1e-6 * run.loads.period();
+    });
+    if (at_end == checks.end()) continue;
+    return {{at_end->check.criterion, "the motion",
+             fmt::format("{} is used most at its last instant, {:.6g} s; what follows is not "
+                         "looked at ([motion] duration)",
+                         at_end->check.point, end.value())}};
   }
   return {};
 }

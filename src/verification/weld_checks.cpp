@@ -28,7 +28,7 @@ struct WeldFace {
         histories(histories_at(runs, {at.s, behind_or_before(at.side)})),
         samples(project, histories),
         in_fatigue(lag_loss_at(project, zones, at.s)),
-        in_strength(in_fatigue * buckling_loss_at(project, zones, at.s, samples)) {}
+        in_strength(in_fatigue * buckling_loss_at(project, zones, at.s, histories)) {}
 
   static Side behind_or_before(Side side) { return side == Side::before ? side : Side::behind; }
 
@@ -74,6 +74,7 @@ StressPoint point_at(const Project& project, const WeldInput& weld, const Statio
   point.section = section;
   point.gross = properties_of(section);
   point.net = less(point.gross, loss);
+  point.beside_idle = !loss.none();
   point.first_to_yield = first_to_yield(around);
   point.joined = weakest_to_weld(around);
   point.yield_strength =

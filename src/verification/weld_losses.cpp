@@ -37,16 +37,15 @@ PathSection stout(PathSection path) {
 /// there is only round-off.
 template <class Effective>
 double largest_ratio(const Effective& effective, const Effective& whole,
-                     const StationSamples& samples) {
-  const auto use_of = [](const Effective& of) {
-    return [&of](const CutForces& cut) { return of.use(cut); };
+                     const std::vector<SituationHistory>& histories) {
+  const auto each = [&](const auto& look) {
+    for (const SituationHistory& of : histories)
+      for (const CutForces& cut : of.history.samples()) look(cut, tiny * whole.use(cut));
   };
-  const double nothing = 1e-9 * tiny * samples.largest_use(use_of(whole));
-  double largest = 1.0;
-  samples.largest_use([&](const CutForces& cut) {
-    const double of_whole = tiny * whole.use(cut);
-    if (of_whole > nothing) largest = std::max(largest, effective.use(cut) / of_whole);
-    return 0.0;
+  double most = 0.0, largest = 1.0;
+  each([&](const CutForces&, double of_whole) { most = std::max(most, of_whole); });
+  each([&](const CutForces& cut, double of_whole) {
+    if (of_whole > 1e-9 * most) largest = std::max(largest, effective.use(cut) / of_whole);
   });
   return largest;
 }
@@ -69,7 +68,7 @@ WeldLoss lag_loss_at(const Project& project, const std::vector<BendingZone>& zon
 }
 
 double buckling_loss_at(const Project& project, const std::vector<BendingZone>& zones, Length s,
-                        const StationSamples& samples) {
+                        const std::vector<SituationHistory>& histories) {
   double largest = 1.0;
   for (const Side side : sides) {
     const Station station{s, side};
@@ -77,10 +76,10 @@ double buckling_loss_at(const Project& project, const std::vector<BendingZone>& 
       // Shear lag is counted beside it, elastic.
       const FourWalls& walls = plates->box.box();
       largest = std::max(largest,
-                         largest_ratio(EffectiveBox(walls), EffectiveBox(stout(walls)), samples));
+                         largest_ratio(EffectiveBox(walls), EffectiveBox(stout(walls)), histories));
     } else if (const auto path = slender_path_at(project, zones, station)) {
       const EffectivePath whole(stout(path->section.path()));
-      largest = std::max(largest, largest_ratio(path->section, whole, samples));
+      largest = std::max(largest, largest_ratio(path->section, whole, histories));
     }
   }
   return largest;

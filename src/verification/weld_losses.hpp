@@ -4,7 +4,7 @@
 
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/verification/bending_zones.hpp"
-#include "boxbeam/verification/station_samples.hpp"
+#include "boxbeam/verification/situation_run.hpp"
 
 namespace boxbeam {
 
@@ -28,7 +28,7 @@ WeldLoss lag_loss_at(const Project& project, const std::vector<BendingZone>& zon
 /// Source: EN 1993-1-5:2006, 4.4, 4.6, 3.3 (of paths); that welds follow, EN 1993-1-8:2005, 4.9(1)
 /// by analogy.
 double buckling_loss_at(const Project& project, const std::vector<BendingZone>& zones, Length s,
-                        const StationSamples& samples);
+                        const std::vector<SituationHistory>& histories);
 
 WeldLoss operator*(const WeldLoss& loss, double by);
 

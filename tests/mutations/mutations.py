@@ -385,7 +385,7 @@ MUTATIONS = [
     *_in("src/verification", "distortion_gates.cpp",
          ("shared-diaphragm", "case IntoDiaphragm::Part::web_weld: return of.use + others * held.welds;",
           "case IntoDiaphragm::Part::web_weld: return of.use;",
-          "what keeps a box in shape and a force share a weld", "distortion_checks_test")),
+          "what keeps a box in shape and a force share a weld", "held_in_shape_test")),
     *_in("src/verification", "distorted_stretch.cpp",
          ("flow-levers", "if (any_comes_by_flow()) {", "if (false) {",
           "the lever of a force beside the axis distorts", "distortion_checks_test")),

@@ -83,10 +83,7 @@ inline FormulaValue number_value(const boxbeam::report::FormulaNode& node) {
   // Factors, exponents and angles of few digits are exact; so is a zero.
   const bool exact =
       node.text == "0" || node.index == "deg" || (node.index.empty() && digits.size() <= 3);
-  // A stress that is printed as zero may be one of less than a pascal.
-  const bool no_stress = node.text == "0" && node.index == "MPa";
-  const double rounding = exact ? 0.0 : 0.5 * std::pow(10.0, exponent - decimals);
-  const double doubt = no_stress ? 1e-6 : rounding;
+  const double doubt = exact ? 0.0 : 0.5 * std::pow(10.0, exponent - decimals);
   value.low = (shown - doubt) * scale;
   value.high = (shown + doubt) * scale;
   return value;

@@ -55,9 +55,23 @@ TEST_CASE("the joint of plates that step in thickness is said where no detail li
   CHECK_THAT(line_of(stepped(20.0, 40.0, "")),
              Catch::StartsWith("PASS; joint at s = 2 m in fatigue"));
   CHECK_THAT(line_of(stepped(20.0, 20.0, "")), !Catch::Contains("joint at"));
-  const char* const butt =
-      "[[fatigue.details]]\nname = \"butt\"\nfrom = \"2 m\"\nto = \"2 m\"\ncategory = 71\n";
-  CHECK_THAT(line_of(stepped(40.0, 20.0, butt)), !Catch::Contains("joint at"));
+  // By hand: e = 10 mm, 71/(1 + 3 x 20^1.5/(20^1.5 + 40^1.5)) = 39.8.
+  const auto said_with = [](const char* on, double from, double to, double category) {
+    const std::string detail = fmt::format(
+        "[[fatigue.details]]\nname = \"d\"\nfrom = \"{} m\"\nto = \"{} m\"\n{}category = {}\n",
+        from, to, on, category);
+    return line_of(stepped(40.0, 20.0, detail.c_str())).find("joint at") != std::string::npos;
+  };
+  const char* const webs = "on = \"webs\"\n";
+  const char* const seams = "on = \"seams\"\n";
+  const char* const fibres = "on = \"fibres\"\n";
+  CHECK(said_with("", 0.5, 3.5, 40.0));
+  CHECK_FALSE(said_with("", 0.5, 3.5, 36.0));
+  CHECK_FALSE(said_with(fibres, 0.5, 3.5, 36.0));
+  // One of the joint itself is what the case says of it; one of webs or seams says nothing of it.
+  CHECK_FALSE(said_with(fibres, 2.0, 2.0, 90.0));
+  CHECK(said_with(webs, 2.0, 2.0, 36.0));
+  CHECK(said_with(seams, 2.0, 2.0, 36.0));
 }
 
 TEST_CASE("a motion by forces that ends while its use grows says so") {

@@ -27,6 +27,10 @@ struct AttachmentDetails {
 std::vector<AttachmentWeld> attachment_welds_of(const TaperedBeam& beam, const BeamDetail& of_beam,
                                                 const AttachmentDetails& given);
 
+/// Of 2e6 cycles over the detail's stress factor [Pa], as the search for the weakest detail of a
+/// place compares them.
+double comparable_strength_of(const BeamDetail& of);
+
 /// Whether a weld may be used more than what the case itself has there: no detail of it that
 /// surely holds at the place is as weak.
 bool may_govern(const FatigueInput& fatigue, const AttachmentWeld& weld);

@@ -60,6 +60,8 @@ struct StressPoint {
   double range_factor = 1.0;         ///< on the direct stress whose range is limited, 8(1)
   const Detail* shear_detail = nullptr;
   bool yield = true;                ///< whether the equivalent stress is looked at
+  bool is_strip = false;            ///< beside a hole: bears the force of its whole plate in shear
+  bool beside_idle = false;         ///< of a weld: `net` is less what the plates beside leave idle
   bool on_throat = false;           ///< the throat of a seam: only its shear stress has a meaning
   std::optional<ShearLag> lag;      ///< of the flanges
   std::optional<ShearLag> web_lag;  ///< of the webs as flanges of M_z, in space

@@ -13,12 +13,15 @@ namespace boxbeam {
 bool judged_in_fatigue(const std::vector<CheckResult>& checks);
 
 /// Joints of plates that get thicker or thinner at the border of two segments, where fatigue is
-/// asked and neither a detail nor a weld around the profile lies there: their category is that of
-/// the case's own weld (EN 1993-1-9, table 8.3), which nothing says. Profiles of unlike kinds are
-/// joined by what the case says of [[welds]].
+/// asked, the case has no weld around the profile there and judges those plates by no detail of
+/// that place (no longer than the section is deep), nor by one as weak as a splice without
+/// transition whose faces are flush on one side: row 8.3/17 with e = (t_2
+/// - t_1)/2. Profiles of unlike kinds are joined by what the case says of [[welds]]. Source: EN
+/// 1993-1-9:2005+AC:2009, table 8.3.
 std::vector<NotJudged> unsaid_joints_of(const Project& project);
 
-/// A use that is the largest at the last instant of a motion by forces: beyond it may be more.
+/// Uses that are largest at the last instant of a motion by forces, and at least half as large as
+/// the largest of all: beyond it may be more.
 std::vector<NotJudged> unfinished_motion_of(const Project& project,
                                             const std::deque<SituationRun>& runs,
                                             const std::vector<CheckResult>& checks);

@@ -78,20 +78,16 @@ class Zone:
         return between_webs * (1 - 1 / (1 + more))
 
 
-def largest_of(situation, which, stations):
-    """|M_y| or |M_z| where and when it is largest, and when."""
-    return max((abs(situation.cut(t, s)[which]), t) for t in instants_of(situation, 96)
-               for s in stations)
-
-
-def zones_of(situation, which):
+def zones_of(situations, which):
     """Of M_y or M_z, at the instant when it is largest. No force acts on the leg between its ends,
     so that no moment has a peak there."""
     def moment(s):
         return situation.cut(t, s)[which]
 
     stations = [LENGTH * i / 40 for i in range(41)]
-    _, t = largest_of(situation, which, stations)
+    _, situation, t = max(((abs(running.cut(t, s)[which]), running, t)
+                           for running in situations.values() for t in instants_of(running, 96)
+                           for s in stations), key=lambda found: found[0])
     borders = [0.0]
     for low, high in zip(stations, stations[1:]):
         if moment(low) * moment(high) >= 0:
@@ -109,48 +105,21 @@ def zones_of(situation, which):
     return zones
 
 
-class ZonesOfAll:
-    """Of every situation its own: the one with the largest moment counts everywhere, others where
-    theirs is above a tenth of the largest there, by steps of the leg."""
-
-    STEPS = 256
-
-    def __init__(self, situations, which):
-        self.situations, self.which = list(situations.values()), which
-        self.zones = [zones_of(of, which) for of in self.situations]
-        ends = [LENGTH * i / 40 for i in range(41)]
-        self.leading = max(range(len(self.situations)),
-                           key=lambda i: largest_of(self.situations[i], which, ends)[0])
-
-    @lru_cache(maxsize=None)
-    def moments_at(self, step):
-        return [largest_of(of, self.which, [LENGTH * step / self.STEPS])[0]
-                for of in self.situations]
-
-    def counts(self, i, s):
-        if i == self.leading:
-            return True
-        step = s / LENGTH * self.STEPS
-        near = range(max(0, math.ceil(step) - 1), min(self.STEPS, math.floor(step) + 1) + 1)
-        return any(0 < moments[i] >= 0.1 * max(moments) for moments in map(self.moments_at, near))
-
-    def idle(self, between, s):
-        return max((zone.idle(between) for i, zones in enumerate(self.zones) for zone in zones
-                    if zone.start <= s <= zone.end and self.counts(i, s)), default=0.0)
-
-
 # Stresses.
 
 class Leg:
     """The sections with or without shear lag, and their stress."""
 
     def __init__(self, situations, shear_lag):
-        self.zones = {which: ZonesOfAll(situations, which) for which in (M_Y, M_Z) if shear_lag}
+        self.zones = {M_Y: [], M_Z: []}
+        if shear_lag:
+            self.zones = {which: zones_of(situations, which) for which in self.zones}
 
     def idle(self, which, s):
         """Of each flange (M_y) or web (M_z)."""
         between = (width(s) if which == M_Y else height(s)) - WALL
-        return self.zones[which].idle(between, s) if self.zones else 0.0
+        return next((zone.idle(between) for zone in self.zones[which]
+                     if zone.start <= s <= zone.end), 0.0)
 
     @lru_cache(maxsize=None)
     def working(self, s):
@@ -439,9 +408,7 @@ def groups(run, verified):
         for s, side in STATIONS:
             factors.update(flown.factors(s, side))
         theirs = {check["id"]: check["safety_factor"] for check in results["checks"]}
-        # Lengths between zero moments are those of the instants that are looked at, which are not
-        # the same here.
-        for points, allowed in (("corners", 1e-7), ("other points", 1e-4)):
+        for points, allowed in (("corners", 1e-9), ("other points", 1e-4)):
             rows = [(check, theirs.get(check, math.inf), factor)
                     for check, factor in factors.items()
                     if ("/corner" in check) == (points == "corners")]
