@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
+#include <algorithm>
 #include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
@@ -24,10 +25,16 @@ double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y(
 
 constexpr std::size_t gauss_points = 7;
 
-/// Calls `visit(index, fraction, weight)` at the points of a rule on [0, 1]: exact along straight
-/// walls.
+/// Calls `visit(index, fraction, weight)` at the points of a rule on [0, 1]. Along straight walls
+/// nothing is of higher degree than 3, for which two points are exact.
 template <class Visit>
-void at_gauss_points(const Visit& visit) {
+void at_gauss_points(const Wall& wall, const Visit& visit) {
+  if (wall.radius == 0.0) {
+    static const double x = 0.5 / std::sqrt(3.0);
+    visit(0, 0.5 + x, 0.5);
+    visit(1, 0.5 - x, 0.5);
+    return;
+  }
   using Rule = boost::math::quadrature::gauss<double, gauss_points>;
   std::size_t index = 0;
   for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
@@ -41,13 +48,17 @@ void at_gauss_points(const Visit& visit) {
 /// The flow in a wall, as far as integrals along it ask for it.
 struct WallFlows {
   std::array<CutFactors, gauss_points> inside;
+  std::size_t points = 0;  ///< of the rule
   CutFactors start, end;
 };
 
 template <class Flow>
-WallFlows flows_in(std::size_t wall, const Flow& flow) {
+WallFlows flows_in(const WallGraph& graph, std::size_t wall, const Flow& flow) {
   WallFlows flows;
-  at_gauss_points([&](std::size_t k, double f, double) { flows.inside[k] = flow(wall, f); });
+  at_gauss_points(graph.walls[wall], [&](std::size_t k, double f, double) {
+    flows.inside[k] = flow(wall, f);
+    flows.points = std::max(flows.points, k + 1);
+  });
   flows.start = flow(wall, 0.0);
   flows.end = flow(wall, 1.0);
   return flows;
@@ -122,7 +133,7 @@ CutFactors transverse_flow(const ShearFlow& flow, std::size_t wall, double fract
 /// The same of flows that are cut open.
 void add_cells(const ShearFlow& flow, std::size_t wall, WallFlows& flows) {
   at_cells_of(flow, wall, [&](const CutFactors& of_cell) {
-    for (CutFactors& inside : flows.inside) inside += of_cell;
+    for (std::size_t k = 0; k < flows.points; ++k) flows.inside[k] += of_cell;
     flows.start += of_cell;
     flows.end += of_cell;
   });
@@ -132,7 +143,8 @@ void add_cells(const ShearFlow& flow, std::size_t wall, WallFlows& flows) {
 CutFactors warp_of(const ShearFlow& flow, std::size_t index, const WallFlows& open) {
   const Wall& wall = flow.at.graph.walls[index];
   CutFactors sum = CutFactors::Zero();
-  at_gauss_points([&](std::size_t k, double, double weight) { sum += weight * open.inside[k]; });
+  at_gauss_points(wall,
+                  [&](std::size_t k, double, double weight) { sum += weight * open.inside[k]; });
   sum *= length_of(wall);
   sum += (wall.start - flow.at.graph.nodes[wall.from]).norm() * open.start;
   sum += (flow.at.graph.nodes[wall.to] - wall.end).norm() * open.end;
@@ -171,7 +183,7 @@ Eigen::Matrix<double, 3, 6> along_walls(const WallGraph& graph, const FlowsIn& f
     const Wall& wall = graph.walls[i];
     const double length = length_of(wall);
     const WallFlows& flows = flows_in_wall(i);
-    at_gauss_points([&](std::size_t k, double f, double weight) {
+    at_gauss_points(wall, [&](std::size_t k, double f, double weight) {
       const Vector2d at = point_on(wall, f);
       add_force(sum, flows.inside[k], at, at + weight * length * direction_on(wall, f));
     });
@@ -189,7 +201,7 @@ Eigen::Matrix<double, 3, 6> of_inclined_stress(const ShearFlow& flow) {
     const Wall& wall = flow.at.graph.walls[i];
     if (!wall.solid) continue;
     const double area = material_up_to(wall, 1.0)[0];
-    at_gauss_points([&](std::size_t, double f, double weight) {
+    at_gauss_points(wall, [&](std::size_t, double f, double weight) {
       Vector2d slope = Vector2d::Zero();
       for (const ShearFlow::Nearby& near : flow.taper) {
         slope += near.weight * point_on(near.walls.graph.walls[i], f);
@@ -273,7 +285,7 @@ RowVector6d torque_across_walls(const WallGraph& graph, const Eigen::Matrix<doub
   for (const Wall& wall : graph.walls) {
     if (!wall.solid) continue;
     const double bending = length_of(wall) * std::pow(wall.thickness, 3) / 12.0;
-    at_gauss_points([&](std::size_t, double f, double weight) {
+    at_gauss_points(wall, [&](std::size_t, double f, double weight) {
       const Vector2d along = direction_on(wall, f);
       const Vector2d normal(-along.y(), along.x());
       stiffness += weight * bending * normal * normal.transpose();
@@ -291,8 +303,8 @@ void complete(ShearFlow& flow, const Section& section) {
   set_flow_of_components(flow);
   std::vector<WallFlows> flows;
   for (std::size_t i = 0; i < flow.at.graph.walls.size(); ++i) {
-    flows.push_back(
-        flows_in(i, [&](std::size_t wall, double f) { return open_flow(flow, wall, f); }));
+    flows.push_back(flows_in(flow.at.graph, i,
+                             [&](std::size_t wall, double f) { return open_flow(flow, wall, f); }));
   }
   close_cells(flow, flows);
   set_torsion(flow, section);
@@ -355,8 +367,9 @@ Eigen::Matrix<double, 3, 6> resultants_of(const ShearFlow& flow) {
   Eigen::Matrix<double, 3, 6> sum =
       along_walls(flow.at.graph,
                   [&](std::size_t i) {
-                    return flows_in(
-                        i, [&](std::size_t wall, double f) { return flow_at(flow, wall, f); });
+                    return flows_in(flow.at.graph, i, [&](std::size_t wall, double f) {
+                      return flow_at(flow, wall, f);
+                    });
                   }) +
       of_inclined_stress(flow);
   // The walls' own share of the torque, which runs round within their thickness.

@@ -59,6 +59,17 @@ SnCurve PressedEdges::shear_curve_at(const PressedEdge& edge) const {
   return curve_of(at(edge).throat > Length{} ? project_->fatigue.throat : project_->fatigue.shear);
 }
 
+const std::vector<StressPoint>& PressedEdges::sheared_points_at(const Station& station,
+                                                                bool seamed) const {
+  const auto key = std::pair(station.s.value(), station.side);
+  const auto known = points_.find(key);
+  if (known != points_.end()) return known->second;
+  return points_
+      .emplace(key, seamed ? seam_throats_at(*project_, *zones_, station)
+                           : stress_points_at(*project_, *zones_, station))
+      .first->second;
+}
+
 std::vector<PressedEdges::Sheared> PressedEdges::sheared_at(const PressedEdge& edge) const {
   std::vector<Sheared> all;
   const Resisting& resisting = at(edge);
@@ -68,8 +79,7 @@ std::vector<PressedEdges::Sheared> PressedEdges::sheared_at(const PressedEdge& e
     if (side == Side::before ? s == Length{} : s == project_->beam.length()) continue;
     const Station station{s, side};
     const bool seamed = std::holds_alternative<Box>(section_at(project_->beam, station).outer);
-    for (const StressPoint& point : seamed ? seam_throats_at(*project_, *zones_, station)
-                                           : stress_points_at(*project_, *zones_, station)) {
+    for (const StressPoint& point : sheared_points_at(station, seamed)) {
       if (seamed ? !joins(point, edge.web) : point.shear_detail == nullptr) continue;
       Sheared& of = all.emplace_back(Sheared{station, point.influence});
       if (!seamed) continue;

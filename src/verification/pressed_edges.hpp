@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "boxbeam/verification/checks.hpp"
@@ -57,12 +58,15 @@ class PressedEdges {
   };
   /// Of the seams of a plate on both sides of a place; of tubes all around the section.
   std::vector<Sheared> sheared_at(const PressedEdge& edge) const;
+  /// The throats of the seams of a section, or all its points: once for all its plates.
+  const std::vector<StressPoint>& sheared_points_at(const Station& station, bool seamed) const;
   SnCurve shear_curve_at(const PressedEdge& edge) const;
 
   const Project* project_;
   const std::deque<SituationRun>* runs_;
   const std::vector<BendingZone>* zones_;
   mutable std::map<PressedEdge, Resisting> resisting_;
+  mutable std::map<std::pair<double, Side>, std::vector<StressPoint>> points_;
   mutable std::map<PressedEdge, std::vector<LifeChannel>> shear_;
   mutable std::map<PressedEdge, double> most_shear_;  ///< [Pa]
 };

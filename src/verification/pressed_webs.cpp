@@ -138,6 +138,7 @@ void PressedWebs::add_passages(const Place& place, const Instant& before, const 
   std::vector<double> parts;
   const double near = at_one_place * project_->beam.length().value();
   for (const Pressing& of : before.forces) {
+    if (sources_[of.force].to - sources_[of.force].from <= near) continue;
     const auto same = std::find_if(behind.forces.begin(), behind.forces.end(),
                                    [&](const Pressing& at) { return at.force == of.force; });
     if (!acts(place, of.force) || same == behind.forces.end()) continue;
@@ -389,6 +390,11 @@ void PressedWebs::look(Place place, const std::vector<double>& places, bool any_
   for (const double s : places) {
     place.s = s;
     const Turns turns = turns_at(place);
+    const auto presses = [](const TurningPoint& turn) { return turn.value != 0.0; };
+    const auto pressed = [&](const SituationTurns& of) {
+      return std::any_of(of.turns.begin(), of.turns.end(), presses);
+    };
+    if (std::none_of(turns.begin(), turns.end(), pressed)) continue;
     for (const bool as_fillets : ways) {
       auto at = check_at(place, turns, as_fillets);
       if (!at) continue;

@@ -113,6 +113,21 @@ double compression_of(const CutForceDiagram& diagram) {
   return most;
 }
 
+/// Whether anything presses or pulls along the beam, by the size of what bends it.
+bool bears_axial_force(const CutForceDiagram& diagram) {
+  constexpr double round_off = 1e-12;
+  double axial = 0.0, across = 0.0;
+  for (const CutForcePiece& piece : diagram.pieces) {
+    const double length = piece.length.value();
+    for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      axial = std::max(axial, std::abs(piece.N(part * length)));
+      across = std::max(
+          {across, std::abs(piece.V_y(part * length)), std::abs(piece.V_z(part * length))});
+    }
+  }
+  return axial > round_off * across;
+}
+
 /// Largest size of M_y and M_z along the beam [N m].
 std::array<double, 2> bending_of(const CutForceDiagram& diagram) {
   std::array<double, 2> most{};
@@ -330,11 +345,12 @@ class Estimating {
         load.factored = factored;
       };
       const BeamHolds& alone = held.alone;
+      const bool axial = bears_axial_force(diagram);
       if (held.whole)
         raise(result_.in_plane, held.in_plane, "held as its mechanism holds it", false);
-      else
+      else if (axial)
         raise(result_.in_plane, held.in_plane, alone.along_z.words, !alone.along_z.said);
-      raise(*result_.across, held.across, alone.along_y.words, !alone.along_y.said);
+      if (axial) raise(*result_.across, held.across, alone.along_y.words, !alone.along_y.said);
       look_sideways(diagram, loads, held, time, situation, factor);
       result_.bending = std::max(result_.bending, factor * bending_of_yield(diagram));
       if (result_.in_plane.part >= 1.0 || result_.across->part >= 1.0) {
