@@ -16,11 +16,6 @@
 namespace boxbeam {
 namespace {
 
-bool is_closed_path(const Segment& segment) {
-  const auto* const path = std::get_if<ThinWalled>(&segment.from.outer);
-  return path != nullptr && enclosed_area_of(*path).value() > 0.0;
-}
-
 /// As wide and high as the outline and all over as thick as its thickest plate: of no box like it
 /// does distortion fade out faster.
 BoxCell box_around(const Section& section) {
@@ -42,16 +37,21 @@ constexpr double one_shape = 1e-6;
 class OtherCells {
  public:
   OtherCells(const Project& project, const std::deque<SituationRun>& runs,
-             const BoxStretch& segments)
+             const std::vector<std::vector<TorquesIn>>& torques, const BoxStretch& segments)
       : project_(&project),
         near_(1e-6 * project.beam.length()),
         segments_(segments),
         from_(first().start),
         to_(last().end()) {
-    for (const SituationRun& run : runs) {
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+      const SituationRun& run = runs[r];
       factor_ = run.situation->load_factor;
-      for (std::size_t i = 0; i < run.loads.instants(); ++i)
-        look_at(run.loads.diagram(i), least_torque(run));
+      for (std::size_t i = 0; i < run.loads.instants(); ++i) {
+        const CutForceDiagram diagram = run.loads.diagram(i);
+        take(torques_between(torques[r][i], diagram, from_.value(), to_.value(), near_.value()),
+             least_torque(run));
+        look_at(diagram, least_torque(run));
+      }
     }
   }
 
@@ -127,6 +127,16 @@ class OtherCells {
     if (of == nullptr || !bears(*of, factor_ * torque)) unheld_.take(factor_ * torque, s);
   }
 
+  /// All that come in at one place, those that cancel as well.
+  void take(const TorquesIn& torques, double least) {
+    std::map<double, double> at_places;
+    for (const TorqueIn& of : torques) at_places[of.s] += std::abs(of.torque);
+    for (const auto& [s, torque] : at_places) {
+      if (torque > least) largest_ = std::max(largest_, factor_ * torque);
+      take(si<Length>(s), torque, least);
+    }
+  }
+
   bool is_rigid(const Diaphragm& of) {
     const auto known = rigid_.find(&of);
     if (known != rigid_.end()) return known->second;
@@ -152,14 +162,11 @@ class OtherCells {
   }
 
   void look_at(const CutForceDiagram& diagram, double least) {
-    double before = 0.0, line = 0.0, most = 0.0;
+    double line = 0.0, most = 0.0;
     Length where;
     for (const CutForcePiece& piece : diagram.pieces) {
       const Length start = std::max(piece.start, from_), end = std::min(piece.end(), to_);
       const auto T = [&](Length s) { return piece.T((s - piece.start).value()); };
-      if (piece.start > from_ + near_ && piece.start < to_ - near_)
-        take(piece.start, std::abs(T(piece.start) - before), least);
-      before = T(piece.end());
       if (!(end > start + near_)) continue;
       const Length middle = 0.5 * (start + end);
       const double change = std::abs(T(middle) - T(start)) + std::abs(T(end) - T(middle));
@@ -170,8 +177,6 @@ class OtherCells {
         if (std::abs(T(s)) > least) largest_ = std::max(largest_, factor_ * std::abs(T(s)));
     }
     if (line > least) line_.take(factor_ * line, where);
-    take(from_, std::abs(diagram.at({from_, Side::behind}).T.value()), least);
-    take(to_, std::abs(diagram.at({to_, Side::before}).T.value()), least);
     look_at_shapes(diagram, least);
   }
 
@@ -227,6 +232,11 @@ class OtherCells {
 
 }  // namespace
 
+bool is_closed_path(const Segment& segment) {
+  const auto* const path = std::get_if<ThinWalled>(&segment.from.outer);
+  return path != nullptr && enclosed_area_of(*path).value() > 0.0;
+}
+
 bool has_cell(const Segment& segment) {
   if (!std::holds_alternative<ThinWalled>(segment.from.outer))
     return box_cell_of(segment.from.outer).has_value();
@@ -238,6 +248,7 @@ bool has_cell(const Segment& segment) {
 }
 
 void look_at_other_cells(const Project& project, const std::deque<SituationRun>& runs,
+                         const std::vector<std::vector<TorquesIn>>& torques,
                          DistortionChecks& found) {
   const std::vector<Segment>& segments = project.beam.segments;
   const auto is_one = [&](std::size_t i) {
@@ -247,7 +258,7 @@ void look_at_other_cells(const Project& project, const std::deque<SituationRun>&
     if (!is_one(i)) continue;
     BoxStretch stretch{i, i};
     while (stretch.last + 1 < segments.size() && is_one(stretch.last + 1)) ++stretch.last;
-    OtherCells(project, runs, stretch).report(found);
+    OtherCells(project, runs, torques, stretch).report(found);
     i = stretch.last;
   }
 }

@@ -7,7 +7,6 @@
 namespace boxbeam {
 namespace {
 
-constexpr double one_place = 1e-9;       ///< of the beam's length
 constexpr std::size_t most_places = 64;  ///< where torque comes that get nodes: wheels move
 
 /// -dT/ds, what comes per length.
@@ -27,59 +26,47 @@ void add_size(DistortionSize& a, const DistortionSize& b, double factor = 1.0) {
 
 }  // namespace
 
-double least_torque(const SituationRun& run) {
-  constexpr double of_moment = 1e-6;
-  return of_moment * run.loads.largest_moment();
-}
-
 DistortedStretch::DistortedStretch(const Project& project, const std::deque<SituationRun>& runs,
+                                   const std::vector<std::vector<TorquesIn>>& torques,
                                    const BoxStretch& stretch, const std::vector<Station>& stations)
     : project_(&project),
       runs_(&runs),
+      torques_(&torques),
       stretch_(stretch),
       from_(project.beam.segments[stretch.first].start.value()),
       to_(project.beam.segments[stretch.last].end().value()),
-      near_(one_place * project.beam.length().value()),
+      near_(one_place_of(project.beam)),
       solver_(beam_under(stations)) {
   add_places();
-  for (const SituationRun& run : runs) {
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const SituationRun& run = runs[r];
     std::vector<Loads>& of = loads_.emplace_back();
     for (std::size_t i = 0; i < run.loads.instants(); ++i) {
-      of.push_back(loads_of(run.loads.diagram(i), least_torque(run)));
-      if (any_comes_by_flow()) {
-        const BeamLoads beam_loads = run.loads.loads_at(run.loads.time_of(i));
-        add_levers(beam_loads, least_torque(run), of.back());
-        note_flow(beam_loads, least_torque(run));
-      }
+      of.push_back(loads_of(run.loads.diagram(i), torques_at(r, i), least_torque(run)));
+      if (any_comes_by_flow())
+        note_flow(run.loads.loads_at(run.loads.time_of(i)), least_torque(run));
       distorted_ = distorted_ || !of.back().nodes.empty() || of.back().lines || of.back().tapers;
     }
   }
 }
 
-/// What comes between its ends and, as torque that passes, at these.
-std::vector<DistortedStretch::Introduced> DistortedStretch::introduced_in(
-    const CutForceDiagram& diagram) const {
-  std::vector<Introduced> all;
-  const auto jump = [&](double s, double before, double behind) {
-    if (before != behind) all.push_back({s, before - behind});
-  };
-  double before = 0.0;
-  for (const CutForcePiece& piece : diagram.pieces) {
-    const double start = piece.start.value(), length = piece.length.value();
-    if (start > from_ + near_ && start < to_ - near_) jump(start, before, piece.T(0.0));
-    before = piece.T(length);
-  }
-  jump(from_, 0.0, diagram.at({si<Length>(from_), Side::behind}).T.value());
-  jump(to_, diagram.at({si<Length>(to_), Side::before}).T.value(), 0.0);
-  return all;
+TorquesIn DistortedStretch::torques_at(std::size_t run, std::size_t instant) const {
+  return torques_between((*torques_)[run][instant], (*runs_)[run].loads.diagram(instant), from_,
+                         to_, near_);
+}
+
+TorquesIn DistortedStretch::torques_of(const BeamLoads& beam_loads) const {
+  return torques_between(torques_in(beam_loads, near_, 0.0), cut_forces_of(beam_loads), from_, to_,
+                         near_);
 }
 
 void DistortedStretch::find_introduced() {
-  for (const SituationRun& run : *runs_) {
-    for (std::size_t i = 0; i < run.loads.instants(); ++i) {
-      for (const Introduced& of : introduced_in(run.loads.diagram(i))) {
+  for (std::size_t r = 0; r < runs_->size(); ++r) {
+    const double least = least_torque((*runs_)[r]);
+    for (std::size_t i = 0; i < (*runs_)[r].loads.instants(); ++i) {
+      for (const TorqueIn& of : torques_at(r, i)) {
         const auto same = [&](Length s) { return std::abs(s.value() - of.s) <= near_; };
-        if (std::abs(of.torque) <= least_torque(run) ||
+        if (std::abs(of.torque) <= least ||
             std::any_of(introduced_.begin(), introduced_.end(), same))
           continue;
         slides_ = introduced_.size() >= most_places;
@@ -153,7 +140,8 @@ void DistortedStretch::add_places() {
   }
 }
 
-std::vector<DistortedStretch::NodeLoad> DistortedStretch::shared(double s, double load) const {
+std::vector<DistortedStretch::NodeLoad> DistortedStretch::shared(double s, double load,
+                                                                 const TorqueSource& from) const {
   const std::vector<double>& at = solver_.beam().nodes;
   const auto above =
       std::clamp<std::ptrdiff_t>(std::lower_bound(at.begin(), at.end(), s - near_) - at.begin(), 1,
@@ -162,8 +150,8 @@ std::vector<DistortedStretch::NodeLoad> DistortedStretch::shared(double s, doubl
   const double part = std::clamp((s - at[next - 1]) / (at[next] - at[next - 1]), 0.0, 1.0);
   constexpr double all = 1e-6;
   std::vector<NodeLoad> loads;
-  if (part < 1.0 - all) loads.push_back({next - 1, (1.0 - part) * load});
-  if (part > all) loads.push_back({next, part * load});
+  if (part < 1.0 - all) loads.push_back({next - 1, from, (1.0 - part) * load});
+  if (part > all) loads.push_back({next, from, part * load});
   return loads;
 }
 
@@ -188,17 +176,6 @@ bool DistortedStretch::any_comes_by_flow() const {
                      [](const LoadIntroduction& of) { return of.torque_by == TorqueBy::flow; });
 }
 
-void DistortedStretch::add_levers(const BeamLoads& beam_loads, double least, Loads& loads) const {
-  for (const PointLoad& load : beam_loads.points) {
-    const double s = load.s.value();
-    if (s < from_ - near_ || s > to_ + near_ || !comes_by_flow(s)) continue;
-    // T_w = F_z y by the webs and T_f = -F_y z by the flanges, d = (T_w - T_f)/2.
-    const double d = 0.5 * (load.force.z() * load.at.x() + load.force.y() * load.at.y());
-    if (std::abs(d) <= least) continue;
-    for (const NodeLoad& at : shared(std::clamp(s, from_, to_), d)) add_node(at, loads);
-  }
-}
-
 void DistortedStretch::note_flow(const BeamLoads& beam_loads, double least) {
   const std::vector<Diaphragm>& diaphragms = project_->beam.diaphragms;
   for (const PointLoad& load : beam_loads.points) {
@@ -216,30 +193,43 @@ void DistortedStretch::note_flow(const BeamLoads& beam_loads, double least) {
 }
 
 void DistortedStretch::add_node(const NodeLoad& at, Loads& loads) {
-  const auto same = std::find_if(loads.nodes.begin(), loads.nodes.end(),
-                                 [&](const NodeLoad& other) { return other.node == at.node; });
+  const auto same = std::find_if(
+      loads.nodes.begin(), loads.nodes.end(),
+      [&](const NodeLoad& other) { return other.node == at.node && other.from == at.from; });
   if (same != loads.nodes.end())
     same->d += at.d;
   else
     loads.nodes.push_back(at);
 }
 
+void DistortedStretch::add_torque(const TorqueIn& of, std::vector<double>& known,
+                                  Loads& loads) const {
+  using Kind = TorqueSource::Kind;
+  const bool by_webs = of.from.kind == Kind::by_webs, by_flanges = of.from.kind == Kind::by_flanges;
+  const LoadIntroduction* const by = introduction_at(of.s);
+  const bool flows = by != nullptr && *by->torque_by == TorqueBy::flow;
+  if (flows && !by_webs && !by_flanges) return;
+  for (NodeLoad at : shared(of.s, 0.5 * of.torque, of.from)) {
+    if (flows) {
+      // T_w = F_z y by the webs and T_f = -F_y z by the flanges, d = (T_w - T_f)/2.
+      add_node({at.node, {Kind::by_webs}, by_webs ? at.d : -at.d}, loads);
+    } else if (by == nullptr || (*by->torque_by == TorqueBy::webs ? by_flanges : by_webs)) {
+      add_node(at, loads);
+    } else {
+      known[at.node] += *by->torque_by == TorqueBy::webs ? at.d : -at.d;
+    }
+  }
+}
+
 DistortedStretch::Loads DistortedStretch::loads_of(const CutForceDiagram& diagram,
-                                                   double least) const {
+                                                   const TorquesIn& torques, double least) const {
   Loads loads;
   std::vector<double> known(solver_.beam().nodes.size(), 0.0);
   bool any = false;
-  for (const Introduced& of : introduced_in(diagram)) {
+  for (const TorqueIn& of : torques) {
     if (std::abs(of.torque) <= least) continue;
     any = true;
-    const LoadIntroduction* const by = introduction_at(of.s);
-    for (const NodeLoad& at : shared(of.s, 0.5 * of.torque)) {
-      if (by == nullptr) {
-        add_node(at, loads);
-      } else if (*by->torque_by != TorqueBy::flow) {
-        known[at.node] += *by->torque_by == TorqueBy::webs ? at.d : -at.d;
-      }
-    }
+    add_torque(of, known, loads);
   }
   loads.lines = line_effects(diagram, least);
   if (any || loads.lines) loads.tapers = known_effects(diagram, std::move(known));
@@ -321,26 +311,24 @@ DistortionSize DistortedStretch::size_at(std::size_t place, std::size_t run,
 }
 
 DistortionSize DistortedStretch::size_at(std::size_t place, const BeamLoads& beam_loads) const {
-  Loads loads = loads_of(cut_forces_of(beam_loads), 0.0);
-  add_levers(beam_loads, 0.0, loads);
-  return size_at(place, loads);
+  return size_at(place, loads_of(cut_forces_of(beam_loads), torques_of(beam_loads), 0.0));
 }
 
-DistortedStretch::Torque DistortedStretch::most_at(std::size_t place,
-                                                   const CutForceDiagram& diagram, double of_moment,
-                                                   double of_angle) const {
+DistortedStretch::Torque DistortedStretch::most_at(std::size_t place, const TorquesIn& torques,
+                                                   double of_moment, double of_angle) const {
+  std::map<double, double> at_places;
+  for (const TorqueIn& of : torques) at_places[of.s] += std::abs(of.torque);
   Torque found;
   double most = 0.0;
-  for (const Introduced& of : introduced_in(diagram)) {
+  for (const auto& [s, torque] : at_places) {
     double effect = 0.0;
-    for (const NodeLoad& at : shared(of.s, of.torque)) {
+    for (const NodeLoad& at : shared(s, torque, {})) {
       const DistortionSize& unit = of_node(at.node)[place];
-      effect +=
-          std::abs(at.d) * (of_moment * std::abs(unit.moment) + of_angle * std::abs(unit.angle));
+      effect += at.d * (of_moment * std::abs(unit.moment) + of_angle * std::abs(unit.angle));
     }
     if (effect <= most) continue;
     most = effect;
-    found = {si<Length>(of.s), si<Moment>(std::abs(of.torque))};
+    found = {si<Length>(s), si<Moment>(torque)};
   }
   return found;
 }

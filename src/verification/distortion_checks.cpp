@@ -39,10 +39,18 @@ std::vector<BoxStretch> box_stretches_of(const TaperedBeam& beam) {
   return stretches;
 }
 
-/// Whether anything twists the beam at any instant, or may distort it without.
-bool is_twisted(const Project& project, const std::deque<SituationRun>& runs) {
-  for (const LoadIntroduction& of : project.beam.introductions)
-    if (of.torque_by == TorqueBy::flow) return true;
+/// Whether any segment keeps its shape as cells do not.
+bool has_cells(const TaperedBeam& beam) {
+  return std::any_of(beam.segments.begin(), beam.segments.end(),
+                     [](const Segment& of) { return has_cell(of) || is_closed_path(of); });
+}
+
+/// Whether anything twists the beam at any instant, or torques that cancel come into it.
+bool is_twisted(const std::deque<SituationRun>& runs,
+                const std::vector<std::vector<TorquesIn>>& torques) {
+  for (const std::vector<TorquesIn>& of_run : torques)
+    for (const TorquesIn& at : of_run)
+      if (!at.empty()) return true;
   for (const SituationRun& run : runs) {
     const double least = least_torque(run);
     for (std::size_t i = 0; i < run.loads.instants(); ++i) {
@@ -197,7 +205,8 @@ class DistortionSearch {
     found_.station = station_of(place);
     found_.when = by.loads.time_of(instant);
     found_.situation = index_of(*project_, *by.situation);
-    const DistortedStretch::Torque torque = torque_at(*stretch_, place, by.loads.diagram(instant));
+    const DistortedStretch::Torque torque =
+        torque_at(*stretch_, place, stretch_->torques_at(run, instant));
     found_.introduced = torque.s;
     found_.torque = torque.torque;
   }
@@ -290,7 +299,8 @@ class DistortionSearch {
     basis.stress.running = index_of(*project_, *run.situation);
     const PointUse use = use_of(of, basis.stress.stress_at_time, basis.size, basis.load_factor);
     basis.at = *use.at;
-    const DistortedStretch::Torque torque = torque_at(*stretch_, worst_.place, diagram);
+    const DistortedStretch::Torque torque =
+        torque_at(*stretch_, worst_.place, stretch_->torques_of(loads));
     basis.introduced = torque.s;
     basis.torque = torque.torque;
     return result;
@@ -341,9 +351,11 @@ DistortionChecks check_distortion(const Project& project, const std::deque<Situa
                                   const std::vector<BendingZone>& zones,
                                   const std::vector<Station>& stations) {
   DistortionChecks found;
-  if (!project.in_space || !is_twisted(project, runs)) return found;
+  if (!project.in_space || !has_cells(project.beam)) return found;
+  const std::vector<std::vector<TorquesIn>> torques = torques_in(project.beam, runs);
+  if (!is_twisted(runs, torques)) return found;
   for (const BoxStretch& segments : box_stretches_of(project.beam)) {
-    const DistortedStretch stretch(project, runs, segments, stations);
+    const DistortedStretch stretch(project, runs, torques, segments, stations);
     if (stretch.spread_by_nothing().torque > Moment{})
       found.not_judged.push_back(spread_by_nothing(stretch.spread_by_nothing()));
     if (!stretch.is_distorted()) continue;
@@ -357,7 +369,7 @@ DistortionChecks check_distortion(const Project& project, const std::deque<Situa
     if (!holding || !(project.strength.required * holding->needed > least_throat())) continue;
     found.not_judged.push_back(unsaid_welds(project, *holding));
   }
-  look_at_other_cells(project, runs, found);
+  look_at_other_cells(project, runs, torques, found);
   return found;
 }
 

@@ -71,7 +71,7 @@ SnCurve curve_for(const DistortedPoint& of, StressKind kind) {
 }  // namespace
 
 DistortedStretch::Torque torque_at(const DistortedStretch& stretch, std::size_t place,
-                                   const CutForceDiagram& diagram) {
+                                   const TorquesIn& torques) {
   double along = 0.0, across = 0.0;
   for (std::size_t plate = 0; plate < 4; ++plate) {
     const DistortionInfluence at =
@@ -79,7 +79,7 @@ DistortedStretch::Torque torque_at(const DistortedStretch& stretch, std::size_t 
     along = std::max(along, std::abs(at.along));
     across = std::max(across, at.across);
   }
-  return stretch.most_at(place, diagram, along, across);
+  return stretch.most_at(place, torques, along, across);
 }
 
 DistortionRanges::DistortionRanges(const Project& project, const std::deque<SituationRun>& runs,
@@ -248,7 +248,8 @@ CheckResult DistortionRanges::fatigue_check(std::size_t place, const DistortedPo
   }
   const LoadHistory& history = (*runs_)[when.first].loads;
   check.time = history.time_of(when.second);
-  const DistortedStretch::Torque torque = torque_at(*stretch_, place, history.diagram(when.second));
+  const DistortedStretch::Torque torque =
+      torque_at(*stretch_, place, stretch_->torques_at(when.first, when.second));
   basis.introduced = torque.s;
   basis.torque = torque.torque;
   return result;

@@ -72,6 +72,6 @@ class DistortionRanges {
 
 /// The torque that does most of the stresses of a place.
 DistortedStretch::Torque torque_at(const DistortedStretch& stretch, std::size_t place,
-                                   const CutForceDiagram& diagram);
+                                   const TorquesIn& torques);
 
 }  // namespace boxbeam

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "boxbeam/verification/distorted_stretch.hpp"
 
@@ -74,20 +75,21 @@ constexpr std::array<double DistortionSize::*, 3> sizes = {
 
 std::vector<DistortionTravel> DistortedStretch::travels(
     const std::vector<std::size_t>& runs) const {
-  std::map<std::size_t, Travel> of_nodes;
+  std::map<std::pair<std::size_t, TorqueSource>, Travel> of_nodes;
   bool lines = false, tapers = false;
   for (const std::size_t run : runs) {
     for (const Loads& loads : loads_[run]) {
-      for (const NodeLoad& at : loads.nodes) of_nodes[at.node];
+      for (const NodeLoad& at : loads.nodes) of_nodes[{at.node, at.from}];
       lines = lines || loads.lines;
       tapers = tapers || loads.tapers;
     }
   }
-  for (auto& [node, travel] : of_nodes) {
-    travel = travel_of(*runs_, runs, [&, node = node](std::size_t run, std::size_t i) {
+  for (auto& [of, travel] : of_nodes) {
+    travel = travel_of(*runs_, runs, [&, of = of](std::size_t run, std::size_t i) {
       const std::vector<NodeLoad>& at = loads_[run][i].nodes;
-      const auto found = std::find_if(at.begin(), at.end(),
-                                      [&](const NodeLoad& load) { return load.node == node; });
+      const auto found = std::find_if(at.begin(), at.end(), [&](const NodeLoad& load) {
+        return load.node == of.first && load.from == of.second;
+      });
       return found == at.end() ? 0.0 : found->d;
     });
   }
@@ -95,8 +97,8 @@ std::vector<DistortionTravel> DistortedStretch::travels(
   for (std::size_t k = 0; k < places_.size(); ++k) {
     DistortionTravel& of = all[k];
     for (double DistortionSize::*const size : sizes) {
-      for (const auto& [node, travel] : of_nodes) {
-        const double effect = std::abs(of_node(node)[k].*size);
+      for (const auto& [from, travel] : of_nodes) {
+        const double effect = std::abs(of_node(from.first)[k].*size);
         of.range.*size += effect * travel.range;
         of.rise.*size += effect * travel.rise;
       }

@@ -7,6 +7,7 @@
 
 #include "boxbeam/strength/box_distortion.hpp"
 #include "boxbeam/verification/situation_run.hpp"
+#include "boxbeam/verification/torques_in.hpp"
 
 namespace boxbeam {
 
@@ -15,15 +16,15 @@ struct BoxStretch {
   std::size_t first = 0, last = 0;
 };
 
-/// A torque up to this is the rounding of sums [N m].
-double least_torque(const SituationRun& run);
-
 /// A stretch of boxes in a row under the torques of a case.
 ///
-/// How a torque comes into a box, nobody knows from its cut forces: wherever T jumps, or a torque
-/// passes an end of the stretch, it comes by its webs alone or by its flanges alone, d = +-T/2
-/// each, all of them so that their effects add up; where the case says how (`torque_by`), so;
-/// "flow" of couples alone: forces beside the axis come by their own plates, d = (F_z y + F_y z)/2.
+/// How a torque comes into a box, nobody knows: by its webs alone or by its flanges alone, d =
+/// +-T/2 each, what forces beside the axis put into the webs at a place, F_z y, what they put into
+/// the flanges, F_y z, every couple by itself, what passes an end of the stretch, and of given cut
+/// forces their jumps; all of them so that their effects add up, for torques that cancel rack the
+/// box all the same. Where the case says how (`torque_by`), so, with their signs, but forces in the
+/// other plates as if nothing were said; "flow" of couples alone: forces beside the axis come by
+/// their own plates, d = (F_z y + F_y z)/2.
 /// What comes along the beam, dT/ds, comes alike everywhere, likewise; the part of a taper and of a
 /// jump of b/h is known, d = T/2 d(ln(h/b)). Forces at the beam axis are taken to come evenly by
 /// both webs or both flanges and do not distort. Ends and joints of the beam hold nothing in shape;
@@ -31,9 +32,11 @@ double least_torque(const SituationRun& run);
 /// left out, on the safe side.
 class DistortedStretch {
  public:
-  /// Looks at what is given, which stays. `stations`: places that are to be among its own.
+  /// Looks at what is given, which stays. `torques`: of the beam, of each run at its instants;
+  /// `stations`: places that are to be among its own.
   DistortedStretch(const Project& project, const std::deque<SituationRun>& runs,
-                   const BoxStretch& stretch, const std::vector<Station>& stations);
+                   const std::vector<std::vector<TorquesIn>>& torques, const BoxStretch& stretch,
+                   const std::vector<Station>& stations);
 
   /// A place is an end of an element; where nothing jumps, of both the one.
   struct Place {
@@ -63,8 +66,12 @@ class DistortedStretch {
   /// The largest couple that is said to come by "flow" with no diaphragm as near as the box is wide
   /// or high; zero of none.
   const Torque& spread_by_nothing() const { return spread_by_nothing_; }
-  /// The one that does most of a sum of effects, of M_D = 1 and of gamma = 1, at a place.
-  Torque most_at(std::size_t place, const CutForceDiagram& diagram, double of_moment,
+  /// What comes in, between its ends and at these, of an instant of a run and of any loads.
+  TorquesIn torques_at(std::size_t run, std::size_t instant) const;
+  TorquesIn torques_of(const BeamLoads& beam_loads) const;
+  /// The place whose torques, those that cancel as well, do most of a sum of effects, of M_D = 1
+  /// and of gamma = 1, at a place.
+  Torque most_at(std::size_t place, const TorquesIn& torques, double of_moment,
                  double of_angle) const;
 
   /// Of each place, in situations that run one after the other: each part is that of one torque,
@@ -76,6 +83,7 @@ class DistortedStretch {
 
   struct NodeLoad {
     std::size_t node = 0;
+    TorqueSource from = {};
     double d = 0.0;
   };
   struct Loads {
@@ -83,32 +91,29 @@ class DistortedStretch {
     std::optional<Effects> lines, tapers;  ///< what comes along the beam; what is known of sign
   };
 
-  struct Introduced {
-    double s = 0.0, torque = 0.0;
-  };
-  std::vector<Introduced> introduced_in(const CutForceDiagram& diagram) const;
   DistortedBeam beam_under(const std::vector<Station>& stations);
   void find_introduced();
   void add_places();
   const LoadIntroduction* introduction_at(double s) const;
   bool comes_by_flow(double s) const;
   bool any_comes_by_flow() const;
-  Loads loads_of(const CutForceDiagram& diagram, double least) const;
+  Loads loads_of(const CutForceDiagram& diagram, const TorquesIn& torques, double least) const;
+  /// Where the case does not say how; or where it does, with what is `known` of sign [N m].
+  void add_torque(const TorqueIn& of, std::vector<double>& known, Loads& loads) const;
   void note_flow(const BeamLoads& beam_loads, double least);
   static void add_node(const NodeLoad& at, Loads& loads);
-  /// What forces beside the axis do where the case says "flow" of torque.
-  void add_levers(const BeamLoads& beam_loads, double least, Loads& loads) const;
   std::optional<Effects> line_effects(const CutForceDiagram& diagram, double least) const;
   std::optional<Effects> known_effects(const CutForceDiagram& diagram,
                                        std::vector<double> known) const;
   /// `load` shared by the nodes beside s.
-  std::vector<NodeLoad> shared(double s, double load) const;
+  std::vector<NodeLoad> shared(double s, double load, const TorqueSource& from) const;
   Effects effects_of(const Distortion& of) const;
   const Effects& of_node(std::size_t node) const;
   DistortionSize size_at(std::size_t place, const Loads& loads) const;
 
   const Project* project_;
   const std::deque<SituationRun>* runs_;
+  const std::vector<std::vector<TorquesIn>>* torques_;
   BoxStretch stretch_;
   double from_, to_, near_;
   bool slides_ = false;  ///< so many places of torque that something slides along
