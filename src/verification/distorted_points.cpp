@@ -57,9 +57,9 @@ std::vector<DistortedPoint> distorted_points_at(const Project& project,
 PointUse use_of(const DistortedPoint& of, const PointStress& alone, const DistortionSize& size,
                 double load_factor) {
   PointUse worst;
-  const auto take = [&](double acting, double resisting, const DistortionInfluence& at) {
-    if (worst.at == nullptr || acting / resisting > worst.use())
-      worst = {load_factor * acting, resisting, &at};
+  const auto take = [&](double stress, double resisting, const DistortionInfluence& at) {
+    const PointUse use{load_factor * stress, resisting, &at};
+    if (worst.at == nullptr || use.use() > worst.use()) worst = use;
   };
   for (const DistortionInfluence& at : of.at) {
     const double sigma_t = at.across * size.angle;

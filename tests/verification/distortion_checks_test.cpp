@@ -374,6 +374,31 @@ TEST_CASE("a seam that is thinner than its plates is bent across in its throat",
   CHECK(result.check.utilisation() == Approx(use).epsilon(0.05));
 }
 
+TEST_CASE("a load factor is the loads times it, whichever limit of a seam decides",
+          "[distortion]") {
+  // Bent across alone 0.9 f_u decides (EN 1993-1-8, 4.5.3.2(6)), by 1/(0.81) of the other limit.
+  const std::string segment =
+      "[sections.square]\nkind = \"box\"\nwidth = \"620 mm\"\nheight = \"620 mm\"\n"
+      "flange = \"20 mm\"\nweb = \"20 mm\"\nseam_throat = \"6 mm\"\n"
+      "[[beam.segments]]\nlength = \"100 m\"\nsection = \"square\"\n";
+  const auto use = [&](double torque, double factor) {
+    const std::string more =
+        twist("eccentric", 50.0, torque) + diaphragm(0.0, "50 mm") +
+        fmt::format(
+            "[[situations]]\nname = \"s\"\nload_factor = {}\nloads = {{ tip = 1.0, "
+            "eccentric = 1.0 }}\n",
+            factor);
+    return result_of(verify(stout_beam(more, -1.0, segment)), Criterion::distortion)
+        .check.utilisation();
+  };
+  for (const double factor : {0.7, 1.3, 1.5, 2.0}) {
+    CAPTURE(factor);
+    CHECK(use(60e3, factor) == Approx(use(60e3 * factor, 1.0)).epsilon(1e-6));
+  }
+  const double m = by_hand(90e3).moment;
+  CHECK(use(60e3, 1.5) == Approx(6.0 * m / (0.006 * 0.006) / (0.9 * 470e6 / 1.25)).epsilon(0.05));
+}
+
 TEST_CASE("distortion grows with torque and shrinks with what keeps a box in shape",
           "[distortion]") {
   const auto acting = [&](double torque, const std::string& more) {
