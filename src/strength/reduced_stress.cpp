@@ -12,25 +12,33 @@
 namespace boxbeam {
 namespace {
 
+double plain(double number) { return number; }
+double plain(const Traced& number) { return number.value(); }
+
 /// Stresses at a place of a plate beside shear.
-template <class S>
+template <class Number, class S>
 struct PlaceStress {
   std::optional<S> along, across = {};
+  std::optional<Number> together = {};  ///< V of 10.5, the part of their product; of none 1
 
   /// Square of what they are equivalent to.
   double square() const {
     const double x = along ? along->value() : 0.0, z = across ? across->value() : 0.0;
-    return x * x + z * z - x * z;
+    return x * x + z * z - (together ? plain(*together) : 1.0) * x * z;
   }
 };
 
-template <class S, class Record>
-S von_mises(Record& record, Symbol symbol, const PlaceStress<S>& at, const S& tau) {
+template <class Number, class S, class Record>
+S von_mises(Record& record, Symbol symbol, const PlaceStress<Number, S>& at, const S& tau) {
   using std::sqrt;
   if (!at.along) return S(record.define(symbol, sqrt(3.0 * tau * tau)));
   const S& x = *at.along;
   if (!at.across) return S(record.define(symbol, sqrt(x * x + 3.0 * tau * tau)));
   const S& z = *at.across;
+  if (at.together) {
+    const Number& V = *at.together;
+    return S(record.define(symbol, sqrt(x * x + z * z - V * x * z + 3.0 * tau * tau)));
+  }
   return S(record.define(symbol, sqrt(x * x + z * z - x * z + 3.0 * tau * tau)));
 }
 
@@ -62,7 +70,7 @@ class ReducedPanel {
   ReducedNumbers<Number> numbers(double gamma_M1) {
     using std::sqrt;
     const auto as_it_is = [](const S& stress) { return stress; };
-    const S acting = von_mises(*record_, "sigma_v", worst(as_it_is, across_), tau_);
+    const S acting = von_mises(*record_, "sigma_v", worst(as_it_is, across_, {}), tau_);
     const Number alpha_ult(record_->define("alpha_ult", f_y_ / acting));
     const Number per_critical = part_of_critical();
     const Number lambda(
@@ -73,7 +81,8 @@ class ReducedPanel {
     };
     std::optional<S> z;
     if (across_) z.emplace(*across_ / rho_z);
-    const S all = von_mises(*record_, "sigma_red", worst(reduced, z), S(tau_ / chi_w));
+    const S all = von_mises(*record_, "sigma_red", worst(reduced, z, pressed_twice(rho_x, rho_z)),
+                            S(tau_ / chi_w));
     record_->note([] { return "equation 10.5"; });
     const Number use(record_->define(
         "use", all * record_->known("gamma_M1", gamma_M1, {ValueKind::factor}) / f_y_));
@@ -81,16 +90,31 @@ class ReducedPanel {
   }
 
  private:
+  /// V = rho_x rho_z, where sigma_x presses where sigma_z does and either is reduced.
+  std::optional<Number> pressed_twice(const Number& rho_x, const Number& rho_z) {
+    const auto presses = [](const std::optional<S>& beside) {
+      return beside && beside->value() > 0.0;
+    };
+    const bool reduced = plain(rho_x) < 1.0 || plain(rho_z) < 1.0;
+    if (!reduced || !across_ || (!presses(beside_[0]) && !presses(beside_[1]))) return {};
+    return Number(record_->define("V", rho_x * rho_z, "both press: 10(5), A1:2017"));
+  }
+
+  /// `together`: V where both press.
   template <class Reduced>
-  PlaceStress<S> worst(const Reduced& reduced, const std::optional<S>& across) const {
-    PlaceStress<S> worst;
-    const auto take = [&](const PlaceStress<S>& at) {
+  PlaceStress<Number, S> worst(const Reduced& reduced, const std::optional<S>& across,
+                               const std::optional<Number>& together) const {
+    PlaceStress<Number, S> worst;
+    const auto take = [&](const PlaceStress<Number, S>& at) {
       if (at.square() > worst.square()) worst = at;
     };
     if (pressed_) take({reduced(*pressed_)});
     if (pulled_) take({*pulled_});
     for (const std::optional<S>& beside : beside_) {
-      if (beside && across) take({reduced(*beside), across});
+      if (!beside || !across) continue;
+      PlaceStress<Number, S> at{reduced(*beside), across};
+      if (together && beside->value() > 0.0) at.together.emplace(*together);
+      take(at);
     }
     return worst;
   }
@@ -170,9 +194,6 @@ class ReducedPanel {
     if (tau_.value() == 0.0 || on_->outstand) return Number(1.0);
     return plate::shear_reduction(*record_, lambda, 1.0, panel_->rigid_end_post);
   }
-
-  static double plain(double number) { return number; }
-  static double plain(const Traced& number) { return number.value(); }
 
   Record* record_;
   const ShearPanel* panel_;

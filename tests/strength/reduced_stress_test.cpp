@@ -170,4 +170,26 @@ TEST_CASE("reduced stress: a force alone, by hand, and none is the formula witho
   CHECK(beside(100.0, -100.0) == beside(-100.0, -100.0));
 }
 
+TEST_CASE(
+    "reduced stress: what presses along and across helps each other by no more than it does "
+    "unreduced") {
+  // V = rho_x rho_z (EN 1993-1-5:2006/A1:2017, 10(5)): the product is that of the stresses
+  // themselves. Even compression of 100 MPa, 120 MPa across at a third above its critical load.
+  PanelStress stress{MPa(100.0)};
+  stress.across = {MPa(120.0), 0.75, {MPa(100.0), MPa(100.0)}};
+  const ReducedStress of = reduced_stress_of(web, stress, 1.0);
+  REQUIRE(of.rho_x < 0.7);
+  REQUIRE(of.rho_z < 0.7);
+  const double x = 100.0 / of.rho_x, z = 120.0 / of.rho_z;
+  const double f_y = 1e-6 * web.yield_strength.value();
+  CHECK(of.use == Approx(std::sqrt(x * x + z * z - 100.0 * 120.0) / f_y).epsilon(1e-9));
+  // Where it is stretched beside the force V = 1, and nothing helps.
+  PanelStress pulled{Stress{}, MPa(100.0), 1.0};
+  pulled.across = {MPa(120.0), 0.75, {MPa(-100.0), MPa(-100.0)}};
+  const ReducedStress beside = reduced_stress_of(web, pulled, 1.0);
+  const double across = 120.0 / beside.rho_z;
+  CHECK(beside.use ==
+        Approx(std::sqrt(100.0 * 100.0 + across * across + 100.0 * across) / f_y).epsilon(1e-9));
+}
+
 }  // namespace reduced_stress_test

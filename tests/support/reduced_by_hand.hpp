@@ -28,8 +28,8 @@ inline double k_sigma(double psi) {
   return psi > -1.0 ? 7.81 - 6.29 * psi + 9.78 * psi * psi : 5.98 * (1.0 - psi) * (1.0 - psi);
 }
 
-inline double mises(double x, double z, double tau) {
-  return std::sqrt(x * x + z * z - x * z + 3.0 * tau * tau);
+inline double mises(double x, double z, double tau, double V = 1.0) {
+  return std::sqrt(x * x + z * z - V * x * z + 3.0 * tau * tau);
 }
 
 /// gamma_M1 = 1.
@@ -60,7 +60,9 @@ inline double use(const Plate& of, const Acting& on) {
   const auto x = [&](double stress) { return stress > 0.0 ? stress / rho_x : stress; };
   const double tau = on.tau / chi_w;
   double worst = std::max(mises(x(on.more), 0.0, tau), mises(x(on.less), 0.0, tau));
-  if (on.z > 0.0) worst = std::max(worst, mises(x(on.along_z), on.z / rho_z, tau));
+  // 10(5) with A1:2017: V = rho_x rho_z where both press.
+  const double V = on.along_z > 0.0 ? rho_x * rho_z : 1.0;
+  if (on.z > 0.0) worst = std::max(worst, mises(x(on.along_z), on.z / rho_z, tau, V));
   return worst / of.f_y;
 }
 
