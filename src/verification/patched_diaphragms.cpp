@@ -32,6 +32,19 @@ bool is_firm_in_path(const Project& project, const Diaphragm& of, bool along_z,
   });
 }
 
+/// Where the middles of both webs along a force lie across it; both at 0 of a path with one.
+std::array<Length, 2> middles_of_webs(const PatchBasis& basis, bool along_z, bool onto_high) {
+  if (basis.box) {
+    const FourWalls& walls = basis.box->box();
+    const std::array webs = webs_along(along_z);
+    return {walls.of(webs[0]).middle, walls.of(webs[1]).middle};
+  }
+  if (!basis.path) return {};
+  const std::vector<PathWeb> webs = webs_of_path(basis.path->path(), along_z, onto_high).webs;
+  if (webs.size() != 2) return {};
+  return {webs.front().place, webs.back().place};
+}
+
 }  // namespace
 
 bool is_firm(const Project& project, const Diaphragm& of, bool along_z) {
@@ -138,13 +151,9 @@ void PatchSearch::bear_by_welds(const Patch& patch, const BearingStiffener& stif
   if (!tensile) return;
   const bool said = of.throat > Length{};
   borne.part = said ? Borne::Part::weld : Borne::Part::unsaid_weld;
-  std::array<Length, 2> webs{};
-  if (borne.basis.box) {
-    const FourWalls& walls = borne.basis.box->box();
-    const std::array plates_along = webs_along(patch.along_z);
-    webs = {walls.of(plates_along[0]).middle, walls.of(plates_along[1]).middle};
-  }
-  const Length under = weld_under(patch, stiffener, borne.basis.share, flange, webs);
+  const Length under =
+      weld_under(patch, stiffener, borne.basis.share, flange,
+                 middles_of_webs(borne.basis, patch.along_z, patch.force < Force{}));
   for (const bool to_flange : {false, true}) {
     if (to_flange && patch.through) continue;  // each flange by its own
     StiffenerWeld weld{to_flange,

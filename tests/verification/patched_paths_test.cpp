@@ -88,6 +88,47 @@ const std::string walls = section("a", box_path(600.0, 1224.0, 12.0, 8.0));
 
 }  // namespace
 
+TEST_CASE("forces between the walls of a path lie on the weld of one diaphragm together",
+          "[patch]") {
+  // 700 kN at the axis, half on each half of the diaphragm: its weld with the flange bears it on
+  // 200 + 2 x 12 mm around it, halved, less no end; as one force or as two, box or path.
+  const auto of = [](const std::string& sections, bool along_z, int forces) {
+    std::string loads;
+    const double part = -700.0 / forces;
+    for (int i = 0; i < forces; ++i)
+      loads += fmt::format(
+          "[loads.f{}]\nkind = \"force\"\nat = [\"3 m\", \"0 m\", \"0 m\"]\n"
+          "force = [\"0 kN\", \"{} kN\", \"{} kN\"]\n",
+          i, along_z ? 0.0 : part, along_z ? part : 0.0);
+    return use_of(
+        verified("[case]\nname = \"path\"\nkind = \"static\"\n[frame]\nspace = true\n"
+                 "gravity = [\"0 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]\n" +
+                 sections + "[beam]\ndensity = \"7850 kg/m^3\"\n" + segment(6.0, "a") +
+                 diaphragms({0.0, 6.0}, 25.0) + diaphragms({3.0}, 20.0) + "throat = \"4 mm\"\n" +
+                 introduction(0.0, 6.0, 200.0) +
+                 "[supports.a]\nkind = \"pinned\"\nat = \"0 m\"\nfork = true\n"
+                 "[supports.z]\nkind = \"roller\"\nat = \"6 m\"\ndirection = \"z\"\nfork = "
+                 "true\n[supports.y]\nkind = \"roller\"\nat = \"6 m\"\ndirection = \"y\"\n" +
+                 loads + steel + "[strength]\nrequired = 1.0\nshear_lag = false\n"),
+        Criterion::weld);
+  };
+  const std::string as_box = box("a", 500.0, 500.0, 12.0, 12.0),
+                    as_path = section("a", box_path(500.0, 500.0, 12.0, 12.0));
+  for (const bool along_z : {true, false}) {
+    CAPTURE(along_z);
+    // Two fillets of 4 mm, 0.5 x 224 mm of each: tau_perp and sigma_perp are equal under a force
+    // square to the flange, sqrt(2) F/(a l) <= f_u/(beta_w gamma_M2) = 490/(0.9 x 1.25) MPa.
+    const double by_hand =
+        std::sqrt(2.0) * 350e3 / (2.0 * 4.0 * 0.5 * 224.0) / (490.0 / (0.9 * 1.25));
+    for (const std::string& sections : {as_box, as_path}) {
+      const double one = of(sections, along_z, 1);
+      CHECK(one == Approx(by_hand).epsilon(0.05));
+      CHECK(of(sections, along_z, 2) == Approx(one).epsilon(1e-6));
+      CHECK(of(sections, along_z, 3) == Approx(one).epsilon(1e-6));
+    }
+  }
+}
+
 TEST_CASE("a box as a path bears forces as the box", "[patch]") {
   const std::pair<std::string, std::string> cases[] = {
       {ends + introduction(0.2, 0.4, 200.0), force("hook", 0.3, -300.0)},
