@@ -96,14 +96,16 @@ std::optional<std::string> misplacement_of(const TaperedBeam& beam, Length s, co
   return std::nullopt;
 }
 
-/// Whether a hole cuts into one that is already there, or into its own mirror image.
+/// Whether a hole cuts into one that is already there, or into its own mirror image, or leaves
+/// nothing between.
 bool overlaps(const Project& project, Length s, const Hole& hole) {
+  constexpr double touching = 1.0 + 1e-9;
   const bool own_pair = hole.walls == HoleWalls::flanges && hole.position > Length{} &&
-                        2.0 * hole.position < hole.diameter;
+                        2.0 * hole.position < touching * hole.diameter;
   return own_pair ||
          std::any_of(project.holes.begin(), project.holes.end(), [&](const BeamHole& other) {
            const Length along = s - other.s, across = hole.position - other.hole.position;
-           const Length reach = 0.5 * (other.hole.diameter + hole.diameter);
+           const Length reach = 0.5 * touching * (other.hole.diameter + hole.diameter);
            return other.hole.walls == hole.walls && along * along + across * across < reach * reach;
          });
 }
@@ -216,7 +218,8 @@ void read_hole(TableReader table, Project& project) {
     if (auto trouble = misplacement_of(beam, at.s, hole)) {
       table.problem(where, *trouble, "move the hole, or make it smaller");
     } else if (overlaps(project, at.s, hole)) {
-      table.problem(where, "the hole overlaps another one", "move them apart, or write one hole");
+      table.problem(where, "the hole overlaps another one, or touches it",
+                    "move them apart, or write one hole");
     }
     add_hole(project, at);
   }

@@ -294,12 +294,9 @@ BeamChecks check_beam(const Project& project, const std::deque<SituationRun>& ru
     return beam;
   }
   leave_out_covered(project, beam.checks);
-  if (beam.checks.empty()) {
-    throw AnalysisError(
-        {"nothing to verify: no point of the beam is ever stressed", "beam", {}, {}, {}});
-  }
   append(check_welds(project, runs, zones), beam.checks);
-  if (WholeLife* const whole = whole_life_of(runs); whole != nullptr && project.fatigue.asked)
+  if (WholeLife* const whole = whole_life_of(runs);
+      whole != nullptr && project.fatigue.asked && !beam.checks.empty())
     count_near_largest(project, runs, *whole, beam.checks);
   give_seam_throats(beam.checks);
   gates.look_at(beam.checks);

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
 
+#include "boxbeam/core/error.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/verification/judged_section.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
@@ -194,8 +196,19 @@ std::vector<CheckResult> check_member(const Project& project, const std::vector<
     const double across = estimate.across ? estimate.across->factored : 0.0;
     load.critical = of->part + (twisting ? std::max(across, twisting->factored) : across);
     const double use = lateral_use(load, BucklingCurve::d, gamma_M1);
-    checks.push_back(check_of(project, use, "sideways and turning over", of->situation, of->when,
-                              {true, BucklingCurve::d, of->held, load}));
+    const bool given = std::holds_alternative<recorded::Loads>(project.mechanism);
+    if (!(use > 0.0) && given)
+      throw AnalysisError(
+          {"forces across the beam but no moment anywhere: the given cut forces "
+           "contradict each other; give M_y and M_z that belong to V_z and V_y",
+           "beam",
+           {},
+           {},
+           {}});
+    // Without a moment anywhere nothing turns over.
+    if (use > 0.0)
+      checks.push_back(check_of(project, use, "sideways and turning over", of->situation, of->when,
+                                {true, BucklingCurve::d, of->held, load}));
   }
   return checks;
 }

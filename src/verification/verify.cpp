@@ -144,6 +144,16 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
                                     : DistortionChecks{};
   append(std::move(distortion.checks), beam.checks);
   leave_out_without_effect(beam.checks);
+  // Forces that hold each other in balance at one place may press and rack it all the same.
+  if (beam.checks.empty() && project.given_stresses.empty()) {
+    throw AnalysisError(
+        {"nothing to verify: no point of the beam is ever stressed" +
+             (distortion.gates.empty() ? "" : ", but " + distortion.gates.front().finding),
+         "beam",
+         {},
+         {},
+         {}});
+  }
   NeighbourChecks neighbours = check_neighbours(project, runs);
 
   model.second_order.twisting = twisting_load_of(project, runs, model.second_order);
