@@ -56,8 +56,8 @@ TorquesIn DistortedStretch::torques_at(std::size_t run, std::size_t instant) con
 }
 
 TorquesIn DistortedStretch::torques_of(const BeamLoads& beam_loads) const {
-  return torques_between(torques_in(beam_loads, near_, 0.0), cut_forces_of(beam_loads), from_, to_,
-                         near_);
+  return torques_between(torques_in(beam_loads, line_levers_of(*project_), near_, 0.0),
+                         cut_forces_of(beam_loads), from_, to_, near_);
 }
 
 void DistortedStretch::find_introduced() {

@@ -352,7 +352,7 @@ DistortionChecks check_distortion(const Project& project, const std::deque<Situa
                                   const std::vector<Station>& stations) {
   DistortionChecks found;
   if (!project.in_space || !has_cells(project.beam)) return found;
-  const std::vector<std::vector<TorquesIn>> torques = torques_in(project.beam, runs);
+  const std::vector<std::vector<TorquesIn>> torques = torques_in(project, runs);
   if (!is_twisted(runs, torques)) return found;
   for (const BoxStretch& segments : box_stretches_of(project.beam)) {
     const DistortedStretch stretch(project, runs, torques, segments, stations);

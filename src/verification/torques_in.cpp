@@ -1,7 +1,9 @@
 #include "boxbeam/verification/torques_in.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <variant>
 
 namespace boxbeam {
 namespace {
@@ -19,7 +21,48 @@ void add(TorqueIn more, std::size_t first, TorquesIn& all) {
     same->torque += more.torque;
 }
 
+/// What pushes along z with a lever along y and along y with one along z at once, each way by
+/// itself, spread over some places of each stretch.
+void add_lines(const BeamLoads& loads, const std::vector<LineLever>& levers, TorquesIn& all) {
+  constexpr int places = 8;
+  for (const LineLoad& line : loads.lines) {
+    const double length = line.length.value(), middle = line.start.value() + 0.5 * length;
+    double y = 0.0, z = 0.0;
+    for (const LineLever& of : levers) {
+      if (middle < of.from || middle > of.to) continue;
+      y = std::max(y, std::abs(of.y));
+      z = std::max(z, std::abs(of.z));
+    }
+    // Linear along the stretch: all of it is the middle times the length.
+    const auto pushed = [&](std::size_t axis, std::size_t way) {
+      return line.outside[axis][way](0.5 * length) * length;
+    };
+    const std::array torques{z * pushed(0, 0), z * pushed(0, 1), y * pushed(1, 0),
+                             y * pushed(1, 1)};
+    if (!(torques[0] + torques[1] > 0.0) || !(torques[2] + torques[3] > 0.0)) continue;
+    for (std::size_t way = 0; way < torques.size(); ++way) {
+      for (int k = 0; k < places; ++k)
+        all.push_back({line.start.value() + (k + 0.5) / places * length,
+                       torques[way] / places,
+                       {Kind::couple, "line forces", way}});
+    }
+  }
+}
+
 }  // namespace
+
+std::vector<LineLever> line_levers_of(const Project& project) {
+  std::vector<LineLever> levers;
+  const auto* const of = std::get_if<spatial::Mechanism>(&project.mechanism);
+  if (of == nullptr) return levers;
+  for (const spatial::LineForce& line : of->line_forces) {
+    if (line.on != project.placement.body) continue;
+    const Eigen::Vector3d from = spatial::in_beam(project.placement, line.from);
+    const double to = spatial::in_beam(project.placement, line.to).x();
+    levers.push_back({std::min(from.x(), to), std::max(from.x(), to), from.y(), from.z()});
+  }
+  return levers;
+}
 
 double least_torque(const SituationRun& run) {
   constexpr double of_moment = 1e-6;
@@ -31,7 +74,8 @@ double one_place_of(const TaperedBeam& beam) {
   return of_length * beam.length().value();
 }
 
-TorquesIn torques_in(const BeamLoads& loads, double one_place, double least) {
+TorquesIn torques_in(const BeamLoads& loads, const std::vector<LineLever>& lines, double one_place,
+                     double least) {
   std::vector<const PointLoad*> points;
   for (const PointLoad& load : loads.points) points.push_back(&load);
   std::stable_sort(points.begin(), points.end(),
@@ -51,6 +95,7 @@ TorquesIn torques_in(const BeamLoads& loads, double one_place, double least) {
     if (by_flanges != 0.0) add({s, by_flanges, {Kind::by_flanges}}, first, all);
     if (couple != 0.0) add({s, couple, {Kind::couple, load->name, load->part}}, first, all);
   }
+  if (!lines.empty()) add_lines(loads, lines, all);
   std::erase_if(all, [&](const TorqueIn& of) { return !(std::abs(of.torque) > least); });
   return all;
 }
@@ -70,9 +115,10 @@ TorquesIn torques_in(const CutForceDiagram& diagram, double least) {
   return all;
 }
 
-std::vector<std::vector<TorquesIn>> torques_in(const TaperedBeam& beam,
+std::vector<std::vector<TorquesIn>> torques_in(const Project& project,
                                                const std::deque<SituationRun>& runs) {
-  const double one_place = one_place_of(beam);
+  const double one_place = one_place_of(project.beam);
+  const std::vector<LineLever> lines = line_levers_of(project);
   std::vector<std::vector<TorquesIn>> all;
   for (const SituationRun& run : runs) {
     const LoadHistory& loads = run.loads;
@@ -82,7 +128,7 @@ std::vector<std::vector<TorquesIn>> torques_in(const TaperedBeam& beam,
     for (std::size_t i = 0; i < loads.instants(); ++i)
       of.push_back(loads.is_recorded()
                        ? torques_in(loads.diagram(i), least)
-                       : torques_in(loads.loads_at(loads.time_of(i)), one_place, least));
+                       : torques_in(loads.loads_at(loads.time_of(i)), lines, one_place, least));
   }
   return all;
 }

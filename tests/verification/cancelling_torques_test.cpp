@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "boxbeam/verification/distortion_checks.hpp"
 #include "boxbeam/verification/verify.hpp"
@@ -150,6 +151,28 @@ TEST_CASE("a wheel with a force sideways: no 1 mm decides on a verdict", "[disto
   CHECK(damage(0.0) == Approx(damage(0.001)).epsilon(0.01));
 }
 
+TEST_CASE("a beam that forces in balance at one place rack alone is judged", "[distortion]") {
+  // No cut force anywhere, d = -F y.
+  Force other = wheel, against = sideways;
+  other.y = -wheel.y;
+  other.F_z = -wheel.F_z;
+  against.z = -sideways.z;
+  against.F_y = -sideways.F_y;
+  const auto of = [&](double times) {
+    std::string loads;
+    int k = 0;
+    for (Force one : {wheel, other, sideways, against}) {
+      one.F_y *= times;
+      one.F_z *= times;
+      loads += load(fmt::format("f{}", k++), one);
+    }
+    return verify(project(loads));
+  };
+  CHECK(use_of(of(1.0), Criterion::distortion) > 0.3);
+  CHECK(use_of(of(2.0), Criterion::distortion) ==
+        Approx(2.0 * use_of(of(1.0), Criterion::distortion)).epsilon(1e-6));
+}
+
 TEST_CASE("a diaphragm keeps a box in shape under couples that cancel, or does not",
           "[distortion]") {
   // +260 and -260 kN m, each by other plates: d = 260 kN m, less what the frame bears, d/b = 333 kN
@@ -182,6 +205,49 @@ TEST_CASE("other cells under torques that cancel are kept in shape, or have no v
   CHECK(blocks(verify(project(loads, "", sections)), words));
   CHECK_FALSE(blocks(verify(project(loads, diaphragms({3.0}, 12.0), sections)), words));
   CHECK_FALSE(blocks(verify(project(load("p", {3.0, 0, 0, 0, -10.0}), "", sections)), words));
+}
+
+TEST_CASE("lines of force beside the axis rack a box though their torques cancel", "[distortion]") {
+  // A jib of 6 m at rest in space, lines from 1 to 5 m over a web (y = 0.39 m) and along the top
+  // flange (z = 0.39 m).
+  struct Line {
+    double y, z;
+    std::string direction;
+  };
+  const auto across_under = [](const std::vector<Line>& lines) {
+    std::string points = "B = [\"0 m\", \"0 m\", \"0 m\"]", forces;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      points +=
+          fmt::format(", P{} = [\"1 m\", \"{} m\", \"{} m\"], Q{} = [\"5 m\", \"{} m\", \"{} m\"]",
+                      i, lines[i].y, lines[i].z, i, lines[i].y, lines[i].z);
+      forces += fmt::format(
+          "[forces.l{}]\nkind = \"line force\"\nfrom = \"jib.P{}\"\nto = \"jib.Q{}\"\n"
+          "axes = \"world\"\ndirection = \"{}\"\nsize = \"80 kN/m\"\n",
+          i, i, i, lines[i].direction);
+    }
+    return across(parse_project(
+        "jib.toml",
+        "[case]\nname = \"jib\"\nkind = \"spatial\"\n[mechanism]\n"
+        "gravity = [\"0 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]\n[motion]\nduration = \"1 s\"\n"
+        "[bodies.jib]\npoints = { " +
+            points +
+            " }\n[joints.slew]\nkind = \"revolute\"\nconnect = [\"ground\", \"jib.B\"]\n"
+            "at = [\"0 m\", \"0 m\", \"0 m\"]\naxis = \"z\"\n[drivers.slewing]\n"
+            "joint = \"slew\"\nkind = \"hold\"\nvalue = \"0 rad\"\n" +
+            forces + stout + "[beam]\nbody = \"jib\"\ndensity = \"7850 kg/m^3\"\n" +
+            "start = \"B\"\naxis = \"x\"\nz = \"z\"\n" + segment(1.0, "a") + segment(4.0, "a") +
+            segment(1.0, "a") + diaphragms({0.0, 6.0}, 25.0) + steel +
+            "[strength]\nrequired = 1.0\nshear_lag = false\n"));
+  };
+  const Line on_web{0.39, 0.0, "-z"}, on_flange{0.0, 0.39, "-y"};
+  const double one = across_under({on_web}), other = across_under({on_flange});
+  REQUIRE(one > 5.0);
+  CHECK(other == Approx(one).epsilon(0.02));
+  CHECK(across_under({on_web, on_flange}) >= 0.97 * (one + other));
+  CHECK(across_under({on_web, on_flange}) <= 1.3 * (one + other));
+  // Evenly by both webs; a rail over a web at the top flange without a force sideways.
+  CHECK(across_under({on_web, {-0.39, 0.0, "-z"}}) == 0.0);
+  CHECK(across_under({{0.39, 0.39, "-z"}}) == Approx(one).epsilon(1e-6));
 }
 
 }  // namespace cancelling_torques_test

@@ -36,17 +36,26 @@ struct TorqueIn {
 /// place. Those that cancel there are all there: what they do to a cell adds up.
 using TorquesIn = std::vector<TorqueIn>;
 
+/// A line of force beside the axis: over which stretch, and its lever [m].
+struct LineLever {
+  double from = 0.0, to = 0.0, y = 0.0, z = 0.0;
+};
+std::vector<LineLever> line_levers_of(const Project& project);
+
 /// Up to this far apart places are one [m].
 double one_place_of(const TaperedBeam& beam);
 
-/// Of loads of which each has its place and name; sums up to `least` [N m] are none.
-TorquesIn torques_in(const BeamLoads& loads, double one_place, double least);
+/// Of loads of which each has its place and name; sums up to `least` [N m] are none. Lines are in
+/// it only where some act with a lever along y and some along z, so that their torques may cancel:
+/// then all that pushes along z by the largest lever y, and the other way round, on the safe side.
+TorquesIn torques_in(const BeamLoads& loads, const std::vector<LineLever>& lines, double one_place,
+                     double least);
 
 /// Of cut forces alone.
 TorquesIn torques_in(const CutForceDiagram& diagram, double least);
 
 /// Of every run at its instants; of recorded cut forces by their jumps.
-std::vector<std::vector<TorquesIn>> torques_in(const TaperedBeam& beam,
+std::vector<std::vector<TorquesIn>> torques_in(const Project& project,
                                                const std::deque<SituationRun>& runs);
 
 /// Those of a stretch of the beam [m], and what passes its ends; by their places, the ends
