@@ -50,8 +50,9 @@ struct ReducedStress {
 ///     p_x = sigma_x/(k_sigma sigma_E),  p_tau = tau/(k_tau sigma_E),  p_z = F/F_cr
 ///     1/alpha_cr = m + sqrt(m^2 + (1 - psi)/2 p_x^2 + p_tau^2),  m = (1 + psi)/4 p_x + p_z/2
 ///     lambda = sqrt(alpha_ult/alpha_cr), of each reduction
-///     use = sqrt(x^2 + z^2 - x z + 3 [tau/chi_w]^2) gamma_M1/f_y,  x = sigma_x/rho_x,
-///           z = sigma_z/rho_z;  of sigma_x in tension x = sigma_x
+///     use = sqrt(x^2 + z^2 - V x z + 3 [tau/chi_w]^2) gamma_M1/f_y,  x = sigma_x/rho_x,
+///           z = sigma_z/rho_z,  V = rho_x rho_z where both press;  of sigma_x in tension
+///           x = sigma_x, V = 1
 ///
 /// Looked at are the edge that is compressed more and the one that is stretched most, and the
 /// edges where sigma_z acts, with their own sigma_x. rho_x as of effective widths (equation 4.2),
@@ -65,7 +66,8 @@ struct ReducedStress {
 ///     phi_p = (1 + 0.34 (lambda - 0.8) + lambda)/2
 ///
 /// Source: EN 1993-1-5:2006, clause 10, equations 10.1 to 10.6, annex A.1; the use is the root
-/// of 10.5. Annex B.1 with table B.1 for rho_z is recalled, not confirmed.
+/// of 10.5, V that of A1:2017. Annex B.1 with table B.1 for rho_z, and V, are recalled, not
+/// confirmed.
 ReducedStress reduced_stress_of(const ShearPanel& panel, const PanelStress& stress,
                                 double gamma_M1);
 
