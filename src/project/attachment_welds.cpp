@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "boxbeam/project/plate_detail.hpp"
 #include "boxbeam/strength/effective_box.hpp"
@@ -15,6 +16,15 @@ double own_concentration_of(const BeamDetail& of_beam) {
   const bool nominal =
       of_beam.detail.where == StressPlace::gross || of_beam.detail.where == StressPlace::net;
   return nominal ? std::max(1.0, of_beam.stress_factor) : 1.0;
+}
+
+bool have_one_shape(const SnCurve& a, const SnCurve& b) {
+  return a.reference_cycles == b.reference_cycles && a.cut_off == b.cut_off &&
+         a.constant_amplitude_limit == b.constant_amplitude_limit &&
+         std::equal(a.branches.begin(), a.branches.end(), b.branches.begin(), b.branches.end(),
+                    [](const SnBranch& one, const SnBranch& other) {
+                      return one.slope == other.slope && one.until == other.until;
+                    });
 }
 
 class Attachments {
@@ -123,6 +133,29 @@ double comparable_strength_of(const BeamDetail& of) {
   return strength_at(curve_of(of.detail), 2e6, Loading::spectrum).value() / of.stress_factor;
 }
 
+bool is_nowhere_stronger(const BeamDetail& of, const BeamDetail& other) {
+  const SnCurve &a = of.detail.curve, &b = other.detail.curve;
+  const double part = of.detail.size_factor / of.stress_factor;
+  const double other_part = other.detail.size_factor / other.stress_factor;
+  if (have_one_shape(a, b)) return part * a.reference <= other_part * b.reference;
+  std::vector<double> cycles{1.0, 1e12};
+  for (const SnCurve* const curve : {&a, &b}) {
+    for (const SnBranch& branch : curve->branches)
+      if (std::isfinite(branch.until)) cycles.push_back(branch.until);
+    for (const std::optional<double>& limit : {curve->constant_amplitude_limit, curve->cut_off})
+      if (limit) cycles.push_back(*limit);
+  }
+  const SnLine line(a), other_line(b);
+  constexpr double rounded = 1.0 + 1e-12;
+  return std::all_of(cycles.begin(), cycles.end(), [&](double at) {
+    const auto holds = [&](Loading loading) {
+      return part * line.strength_at(at, loading) <=
+             rounded * other_part * other_line.strength_at(at, loading);
+    };
+    return holds(Loading::spectrum) && holds(Loading::constant_amplitude);
+  });
+}
+
 std::vector<AttachmentWeld> attachment_welds_of(const TaperedBeam& beam, const BeamDetail& of_beam,
                                                 const AttachmentDetails& given) {
   if (beam.segments.empty()) return {};
@@ -130,11 +163,10 @@ std::vector<AttachmentWeld> attachment_welds_of(const TaperedBeam& beam, const B
 }
 
 bool may_govern(const FatigueInput& fatigue, const AttachmentWeld& weld) {
-  const double strength = comparable_strength_of(weld.detail);
   const auto is_as_weak = [&](const BeamDetail& of) {
     const bool counts_as_much =
         !of.detail.compression_reduced || weld.detail.detail.compression_reduced;
-    return !of.detail.in_plates && counts_as_much && comparable_strength_of(of) <= strength;
+    return !of.detail.in_plates && counts_as_much && is_nowhere_stronger(of, weld.detail);
   };
   bool elsewhere = false;  // some place there has a detail of its own
   for (const BeamDetail& of : fatigue.details) {

@@ -99,6 +99,15 @@ void read_given_stresses(TableReader& root, Project& project) {
     }
     project.given_stresses.push_back(std::move(given));
   }
+  const std::vector<BeamDetail>& details = project.fatigue.details;
+  const bool elsewhere = std::any_of(details.begin(), details.end(), [](const BeamDetail& of) {
+    return of.on == DetailPlace::webs || of.on == DetailPlace::seams;
+  });
+  if (elsewhere && !project.given_stresses.empty() && root.problems().empty()) {
+    root.problem("given_stresses",
+                 "given stresses are those of fibres, and a detail of webs or seams resists none",
+                 "write on = \"section\" in [[fatigue.details]]");
+  }
 }
 
 }  // namespace

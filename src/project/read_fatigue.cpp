@@ -8,6 +8,7 @@
 #include "boxbeam/project/detail_catalogue.hpp"
 #include "boxbeam/project/detail_reader.hpp"
 #include "boxbeam/project/sn_catalogue.hpp"
+#include "boxbeam/section/path_webs.hpp"
 #include "readers.hpp"
 
 namespace boxbeam::readers {
@@ -181,6 +182,25 @@ double read_stress_factor_or_surface(TableReader& table, const Detail& detail) {
   return read_hot_spot(table.table(key));
 }
 
+/// Refuses details of webs or seams where the beam has none: they would resist nothing.
+void require_webs(TableReader& table, const BeamDetail& on_beam, const TaperedBeam& beam) {
+  const bool of_webs = on_beam.on == DetailPlace::webs || on_beam.on == DetailPlace::seams;
+  if (!of_webs || !table.problems().empty()) return;
+  const bool at_a_place = on_beam.from == on_beam.to;
+  for (const Segment& segment : beam.segments) {
+    const Length from = std::max(segment.start, on_beam.from);
+    const Length to = std::min(segment.end(), on_beam.to);
+    const bool lies_there = at_a_place ? from <= to : from < to;
+    if (!lies_there || has_webs(segment.from) || has_webs(segment.to)) continue;
+    table.problem("on",
+                  fmt::format("segment \"{}\" has no {}: boxes and rectangular tubes have, and of "
+                              "paths walls along z between other walls",
+                              segment.name, on_beam.on == DetailPlace::webs ? "webs" : "seams"),
+                  "write on = \"section\", or let the stretch end where the webs do");
+    return;
+  }
+}
+
 BeamDetail read_beam_detail(TableReader table, const TaperedBeam& beam) {
   BeamDetail on_beam;
   on_beam.from = station_of(table, {"from", "start along the beam"}, beam);
@@ -197,6 +217,7 @@ BeamDetail read_beam_detail(TableReader table, const TaperedBeam& beam) {
     table.problem("kind", "details of stretches are for direct stress",
                   "write shear = { kind = \"shear\", category = 80 } in [fatigue]");
   }
+  require_webs(table, on_beam, beam);
   on_beam.stress_factor = read_stress_factor_or_surface(table, on_beam.detail);
   on_beam.assumed = table.text({"assumed", "why it is taken so"}, "");
   if (on_beam.to < on_beam.from) {

@@ -286,13 +286,16 @@ class RecordedLoadsReader {
       }
     }
     for (const auto& [moment, shear] : {std::pair{4, 2}, {5, 1}}) {
-      if (!ever[static_cast<std::size_t>(moment)] || ever[static_cast<std::size_t>(shear)])
-        continue;
-      root_->problem("cut_forces",
-                     fmt::format("{} is given without {}: its shear stresses would be missing",
-                                 cut_words[static_cast<std::size_t>(moment)],
-                                 cut_words[static_cast<std::size_t>(shear)]),
-                     "name the column of the shear force as well");
+      const auto M = static_cast<std::size_t>(moment), V = static_cast<std::size_t>(shear);
+      if (ever[M] == ever[V]) continue;
+      root_->problem(
+          "cut_forces",
+          ever[M] ? fmt::format("{} is given without {}: its shear stresses would be missing",
+                                cut_words[M], cut_words[V])
+                  : fmt::format("{} is given without {}, which changes along the beam by it",
+                                cut_words[V], cut_words[M]),
+          ever[M] ? "name the column of the shear force as well"
+                  : "name the column of the bending moment as well");
     }
   }
 

@@ -1,7 +1,10 @@
 #include "boxbeam/section/warping.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "boxbeam/section/torsion.hpp"
 #include "boxbeam/section/wall_graph.hpp"
@@ -40,6 +43,7 @@ std::optional<Warping> warping_of(const Profile& profile) {
       found = true;
     }
   }
+  std::vector<Warping::Line> lines;
   double area = 0.0, first = 0.0, second = 0.0;
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   for (const Wall& wall : graph.walls) {
@@ -50,11 +54,29 @@ std::optional<Warping> warping_of(const Profile& profile) {
     area += dA;
     first += 0.5 * (a + b) * dA;
     second += (a * a + a * b + b * b) / 3.0 * dA;
+    lines.push_back({wall.start, wall.end, a, b, wall.thickness});
     lowest = std::min({lowest, a, b});
     highest = std::max({highest, a, b});
   }
   const double mean = first / area;
-  return Warping{second - first * mean, std::max(highest - mean, mean - lowest)};
+  for (Warping::Line& line : lines) {
+    line.omega_from -= mean;
+    line.omega_to -= mean;
+  }
+  return Warping{second - first * mean, std::max(highest - mean, mean - lowest), std::move(lines)};
+}
+
+double omega_near(const Warping& of, const Eigen::Vector2d& place) {
+  double least = std::numeric_limits<double>::infinity(), omega = 0.0;
+  for (const Warping::Line& line : of.walls) {
+    const Eigen::Vector2d way = line.to - line.from;
+    const double part = std::clamp((place - line.from).dot(way) / way.squaredNorm(), 0.0, 1.0);
+    const double distance = (place - line.from - part * way).norm();
+    if (distance >= least) continue;
+    least = distance;
+    omega = std::lerp(line.omega_from, line.omega_to, part);
+  }
+  return omega;
 }
 
 std::optional<double> warping_constant_of(const Profile& profile) {

@@ -1,10 +1,12 @@
 #include "boxbeam/verification/given_stresses.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "boxbeam/fatigue/range_limit.hpp"
 #include "boxbeam/strength/yield.hpp"
 #include "check_sources.hpp"
+#include "details_at.hpp"
 
 namespace boxbeam {
 namespace {
@@ -45,15 +47,16 @@ std::vector<CheckResult> check_given_stresses(const Project& project) {
         yield_source(material));
     if (!given.opposite || !project.fatigue.asked) continue;
     const FatigueInput& fatigue = project.fatigue;
-    const ResistingDetail resisting =
-        detail_at(fatigue, station, DetailPlace::fibres, given.thickness);
-    const SnCurve curve = curve_of(resisting.detail->detail);
-    Stress strength = strength_at(curve, most_cycles_of(project), fatigue.demand.loading);
-    if (fatigue.round_strength_to) strength = rounded(strength, *fatigue.round_strength_to);
-    add(Criterion::fatigue, given.peak + *given.opposite, strength,
-        strength / (fatigue.demand.gamma_Ff * fatigue.demand.gamma_Mf), fatigue.required,
-        fatigue_source(fatigue, {curve}));
-    results.back().given->resisting = resisting;
+    for (ResistingDetail& resisting :
+         details_at(fatigue, station, {DetailPlace::fibres, false}, given.thickness)) {
+      const SnCurve curve = curve_of(resisting.detail->detail);
+      Stress strength = strength_at(curve, most_cycles_of(project), fatigue.demand.loading);
+      if (fatigue.round_strength_to) strength = rounded(strength, *fatigue.round_strength_to);
+      add(Criterion::fatigue, given.peak + *given.opposite, strength,
+          strength / (fatigue.demand.gamma_Ff * fatigue.demand.gamma_Mf), fatigue.required,
+          fatigue_source(fatigue, {curve}));
+      results.back().given->resisting = std::move(resisting);
+    }
   }
   return results;
 }

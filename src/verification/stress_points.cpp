@@ -6,19 +6,29 @@
 #include <utility>
 
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/project/plate_detail.hpp"
 #include "boxbeam/section/normal_stress.hpp"
+#include "boxbeam/section/path_webs.hpp"
 #include "boxbeam/section/plate_force.hpp"
 #include "boxbeam/verification/judged_section.hpp"
+#include "details_at.hpp"
 
 namespace boxbeam {
 namespace {
 
 bool lies_in(const BeamDetail& stretch, Length s) { return s >= stretch.from && s <= stretch.to; }
 
-/// Whether a stretch holds just inside a station's side.
+/// Whether a stretch goes on just inside a station's side.
 bool goes_on(const BeamDetail& stretch, const Station& station) {
   return station.side == Side::before ? station.s > stretch.from : station.s < stretch.to;
+}
+
+DetailPlace place_of(SectionPart part) {
+  switch (part) {
+    case SectionPart::fibre: return DetailPlace::fibres;
+    case SectionPart::web: return DetailPlace::webs;
+    case SectionPart::web_end: return DetailPlace::seams;
+  }
+  return DetailPlace::section;
 }
 
 /// Details of one station, each looked up once per plate.
@@ -27,28 +37,19 @@ class DetailsAtStation {
   DetailsAtStation(const FatigueInput& fatigue, const Station& station)
       : fatigue_(&fatigue), station_(station) {}
 
-  const ResistingDetail& at(SectionPart part, Length plate) {
+  const std::vector<ResistingDetail>& at(const PlaceOfDetails& place, Length plate) {
     for (const Found& found : found_) {
-      if (found.part == part && found.plate == plate) return found.detail;
+      if (found.place == place && found.plate == plate) return found.details;
     }
-    found_.push_back({part, plate, detail_at(*fatigue_, station_, place_of(part), plate)});
-    return found_.back().detail;
+    found_.push_back({place, plate, details_at(*fatigue_, station_, place, plate)});
+    return found_.back().details;
   }
 
  private:
-  static DetailPlace place_of(SectionPart part) {
-    switch (part) {
-      case SectionPart::fibre: return DetailPlace::fibres;
-      case SectionPart::web: return DetailPlace::webs;
-      case SectionPart::web_end: return DetailPlace::seams;
-    }
-    return DetailPlace::section;
-  }
-
   struct Found {
-    SectionPart part;
+    PlaceOfDetails place;
     Length plate;
-    ResistingDetail detail;
+    std::vector<ResistingDetail> details;
   };
   const FatigueInput* fatigue_;
   Station station_;
@@ -76,6 +77,7 @@ class StressPoints {
     // Points are large, and growing would copy them.
     constexpr std::size_t usual = 32;
     points.reserve(usual);
+    find_webs();
     if (lags_.count()) net_ = effective_properties_of(field_.section, field_.holes, lags_);
     if (set_ == PointSet::in_space) stop_where(unknown_shear_of(field_.section));
   }
@@ -124,7 +126,7 @@ class StressPoints {
       StressPoint& point = add(place);
       const DetailPlace on =
           place.part == SectionPart::web ? DetailPlace::webs : DetailPlace::fibres;
-      take(detail_at(project_->fatigue, station_, on, point.plate, &along), point);
+      take(details_at(project_->fatigue, station_, {on, false}, point.plate, &along), point);
       point.shear_detail = if_asked(project_->fatigue.shear);
     }
   }
@@ -165,7 +167,12 @@ class StressPoints {
         }
       }
       StressPoint& point = add(point_on_stretch(field_, stretch, 0.0));
-      resist(point);
+      if (webs_.empty()) {
+        resist(point);
+      } else {
+        const SectionPoint inside = point_on_stretch(field_, stretch, 0.5);
+        resist(point, inside.y, inside.z);
+      }
       point.shear_detail = if_asked(project_->fatigue.shear);
       point.stretch = StressStretch{shared_field_, stretch, only_end};
       // Its ends, where it touches other plates, are points of their own.
@@ -263,6 +270,18 @@ class StressPoints {
     for (StressPoint& point : add_level(named.name, named.z)) resist(point);
   }
 
+  /// Of places where unlike details lie the same points once more, by each of the others.
+  void add_other_details() {
+    points.reserve(points.size() + others_.size());
+    for (const auto& [number, detail] : others_) {
+      StressPoint point = points[number];
+      take(detail, point);
+      point.yield = false;
+      points.push_back(std::move(point));
+    }
+    others_.clear();
+  }
+
   std::vector<StressPoint> points;
 
  private:
@@ -276,9 +295,24 @@ class StressPoints {
   }
 
   /// Of a case that asks for no fatigue nothing resists it.
-  void resist(StressPoint& point) {
+  void resist(StressPoint& point) { resist(point, point.y, point.z); }
+
+  /// The details of another place of the same wall.
+  void resist(StressPoint& point, Length y, Length z) {
     if (!project_->fatigue.asked) return;
-    take(details_.at(point.part, point.plate), point);
+    PlaceOfDetails place{place_of(point.part)};
+    if (!webs_.empty()) {
+      const auto& path = std::get<ThinWalled>(field_.section.outer);
+      place = {place_of(part_in(path, webs_, y, z)), true};
+    }
+    take(details_.at(place, point.plate), point);
+  }
+
+  /// The weakest of them; points of the others follow once the places are gathered.
+  void take(const std::vector<ResistingDetail>& details, StressPoint& point) {
+    take(details.front(), point);
+    const auto number = static_cast<std::size_t>(&point - points.data());
+    for (std::size_t i = 1; i < details.size(); ++i) others_.emplace_back(number, details[i]);
   }
 
   static void take(const ResistingDetail& detail, StressPoint& point) {
@@ -338,6 +372,15 @@ class StressPoints {
     point.edges = std::move(edges);
   }
 
+  void find_webs() {
+    const auto* const path = std::get_if<ThinWalled>(&field_.section.outer);
+    const std::vector<BeamDetail>& details = project_->fatigue.details;
+    const bool wanted = std::any_of(details.begin(), details.end(), [&](const BeamDetail& of) {
+      return (of.on == DetailPlace::webs || of.on == DetailPlace::seams) && lies_in(of, station_.s);
+    });
+    if (path != nullptr && wanted) webs_ = webs_of(*path);
+  }
+
   /// Stops where a stress is not known.
   void stop_where(const std::optional<std::string>& unknown) const {
     if (!unknown) return;
@@ -384,53 +427,11 @@ class StressPoints {
   const StressField& field_;  ///< the same
   SectionProperties gross_, net_;
   ShearLags lags_;
+  std::vector<std::size_t> webs_;  ///< of a path, where any detail is of webs or seams alone
+  std::vector<std::pair<std::size_t, ResistingDetail>> others_;  ///< by the numbers of their points
 };
 
 }  // namespace
-
-ResistingDetail detail_at(const FatigueInput& fatigue, const Station& station, DetailPlace on,
-                          Length plate, const BeamDetail* flat) {
-  const auto strength_of = [](const BeamDetail& of) {
-    return strength_at(curve_of(of.detail), 2e6, Loading::spectrum).value() / of.stress_factor;
-  };
-  ResistingDetail weakest;
-  bool reduced = true;
-  double range_factor = 0.0;
-  std::optional<double> least;  // where several were compared
-  const auto look_at = [&](const BeamDetail& stretch) {
-    range_factor = std::max(range_factor, stretch.stress_factor);
-    ResistingDetail here{&stretch, {}, false};
-    if (auto detail = in_plate(stretch.detail, plate)) {
-      auto own = std::make_shared<BeamDetail>(stretch);
-      own->detail = std::move(*detail);
-      here = {own.get(), own, false};
-    }
-    reduced = reduced && here.detail->detail.compression_reduced;
-    if (weakest.detail != nullptr) {
-      if (!least) least = strength_of(*weakest.detail);
-      const double strength = strength_of(*here.detail);
-      if (strength >= *least) return;
-      least = strength;
-    }
-    weakest = std::move(here);
-  };
-  bool inside = false;
-  for (const BeamDetail& stretch : fatigue.details) {
-    const bool there = stretch.on == DetailPlace::section || stretch.on == on;
-    if (!there || !lies_in(stretch, station.s)) continue;
-    look_at(stretch);
-    inside = inside || station.side == Side::both || goes_on(stretch, station);
-  }
-  // Just behind the end of a stretch the beam's own detail holds again.
-  if (!inside) look_at(fatigue.beam);
-  for (const AttachmentWeld& weld : fatigue.attachments) {
-    if (!weld.flat && lies_in(weld.detail, station.s)) look_at(weld.detail);
-  }
-  if (flat != nullptr) look_at(*flat);
-  weakest.compression_reduced = reduced;
-  weakest.range_factor = range_factor;
-  return weakest;
-}
 
 Length seam_throat_of(const StressPoint& point) {
   const auto& box = std::get<Box>(point.section.outer);
@@ -483,6 +484,7 @@ std::vector<StressPoint> stress_points_at(const Project& project,
     if (named.s != station.s) continue;
     gathered.add_named(named);
   }
+  gathered.add_other_details();
   return std::move(gathered.points);
 }
 

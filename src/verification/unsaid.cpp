@@ -41,22 +41,22 @@ struct PlatesOf {
   }
 };
 
-/// The strength of the splice of two thicknesses, as that of details is compared.
-double splice_strength_of(Length a, Length b) {
+/// The splice of two thicknesses.
+BeamDetail splice_of(Length a, Length b) {
   BeamDetail splice;
   splice.detail = detail_of_row("8.3/17", "splice of two thicknesses");
   const Length thinner = std::min(a, b), thicker = std::max(a, b);
   splice.detail.size_factor =
       size_factor_of_eccentric_butt_weld(thinner, thicker, 0.5 * (thicker - thinner));
-  return comparable_strength_of(splice);
+  return splice;
 }
 
 /// Whether a plate at a station is judged by a detail of that place, no longer than the section is
 /// deep, or by one so weak, or weaker.
-bool is_judged_by(const Project& project, Length s, DetailPlace on, double strength) {
+bool is_judged_by(const Project& project, Length s, DetailPlace on, const BeamDetail& splice) {
   const Length near = 1e-9 * project.beam.length();
   const auto is_so_weak = [&](const BeamDetail& of) {
-    return !of.detail.in_plates && comparable_strength_of(of) <= strength;
+    return !of.detail.in_plates && is_nowhere_stronger(of, splice);
   };
   const Extent extent = extent_of(section_at(project.beam, {s, Side::behind}).outer);
   const Length short_one = std::max(extent.z_high - extent.z_low, extent.y_high - extent.y_low);
@@ -79,8 +79,7 @@ std::string step_at(const Project& project, const Segment& behind, const Segment
   const Length least = si<Length>(1e-6);
   for (std::size_t i = 0; i < from.size(); ++i) {
     if (abs(from[i].of - to[i].of) <= least) continue;
-    if (is_judged_by(project, ahead.start, from[i].on, splice_strength_of(from[i].of, to[i].of)))
-      continue;
+    if (is_judged_by(project, ahead.start, from[i].on, splice_of(from[i].of, to[i].of))) continue;
     return fmt::format("{}, {:.4g} and {:.4g} mm", from[i].name, 1e3 * from[i].of.value(),
                        1e3 * to[i].of.value());
   }

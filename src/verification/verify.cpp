@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "axial_forces.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/verification/deflection.hpp"
 #include "boxbeam/verification/distortion_checks.hpp"
@@ -15,6 +16,7 @@
 #include "boxbeam/verification/twisting.hpp"
 #include "boxbeam/verification/unsaid.hpp"
 #include "boxbeam/verification/warping_notes.hpp"
+#include "given_cuts.hpp"
 
 namespace boxbeam {
 namespace {
@@ -168,6 +170,11 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
   append(second_order_gates_of(model, checks), gates);
   append(material_gates_of(project), gates);
   append(weld_gates_of(project), gates);
+  WarpingFound warping =
+      project.given_stresses.empty() ? look_at_warping(project, runs) : WarpingFound{};
+  append(std::move(warping.gates), gates);
+  GivenCutsFound given_cuts = look_at_given_cuts(project, runs, checks);
+  append(std::move(given_cuts.gates), gates);
   append(stability_gates_of(project, runs), gates);
   if (project.given_stresses.empty()) append(hole_gates_of(project, runs), gates);
   append(distortion_gates_of(project, distortion.estimates, checks), gates);
@@ -180,7 +187,9 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
   append(std::move(patches.not_judged), not_judged);
   append(unsaid_joints_of(project), not_judged);
   append(unfinished_motion_of(project, runs, checks), not_judged);
-  if (project.given_stresses.empty()) append(warping_not_judged(project, runs), not_judged);
+  append(std::move(given_cuts.not_judged), not_judged);
+  append(std::move(warping.not_judged), not_judged);
+  if (project.given_stresses.empty()) append(axial_forces_not_judged(project, runs), not_judged);
 
   std::vector<MotionSummary> motions = motion_summaries_of(project, runs);
   std::vector<CriticalInstant> instants = critical_instants_of(project, beam.stations, checks);

@@ -6,7 +6,10 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <utility>
 
+#include "axial_bimoment.hpp"
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/section/torsion.hpp"
 #include "boxbeam/section/warping.hpp"
@@ -114,34 +117,44 @@ double largest_bimoment(double torque, double GI_T, double EI_w, double length) 
   return torque / k * std::tanh(k * length);
 }
 
-std::vector<NotJudged> warping_not_judged(const Project& project,
-                                          const std::deque<SituationRun>& runs) {
-  if (!project.in_space) return {};
+WarpingFound look_at_warping(const Project& project, const std::deque<SituationRun>& runs) {
+  WarpingFound found;
+  if (!project.in_space) return found;
   std::vector<WarpingSegment> segments;
   for (std::size_t k = 0; k < project.beam.segments.size(); ++k) {
     WarpingSegment of = warping_segment_of(project, k);
     if (!of.ends.empty()) segments.push_back(std::move(of));
   }
-  if (segments.empty()) return {};
+  if (segments.empty()) return found;
   const LargestTorque torque = torque_of(segments, runs);
+  AxialBimoments axial = axial_bimoments_of(project, runs);
   const double length = project.beam.length().value();
   double most = 0.0, most_share = 0.0;
   for (const WarpingSegment& of : segments) {
     for (const WarpingEnd& end : of.ends) {
-      const double stress = largest_bimoment(torque.size, end.GI_T, end.EI_w, length) *
-                            end.warping.largest / end.warping.I_w;
+      const double bimoment =
+          largest_bimoment(torque.size, end.GI_T, end.EI_w, length) + axial.largest;
+      const double stress = bimoment * end.warping.largest / end.warping.I_w;
       most = std::max(most, stress);
       most_share = std::max(most_share, project.strength.required * project.strength.gamma_M0 *
                                             stress / of.least_yield);
     }
   }
   constexpr double much = 0.1;
-  if (!(most_share > much)) return {};
-  return {{Criterion::yield, "warping of open sections",
-           fmt::format("{:.3g} kN m about their shear centre, at s = {} m, may stress their edges "
-                       "along the beam by up to {:.3g} MPa more, which no check counts",
-                       1e-3 * torque.size, to_text(Station{si<Length>(torque.s), Side::both}),
-                       1e-6 * most)}};
+  if (!(most_share > much)) return found;
+  if (axial.gate) found.gates.push_back(std::move(*axial.gate));
+  const std::string by_torque =
+      torque.size > 0.0
+          ? fmt::format("{:.3g} kN m about their shear centre, at s = {} m", 1e-3 * torque.size,
+                        to_text(Station{si<Length>(torque.s), Side::both}))
+          : "";
+  const char* const both = torque.size > 0.0 && axial.largest > 0.0 ? ", and " : "";
+  found.not_judged.push_back(
+      {Criterion::yield, "warping of open sections",
+       fmt::format("{}{}{}, may stress their edges along the beam by up to {:.3g} MPa more, which "
+                   "no check counts",
+                   by_torque, both, axial.words, 1e-6 * most)});
+  return found;
 }
 
 }  // namespace boxbeam

@@ -74,6 +74,7 @@ class BeamWriter {
   std::string sections, segments;
   double modulus() const { return modulus_; }
   const std::vector<double>& borders() const { return borders_; }
+  bool has_webs() const { return family_ != Family::round && family_ != Family::plate; }
 
   /// Holes in boxes and tubes, away from the ends.
   std::string holes() {
@@ -261,8 +262,8 @@ std::string demands(Draw& draw, const BeamWriter& beam, double length, bool situ
                         m(round_mm(from)), m(round_mm(to)));
     text += as_detail(draw.chance(0.15));
     if (draw.chance(0.25)) {
-      text += fmt::format("on = \"{}\"\n",
-                          draw.chance(0.5) ? "seams" : (draw.chance(0.6) ? "fibres" : "webs"));
+      const char* const on = draw.chance(0.5) ? "seams" : (draw.chance(0.6) ? "fibres" : "webs");
+      text += fmt::format("on = \"{}\"\n", beam.has_webs() ? on : "fibres");
     }
     if (draw.chance(0.1)) text += fmt::format("stress_factor = {:.2f}\n", draw.real(1.0, 1.6));
     if (draw.chance(0.1)) text += "stress_relieved = true\n";

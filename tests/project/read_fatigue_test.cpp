@@ -145,14 +145,19 @@ TEST_CASE("details of the wrong kind of stress are refused") {
 
 TEST_CASE("details on stretches: where, and what is missing") {
   const std::string head = "category = 71\n" + factors + "[[fatigue.details]]\n";
+  const std::string box =
+      "kind = \"box\"\nwidth = \"100 mm\"\nheight = \"100 mm\"\nflange = \"6 mm\"\n"
+      "web = \"6 mm\"\n";
   const FatigueInput input =
       read(head +
-           "name = \"rib\"\nfrom = \"0.2 m\"\nto = \"0.4 m\"\non = \"seams\"\n"
-           "row = \"8.3/1\"\n");
+               "name = \"rib\"\nfrom = \"0.2 m\"\nto = \"0.4 m\"\non = \"seams\"\n"
+               "row = \"8.3/1\"\n",
+           box);
   REQUIRE(input.details.size() == 1);
   CHECK(input.details[0].on == DetailPlace::seams);
   CHECK(read(head + "name = \"rib\"\nfrom = \"0.2 m\"\nto = \"0.4 m\"\non = \"webs\"\n"
-                    "category = 80\n")
+                    "category = 80\n",
+             box)
             .details[0]
             .on == DetailPlace::webs);
   CHECK(input.details[0].from.value() == Approx(0.2));

@@ -52,4 +52,15 @@ TEST_CASE("warping constants do not depend on where nodes lie, and cells have no
   CHECK_FALSE(warping_constant_of(Plate{mm(10.0), mm(100.0)}));
 }
 
+// Of an I with equal flanges h apart: omega = y z on them, none on the web.
+TEST_CASE("omega of an I is y z on its flanges", "[twisting]") {
+  const Warping of = *warping_of(i_section(400.0, 12.0, 1200.0, 6.0));
+  const double sign = omega_near(of, {0.2, 0.606}) < 0.0 ? -1.0 : 1.0;
+  CHECK(sign * omega_near(of, {0.2, 0.606}) == Approx(0.2 * 0.606).epsilon(1e-9));
+  CHECK(sign * omega_near(of, {-0.1, 0.7}) == Approx(-0.1 * 0.606).epsilon(1e-9));
+  CHECK(sign * omega_near(of, {0.1, -0.606}) == Approx(-0.1 * 0.606).epsilon(1e-9));
+  CHECK(omega_near(of, {0.05, 0.1}) == Approx(0.0).margin(1e-12));
+  CHECK(of.largest == Approx(0.2 * 0.606).epsilon(1e-9));
+}
+
 }  // namespace warping_test

@@ -31,6 +31,11 @@ std::vector<AttachmentWeld> attachment_welds_of(const TaperedBeam& beam, const B
 /// place compares them.
 double comparable_strength_of(const BeamDetail& of);
 
+/// Whether a detail endures no more than another one at any number of cycles, over their stress
+/// factors, of a spectrum and of one range: whatever the other one refuses, it refuses. Of curves
+/// of one shape their references decide, of others each kink of both.
+bool is_nowhere_stronger(const BeamDetail& of, const BeamDetail& other);
+
 /// Whether a weld may be used more than what the case itself has there: no detail of it that
 /// surely holds at the place is as weak.
 bool may_govern(const FatigueInput& fatigue, const AttachmentWeld& weld);
