@@ -223,8 +223,8 @@ TEST_CASE("a beam that cannot be built is refused", "[bad_input]") {
       replaced("holes that overlap", "levels = [\"100 mm\", \"-100 mm\"]", "levels = [\"70 mm\"]",
                {"the hole overlaps another one", "move them apart"}),
       // 0.5 (145 + 18) mm above the hub.
-      replaced("holes that touch", "levels = [\"100 mm\", \"-100 mm\"]",
-               "levels = [\"81.5 mm\"]", {"or touches it", "move them apart"}),
+      replaced("holes that touch", "levels = [\"100 mm\", \"-100 mm\"]", "levels = [\"81.5 mm\"]",
+               {"or touches it", "move them apart"}),
       replaced("hole case of another wall",
                "levels = [\"0 mm\"]\nconcentration = \"in-plane bending\"",
                "levels = [\"0 mm\"]\nconcentration = \"membrane tension\"",

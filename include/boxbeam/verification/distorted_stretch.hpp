@@ -98,7 +98,7 @@ class DistortedStretch {
   bool comes_by_flow(double s) const;
   bool any_comes_by_flow() const;
   Loads loads_of(const CutForceDiagram& diagram, const TorquesIn& torques, double least) const;
-  /// Where the case does not say how; or where it does, with what is `known` of sign [N m].
+  /// One torque: among the nodes' where its sign is not known, else in what is `known` [N m].
   void add_torque(const TorqueIn& of, std::vector<double>& known, Loads& loads) const;
   void note_flow(const BeamLoads& beam_loads, double least);
   static void add_node(const NodeLoad& at, Loads& loads);
