@@ -205,7 +205,7 @@ RodInput read_rod(TableReader table, const Sections& sections, const Project& pr
   rod.curve =
       curves[table.choice({"curve", "of EN 1993-1-1, table 6.1"}, {"a0", "a", "b", "c", "d"})];
   rod.gamma_M0 = table.number({"gamma_M0", "on yielding"}, project.strength.gamma_M0);
-  rod.gamma_M1 = table.number({"gamma_M1", "on buckling"}, 1.0);
+  rod.gamma_M1 = table.number({"gamma_M1", "on buckling"}, project.strength.gamma_M1);
   rod.gamma_M2 = table.number({"gamma_M2", "on the net section"}, project.strength.gamma_M2);
   rod.required = table.number({"required", "wanted safety factor"}, project.strength.required);
   if (table.has("net_area"))

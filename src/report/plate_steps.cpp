@@ -336,8 +336,16 @@ Steps member_steps(const Project& project, const CheckResult& result) {
                          ? derive_lateral_use(steps, basis.load, basis.curve, gamma_M1)
                          : derive_flexural_use(steps, basis.load, basis.curve, gamma_M1);
   steps.note([&] { return "the beam " + basis.held; });
-  steps.define("factor", 1.0 / use);
-  steps.note([&] { return "the largest of N and of M at any instant, load factors counted"; });
+  const double demanded = std::max(project.strength.required, 1.0);
+  if (demanded == 1.0) {
+    steps.define("factor", 1.0 / use);
+  } else {
+    steps.define("factor", steps.known("required", demanded, {ValueKind::factor}) / use);
+  }
+  steps.note([&] {
+    return "the largest of N and of M at any instant, load factors and the safety factor that is "
+           "asked for counted";
+  });
   return steps_of(steps);
 }
 

@@ -12,6 +12,7 @@
 #include "boxbeam/verification/judged_section.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
 #include "boxbeam/verification/slender_path.hpp"
+#include "design_factor.hpp"
 #include "plate_panels.hpp"
 
 namespace boxbeam {
@@ -20,7 +21,7 @@ namespace {
 /// Moments across the plane, of the straight beam, grow as a bow does.
 double bent_by(const SecondOrderEstimate& estimate) {
   if (!(estimate.bending_across > 0.0)) return estimate.bending;
-  const double part = estimate.across ? estimate.across->factored : 0.0;
+  const double part = estimate.across ? estimate.across->part : 0.0;
   return estimate.bending + estimate.bending_across / std::max(1e-6, 1.0 - part);
 }
 
@@ -35,9 +36,10 @@ CheckResult check_of(const Project& project, double use, const std::string& poin
   std::replace(check.id.begin(), check.id.end(), ' ', '-');
   check.situation = project.situations[situation].name;
   check.time = when;
-  check.acting = use;
+  // Under the design loads, in which the safety factor that is asked for is.
+  check.acting = use / demanded_of(project);
   check.resisting = 1.0;
-  check.safety_factor = 1.0 / use;
+  check.safety_factor = demanded_of(project) / use;
   check.required = project.strength.required;
   check.source =
       fmt::format("EN 1993-1-1:2005, {}6.3.4, curve {}", basis.turns_over ? "" : "6.3.1 and ",
@@ -178,7 +180,7 @@ std::vector<CheckResult> check_member(const Project& project, const std::vector<
   const BucklingCurve curve = bending_curve_of(project.beam);
   const auto bends = [&](const BucklingLoad& of, const char* plane) {
     if (of.part <= no_buckling_below || of.part >= 1.0) return;
-    load.critical = of.factored;
+    load.critical = of.part;
     const double use = flexural_use(load, curve, gamma_M1);
     checks.push_back(
         check_of(project, use, plane, of.situation, of.when, {false, curve, of.held, load}));
@@ -187,14 +189,14 @@ std::vector<CheckResult> check_member(const Project& project, const std::vector<
   if (estimate.across)
     bends(*estimate.across, project.in_space ? "along y" : "across the plane of motion");
   if (twisting) {
-    load.critical = twisting->factored;
+    load.critical = twisting->part;
     const double use = flexural_use(load, curve, gamma_M1);
     checks.push_back(check_of(project, use, "by twisting", twisting->situation, twisting->when,
                               {false, curve, twisting->held, load}));
   }
   if (const auto& of = estimate.lateral; of && of->part > no_turning_over_below && of->part < 1.0) {
-    const double across = estimate.across ? estimate.across->factored : 0.0;
-    load.critical = of->part + (twisting ? std::max(across, twisting->factored) : across);
+    const double across = estimate.across ? estimate.across->part : 0.0;
+    load.critical = of->part + (twisting ? std::max(across, twisting->part) : across);
     const double use = lateral_use(load, BucklingCurve::d, gamma_M1);
     const bool given = std::holds_alternative<recorded::Loads>(project.mechanism);
     if (!(use > 0.0) && given)

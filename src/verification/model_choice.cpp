@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 
 #include "boxbeam/core/error.hpp"
@@ -12,6 +14,8 @@
 #include "boxbeam/verification/model_ladder.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/vibration_estimate.hpp"
+#include "design_factor.hpp"
+#include "second_order_growth.hpp"
 
 namespace boxbeam {
 namespace {
@@ -142,11 +146,12 @@ std::string tabled_forces_in(const Project& project) {
 
 /// Climbs from rigid bodies to bent ones and to ever more modes.
 ModelChoice choose_by_estimate(const Project& project, const std::deque<SituationRun>& rigid,
-                               const std::string& obstacle, const SharedMotions& shared) {
+                               const std::string& obstacle, const SharedMotions& shared,
+                               SecondOrderEstimate estimated) {
   ModelChoice choice;
   choice.bends_rigid_motion = true;
   choice.tolerance = project.model.tolerance;
-  choice.second_order = estimate_second_order(project, rigid);
+  choice.second_order = std::move(estimated);
   const SecondOrderEstimate& second = choice.second_order;
   if (!obstacle.empty()) {
     choose_unvibrated(project, obstacle, choice);
@@ -277,6 +282,36 @@ bool knows_second_order(const ModelChoice& model) {
 
 namespace {
 
+/// The largest of all situations.
+double largest_design_factor_of(const Project& project) {
+  double factor = 1.0;
+  for (const Situation& situation : project.situations)
+    if (situation.runs()) factor = std::max(factor, design_factor_of(project, situation));
+  return factor;
+}
+
+/// What the lowest mode adds to the stress where the axial force of the design loads makes the beam
+/// softer than that of the loads times one, of a beam that vibrates:
+///
+///     sum of share (|D| - |D_1|),  D = 1/(1 - (f/f_1)^2),  f_1^2 ~ 1 - N/N_cr
+///
+/// share, f  of the harmonics of the loads. Where a frequency is met on the way there is no bound.
+/// Source: Timoshenko, Young, Weaver, Vibration Problems in Engineering (1974), section 5.12.
+void add_slower_vibration(double factor, ModelChoice& choice) {
+  SecondOrderEstimate& of = choice.second_order;
+  if (choice.chosen.level == ModelLevel::quasi_static || choice.frequencies.empty()) return;
+  if (factor == 1.0 || of.in_plane.part <= 0.0 || of.in_plane.part >= 1.0) return;
+  const double softer = (1.0 - of.in_plane.part) / (1.0 - of.in_plane.part / factor);
+  double adds = 0.0;
+  for (const LoadHarmonic& load : choice.harmonics) {
+    const double square = std::pow(load.frequency / choice.frequencies.front(), 2);
+    const double once = 1.0 - square, designed = 1.0 - square / softer;
+    if (once * designed <= 0.0) adds = std::numeric_limits<double>::infinity();
+    adds += std::max(0.0, load.share * (1.0 / std::abs(designed) - 1.0 / std::abs(once)));
+  }
+  for (StressGrowth& at : of.growth) at.stress += adds;
+}
+
 /// Rigid bodies for loads that were measured; else what the estimate says, and where it says that
 /// the beam vibrates under loads from a table, that they may have been measured.
 ModelChoice choose_for_rigid(const Project& project, const std::deque<SituationRun>& rigid,
@@ -285,11 +320,20 @@ ModelChoice choose_for_rigid(const Project& project, const std::deque<SituationR
     ModelChoice choice;
     choice.bends_rigid_motion = true;
     choice.tolerance = project.model.tolerance;
-    choice.second_order = estimate_second_order(project, rigid);
+    DesignedSecondOrder second = estimate_designed_second_order(project, rigid);
+    choice.second_order = std::move(second.estimate);
     choose_unvibrated(project, "the loads are measured, they contain the vibration", choice, "");
+    if (choice.counts_second_order) choice.second_order.growth = std::move(second.beyond_once);
     return choice;
   }
-  ModelChoice choice = choose_by_estimate(project, rigid, obstacle, shared);
+  DesignedSecondOrder second = estimate_designed_second_order(project, rigid);
+  ModelChoice choice =
+      choose_by_estimate(project, rigid, obstacle, shared, std::move(second.estimate));
+  if (choice.counts_second_order) {
+    // What its cut forces hold is the second order of the loads times one.
+    choice.second_order.growth = std::move(second.beyond_once);
+    add_slower_vibration(largest_design_factor_of(project), choice);
+  }
   if (choice.chosen.level == ModelLevel::rigid) return choice;
   const std::string tabled = tabled_forces_in(project);
   if (!tabled.empty()) {

@@ -13,6 +13,7 @@
 #include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
 #include "boxbeam/verification/planar_links.hpp"
+#include "design_factor.hpp"
 
 namespace boxbeam {
 namespace {
@@ -24,9 +25,14 @@ std::string when_text(const Project& project, Time when, std::size_t situation) 
 }
 
 std::string buckling_text(const Project& project, const BucklingLoad& load, const char* plane) {
+  const double factor = design_factor_of(project, project.situations[load.situation]);
   return fmt::format(
-             "the beam's compression is {:.4g} of the elastic critical one, N_cr of the tapered "
+             "the beam's compression{} is {:.4g} of the elastic critical one, N_cr of the tapered "
              "beam {} with its axial force as it is distributed, {}",
+             factor == 1.0 ? std::string()
+                           : fmt::format(", times {:.4g} for its load factor and the safety factor "
+                                         "that is asked for,",
+                                         factor),
              load.part, plane, load.held) +
          when_text(project, load.when, load.situation);
 }
@@ -202,17 +208,44 @@ Judges judges(Criterion criterion) {
 
 }  // namespace
 
-std::vector<Gate> second_order_gates_of(const ModelChoice& model,
+namespace {
+
+/// What second order adds to a deflection, by what it adds to what the design loads bend: less, as
+/// the loads of a deflection are less. Of what `check_deflection` has grown itself nothing.
+double deflection_growth(const Project& project, const CheckResult& result, double designed) {
+  if (!std::holds_alternative<frame::Structure>(project.mechanism) &&
+      !std::holds_alternative<flexible::Mechanism>(project.mechanism))
+    return 0.0;
+  const auto at =
+      std::find_if(project.situations.begin(), project.situations.end(),
+                   [&](const Situation& of) { return of.name == result.check.situation; });
+  const double share =
+      at == project.situations.end() || !result.deflection
+          ? 1.0
+          : std::min(1.0, result.deflection->load_factor / design_factor_of(project, *at));
+  if (std::isinf(designed)) return designed;
+  const double part = share * designed / (1.0 + designed);
+  return part / (1.0 - part);
+}
+
+}  // namespace
+
+std::vector<Gate> second_order_gates_of(const Project& project, const ModelChoice& model,
                                         const std::vector<CheckResult>& checks) {
-  if (model.counts_second_order || !model.second_order.change) return {};
+  if (!model.second_order.change) return {};
+  const bool once = model.counts_second_order;
   const Check* most = nullptr;
   double grown = 1.0, growth = 0.0;
   for (const CheckResult& result : checks) {
     const Check& check = result.check;
     const Judges of = judges(check.criterion);
     if (of == Judges::neither || !check.passes()) continue;
-    const double adds =
-        second_order_growth_at(model.second_order, check.station.s, of == Judges::range);
+    double adds = second_order_growth_at(model.second_order, check.station.s, of == Judges::range);
+    if (check.criterion == Criterion::deflection) {
+      const double& bow = model.second_order.in_plane.part;
+      if (!once && bow < 1.0) adds = std::max(adds, bow / (1.0 - bow));
+      adds = deflection_growth(project, result, adds);
+    }
     if (!(check.utilisation() * (1.0 + adds) > grown)) continue;
     grown = check.utilisation() * (1.0 + adds);
     growth = adds;
@@ -220,9 +253,12 @@ std::vector<Gate> second_order_gates_of(const ModelChoice& model,
   }
   if (most == nullptr) return {};
   return {{"", "",
-           fmt::format("second order (bending by N w) is not in the cut forces and is estimated to "
+           fmt::format("second order (bending by N w) {} and is estimated to "
                        "add {} to the {} of {} at s = {} m, {}: {} used becomes {}, which does not "
                        "pass",
+                       once ? "is in the cut forces by the loads times one, not times their load "
+                              "factor and the safety factor that is asked for,"
+                            : "is not in the cut forces",
                        percent_text(growth),
                        judges(most->criterion) == Judges::range ? "stress range" : "stress",
                        to_text(most->criterion), to_text(most->station), most->point,

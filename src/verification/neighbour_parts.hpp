@@ -20,10 +20,21 @@ double negligible_force(const Project& project, const std::deque<SituationRun>& 
 Check check_begun(Criterion criterion, const std::string& name, const Project& project,
                   const Extreme& worst);
 
-/// What a rod is bent by its own weight and inertia, at the instants of the motion, where it
-/// counts.
-std::optional<NotJudged> own_bending_of(const Project& project,
-                                        const std::deque<SituationRun>& runs, const RodInput& rod);
+/// The largest stress by which its own weight and inertia bend a rod about its weaker axis, at the
+/// instants of the motion, times the load factors of their situations.
+Stress own_bending_of(const Project& project, const std::deque<SituationRun>& runs,
+                      const RodInput& rod);
+
+/// How far a rod is used by its axial force and by what bends it, where `use` is by the first
+/// alone:
+///
+///     use + k sigma gamma/f_y,  k = 1 + 0.6 use under compression, else 1
+///
+/// sigma times A/A_eff where plates buckle; all with the safety factor that is asked for.
+/// Source: EN 1993-1-1:2005, 6.3.3, equations 6.61 and 6.62, k of annex B, table B.1, of sections
+/// of class 3 with C_m = 1 and the slenderness 1, above which it grows no more; under tension
+/// 6.2.9.2.
+double use_with_bending(const RodInput& rod, const NeighbourResult& result, Stress bending);
 
 /// The name of a plate of a pin: "hub pin inner plate".
 std::string name_of(const PinInput& pin, const LugInput& lug);

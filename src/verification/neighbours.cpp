@@ -15,6 +15,7 @@
 #include "boxbeam/mechanism/planar/motion.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
 #include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/verification/model_ladder.hpp"
 #include "boxbeam/verification/peak_over_time.hpp"
 #include "neighbour_parts.hpp"
 
@@ -22,7 +23,16 @@ namespace boxbeam {
 namespace {
 
 /// The modulus of structural steel. Source: EN 1993-1-1:2005, 3.2.6.
-constexpr Stress youngs_modulus = 210e9 * pascal;
+constexpr Stress of_steel = 210e9 * pascal;
+
+/// The moduli of rods and pins: of the case's material or of structural steel, which they may be
+/// of, the one that makes rods softer and contact harder.
+Stress rod_modulus_of(const Project& project) {
+  return std::min(of_steel, si<Stress>(project.model.youngs_modulus), std::less<>());
+}
+Stress pin_modulus_of(const Project& project) {
+  return std::max(of_steel, si<Stress>(project.model.youngs_modulus), std::less<>());
+}
 
 /// Largest value of a function of the state over the motion, found between the instants.
 Extreme largest_over(const Project& project, const SituationRun& run,
@@ -218,9 +228,9 @@ NeighbourResult check_lug(const Project& project, const PinInput& pin, const Lug
 NeighbourResult check_in_service(const Project& project, const PinInput& pin,
                                  const Extreme& worst) {
   const double largest = governing_utilisation(replaceable_pin_utilisation(
-      si<Force>(worst.value), youngs_modulus, pin.geometry, pin.strength));
+      si<Force>(worst.value), pin_modulus_of(project), pin.geometry, pin.strength));
   NeighbourResult result{check_begun(Criterion::pin, pin.name + " in service", project, worst),
-                         ServedPin{pin.geometry, pin.strength, youngs_modulus}};
+                         ServedPin{pin.geometry, pin.strength, pin_modulus_of(project)}};
   Check& check = result.check;
   check.safety_factor = 1.0 / largest;
   check.resisting = si<Force>(worst.value / largest);
@@ -306,7 +316,8 @@ std::string tension_obstacle_of(const RodInput& rod) {
 }
 
 /// Why a rod is not judged under compression, "" where it is.
-std::string compression_obstacle_of(const RodInput& rod, const CompressedSection& section) {
+std::string compression_obstacle_of(const RodInput& rod, const CompressedSection& section,
+                                    Stress youngs_modulus) {
   if (!section.obstacle.empty()) return section.obstacle;
   const auto is_path = [](const Profile& of) { return std::holds_alternative<ThinWalled>(of); };
   const bool thin =
@@ -322,6 +333,7 @@ std::string compression_obstacle_of(const RodInput& rod, const CompressedSection
 
 NeighbourResult check_compression(const Project& project, const RodInput& rod,
                                   const CompressedSection& section, const Extreme& worst) {
+  const Stress youngs_modulus = rod_modulus_of(project);
   const SectionProperties properties = properties_of(rod.section);
   const char* const source = section.class_4
                                  ? "EN 1993-1-1:2005, 6.3.1; effective area EN 1993-1-5:2006, 4.4"
@@ -343,6 +355,34 @@ NeighbourResult check_compression(const Project& project, const RodInput& rod,
           std::move(pressed)};
 }
 
+/// What bends a rod beside its force: no verdict where a check of it, of those from `before` on,
+/// passes and would not with it; else said where it is as much as a second order that counts.
+void add_own_bending(const RodInput& rod, Stress bending, std::size_t before,
+                     NeighbourChecks& checks) {
+  double most = 1.0, alone = 0.0;
+  for (std::size_t i = before; i < checks.results.size(); ++i) {
+    const NeighbourResult& result = checks.results[i];
+    const double use = use_with_bending(rod, result, bending);
+    if (!result.check.passes() || use <= most) continue;
+    most = use;
+    alone = result.check.utilisation();
+  }
+  const std::string text =
+      fmt::format("its own weight and inertia bend it, by {:.3g} MPa at most about its weaker axis",
+                  1e-6 * bending.value());
+  if (most > 1.0) {
+    checks.gates.push_back(rod_gate(
+        rod, fmt::format("{}, with which {} used by its force becomes {} (EN 1993-1-1, 6.3.3)",
+                         text, percent_text(alone), percent_text(most))));
+    return;
+  }
+  // EN 1993-1-1, 6.3.1.2(4).
+  constexpr double hardly = 0.04;
+  if (bending > hardly * rod.yield_strength)
+    checks.not_judged.push_back(
+        {Criterion::rod, "rod " + rod.name, text + ", which is not counted"});
+}
+
 }  // namespace
 
 NeighbourChecks check_rods(const Project& project, const std::deque<SituationRun>& runs) {
@@ -350,6 +390,7 @@ NeighbourChecks check_rods(const Project& project, const std::deque<SituationRun
   if (project.rods.empty()) return checks;
   const double nothing = negligible_force(project, runs);
   for (const RodInput& rod : project.rods) {
+    const std::size_t before = checks.results.size();
     for (std::size_t i = 0; i < planar_of(project).joints.size(); ++i) {
       const auto [a, b] = planar::ends_of(planar_of(project).joints[i]);
       if (a.body != rod.from.body && b.body != rod.from.body) continue;
@@ -374,14 +415,14 @@ NeighbourChecks check_rods(const Project& project, const std::deque<SituationRun
     }
     if (compression.value > nothing) {
       const CompressedSection section = compressed_section_of(rod.section, rod.yield_strength);
-      const std::string obstacle = compression_obstacle_of(rod, section);
+      const std::string obstacle = compression_obstacle_of(rod, section, rod_modulus_of(project));
       if (obstacle.empty()) {
         checks.results.push_back(check_compression(project, rod, section, compression));
       } else {
         checks.gates.push_back(rod_gate(rod, obstacle));
       }
     }
-    if (auto own = own_bending_of(project, runs, rod)) checks.not_judged.push_back(*std::move(own));
+    add_own_bending(rod, own_bending_of(project, runs, rod), before, checks);
     std::vector<std::string> bending;
     for (const SituationRun& run : runs) {
       for (std::string& name : bending_of(planar_in(project, *run.situation), rod)) {

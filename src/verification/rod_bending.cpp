@@ -34,8 +34,8 @@ double own_moment_of(const planar::Mechanism& mechanism, const planar::State& st
 
 }  // namespace
 
-std::optional<NotJudged> own_bending_of(const Project& project,
-                                        const std::deque<SituationRun>& runs, const RodInput& rod) {
+Stress own_bending_of(const Project& project, const std::deque<SituationRun>& runs,
+                      const RodInput& rod) {
   double most = 0.0;
   for (const SituationRun& run : runs) {
     const planar::Mechanism& mechanism = planar_in(project, *run.situation);
@@ -43,15 +43,16 @@ std::optional<NotJudged> own_bending_of(const Project& project,
       most = std::max(most, run.situation->load_factor * own_moment_of(mechanism, state, rod));
   }
   const SectionProperties of = properties_of(rod.section);
-  const double stress = most / std::min(of.W_y, of.W_z).value();
-  // As much as a second order that does not count (EN 1993-1-1, 6.3.1.2(4)).
-  constexpr double hardly = 0.04;
-  if (!(stress > hardly * rod.yield_strength.value())) return std::nullopt;
-  return NotJudged{
-      Criterion::rod, "rod " + rod.name,
-      fmt::format("its own weight and inertia bend it, by {:.3g} MPa at most about its "
-                  "weaker axis, which is not counted",
-                  1e-6 * stress)};
+  return si<Stress>(most / std::min(of.W_y, of.W_z).value());
+}
+
+double use_with_bending(const RodInput& rod, const NeighbourResult& result, Stress bending) {
+  const double use = result.check.utilisation();
+  const auto* const pressed = std::get_if<PressedRod>(&result.basis);
+  const double part = rod.required * (bending / rod.yield_strength).value();
+  if (pressed == nullptr) return use + rod.gamma_M0 * part;
+  const double whole = (pressed->section.area / pressed->section.effective).value();
+  return use + (1.0 + 0.6 * std::min(use, 1.0)) * whole * rod.gamma_M1 * part;
 }
 
 }  // namespace boxbeam

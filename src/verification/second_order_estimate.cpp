@@ -22,7 +22,10 @@
 #include "boxbeam/verification/model_ladder.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
+#include "design_factor.hpp"
 #include "lateral_estimate.hpp"
+#include "pressed_vibration.hpp"
+#include "second_order_growth.hpp"
 
 namespace boxbeam {
 namespace {
@@ -30,8 +33,6 @@ namespace {
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr std::size_t spread = 48;  ///< instants looked at
 constexpr std::size_t peaks = 3;    ///< and of largest compression and bending
-/// A range below this part of the largest stress is none, as where nothing moves.
-constexpr double no_range = 1e-3;
 
 /// The loads of one plane as those of the plane of motion.
 BeamLoads in_plane(BeamLoads loads, Plane plane) {
@@ -195,99 +196,6 @@ std::vector<ExcessPoint> excess_points_of(const Section& section) {
   return points;
 }
 
-/// Stresses of the straight beam and what bending changes, a row for each instant.
-struct Compared {
-  Eigen::MatrixXd straight, change;
-
-  void add(const Eigen::ArrayXd& of_straight, const Eigen::ArrayXd& of_change) {
-    const Eigen::Index row = straight.rows();
-    straight.conservativeResize(row + 1, of_straight.size());
-    change.conservativeResize(row + 1, of_change.size());
-    straight.row(row) = of_straight.transpose();
-    change.row(row) = of_change.transpose();
-  }
-
-  double relative() const {
-    const Eigen::MatrixXd bent = straight + change;
-    const double peak = bent.cwiseAbs().maxCoeff();
-    if (peak == 0.0) return 0.0;
-    const double range = std::max(largest_range(bent), no_range * peak);
-    return std::max(change.cwiseAbs().maxCoeff() / peak, largest_range(change) / range);
-  }
-};
-
-/// The larger of the two fibres of each place.
-Eigen::ArrayXd by_place(const Eigen::ArrayXd& fibres) {
-  const Eigen::Index places = fibres.size() / 2;
-  return fibres.reshaped(2, places).colwise().maxCoeff().transpose();
-}
-
-/// Of one plane: the growth of the stresses of all situations that are looked at.
-class GrowthByPlace {
- public:
-  /// `factor`: the load factor of the situation, which fatigue does not count.
-  void add(const Compared& of, double factor) {
-    if (of.straight.rows() == 0) return;
-    const Eigen::MatrixXd bent = of.straight + of.change;
-    const Situation here{factor * peaks_of(of.straight), factor * peaks_of(bent),
-                         ranges_of(of.straight), ranges_of(bent)};
-    const auto join = [](Eigen::MatrixXd& all, const Eigen::MatrixXd& rows) {
-      const Eigen::Index known = all.rows();
-      all.conservativeResize(known + 2, rows.cols());
-      all.row(known) = rows.colwise().minCoeff();
-      all.row(known + 1) = rows.colwise().maxCoeff();
-    };
-    join(straight_, of.straight);
-    join(bent_, bent);
-    situations_.push_back(here);
-  }
-
-  /// Adds what is found to that of another plane, in which a corner is stressed as well.
-  void add_to(std::vector<StressGrowth>& growth) const {
-    if (situations_.empty()) return;
-    Situation all{situations_.front().straight, situations_.front().bent, ranges_of(straight_),
-                  ranges_of(bent_)};
-    for (const Situation& of : situations_) {
-      all.straight = all.straight.max(of.straight);
-      all.bent = all.bent.max(of.bent);
-    }
-    const double most = all.straight.maxCoeff();
-    const double most_range = std::max(all.range.maxCoeff(), no_range * most);
-    for (std::size_t k = 0; k < growth.size(); ++k) {
-      const auto at = static_cast<Eigen::Index>(k);
-      growth[k].stress += excess(all.bent[at], all.straight[at], no_range * most);
-      double range = excess(all.bent_range[at], all.range[at], no_range * most_range);
-      for (const Situation& of : situations_)
-        range = std::max(range, excess(of.bent_range[at], of.range[at], counts * most_range));
-      growth[k].range += range;
-    }
-  }
-
- private:
-  /// Of each place, the larger fibre.
-  struct Situation {
-    Eigen::ArrayXd straight, bent, range, bent_range;
-  };
-
-  /// A range so much smaller than the largest of all situations does no damage beside it.
-  static constexpr double counts = 0.1;
-
-  static Eigen::ArrayXd peaks_of(const Eigen::MatrixXd& stresses) {
-    return by_place(stresses.cwiseAbs().colwise().maxCoeff().transpose().array());
-  }
-  static Eigen::ArrayXd ranges_of(const Eigen::MatrixXd& stresses) {
-    return by_place(
-        (stresses.colwise().maxCoeff() - stresses.colwise().minCoeff()).transpose().array());
-  }
-  /// What is less than `least` counts as much.
-  static double excess(double bent, double straight, double least) {
-    return std::max(0.0, (bent - straight) / std::max(straight, least));
-  }
-
-  std::vector<Situation> situations_;
-  Eigen::MatrixXd straight_, bent_;  ///< smallest and largest of each situation
-};
-
 /// Where forces act: in between, the moments of beams have no peak but under loads along them. Only
 /// in frames do they move.
 std::vector<Length> loaded_places_of(const Project& project, const std::deque<SituationRun>& runs) {
@@ -327,8 +235,8 @@ class Estimating {
   }
 
   void look_at(const SituationRun& run) {
-    Compared compared, across;
-    const double factor = std::max(run.situation->load_factor, 1.0);
+    const double factor = design_factor_of(*project_, *run.situation);
+    BothCompared compared, across;
     for (const std::size_t i : instants_of(run.loads)) {
       const Time time = run.loads.time_of(i);
       const BeamLoads loads = run.loads.loads_at(time);
@@ -338,11 +246,10 @@ class Estimating {
       const CutForceDiagram diagram = cut_forces_of(loads);
       const auto raise = [&](BucklingLoad& load, const MakePosture& make, const std::string& words,
                              bool assumed) {
-        const double part = part_of_critical(make, load.part);
+        const double part = factor * part_of_critical(make, load.part / factor);
         // Of an instant whose part is not above the largest so far, no more than that is known.
-        const double factored = std::max(load.factored, factor * part);
-        if (part > load.part) load = {part, time, situation, words, assumed};
-        load.factored = factored;
+        constexpr double round_off = 1e-12;
+        if (part > load.part * (1.0 + round_off)) load = {part, time, situation, words, assumed};
       };
       const BeamHolds& alone = held.alone;
       const bool axial = bears_axial_force(diagram);
@@ -361,17 +268,19 @@ class Estimating {
       compare(held.in_plane, loads, factor, compared);
       if (project_->in_space) compare(held.across, in_plane(loads, Plane::y), factor, across);
     }
+    raise_bending(compared.design, factor);
     look_sideways_at_all(run, factor);
     if (!result_.change) return;
-    result_.change = std::max(*result_.change, compared.relative());
-    growth_.add(compared, factor);
-    growth_across_.add(with_modulus_across(across), factor);
-    constexpr double slight = 100.0;  // times its loads
-    if (const auto whole = run.motion->critical_factor(run.loads, slight); whole && *whole < slight)
-      result_.sway = std::max(result_.sway, 1.0 / std::max(*whole - 1.0, 0.0));  // may be infinite
+    result_.change = std::max(*result_.change, compared.design.relative());
+    growth_.add(compared.design, compared.of_once(factor), factor);
+    growth_across_.add(with_modulus_across(across.design),
+                       with_modulus_across(across.of_once(factor)), factor);
+    if (factor > 1.0) add_beyond_once(compared, factor);
+    look_at_sway(run, factor);
+    look_at_vibration(run, factor);
     // By the section modulus of the other plane, which a ratio does not know.
-    if (across.straight.rows() > 0) {
-      result_.change = std::max(*result_.change, across.relative());
+    if (across.design.straight.rows() > 0) {
+      result_.change = std::max(*result_.change, across.design.relative());
     }
   }
 
@@ -387,12 +296,12 @@ class Estimating {
     // What is counted across grows as a bow across does; the excess by the plane that is worse, and
     // as under N beside the axis all along, by sec(pi/2 sqrt(n)), which (1 + 0.28 n)/(1 - n) is not
     // below (Timoshenko, Gere, section 1.13).
-    const double bow = result_.across ? result_.across->factored : 0.0;
-    const double nearer = std::max(bow, result_.in_plane.factored);
+    const double bow = result_.across ? result_.across->part : 0.0;
+    const double nearer = std::max(bow, result_.in_plane.part);
     const double ahead =
         nearer < 1.0 && bow < 1.0 ? (1.0 - bow) * (1.0 + 0.28 * nearer) / (1.0 - nearer) : 1.0;
     for (const SituationRun& run : runs) {
-      const double factor = std::max(run.situation->load_factor, 1.0);
+      const double factor = design_factor_of(*project_, *run.situation);
       for (std::size_t i = 0; i < run.loads.instants(); ++i) {
         const CutForceDiagram diagram = run.loads.diagram(i);
         result_.compressed = std::max(result_.compressed, factor * compression_of_yield(diagram));
@@ -409,7 +318,18 @@ class Estimating {
   SecondOrderEstimate result() {
     growth_.add_to(result_.growth);
     growth_across_.add_to(result_.growth);
+    if (!result_.growth.empty()) raise_by_vibration();
+    for (StressGrowth& of : result_.growth) of.range = std::max(of.range, sway_of_range_);
     return std::move(result_);
+  }
+
+  /// What design loads add to the stress of a beam that is bent by its loads times one.
+  std::vector<StressGrowth> beyond_once() const {
+    std::vector<StressGrowth> growth;
+    for (const ComparedPlace& place : places_) growth.push_back({place.station});
+    beyond_once_.add_to(growth);
+    for (StressGrowth& of : growth) of.range = 0.0;
+    return growth;
   }
 
  private:
@@ -505,18 +425,65 @@ class Estimating {
     return of;
   }
 
-  void compare(const MakePosture& make, const BeamLoads& loads, double factor, Compared& compared) {
-    const SecondOrder bent = second_order_of(make(1.0));
-    result_.turn = std::max(result_.turn, bent.turn);
+  /// The bent beam under its loads times one, and its axial force times the design factor.
+  void compare(const MakePosture& make, const BeamLoads& loads, double factor, BothCompared& both) {
+    const SecondOrder bent = second_order_of(make(factor));
+    result_.turn = std::max(result_.turn, factor * bent.turn);
     const Eigen::ArrayXd straight = fibre_stresses(cut_forces_of(loads), places_);
-    const Eigen::ArrayXd change = fibre_stresses(cut_forces_of(bent.loads), places_);
-    compared.add(straight, change);
+    both.design.add(straight, fibre_stresses(cut_forces_of(bent.loads), places_));
+    if (factor == 1.0) return;
+    const SecondOrder bent_once = second_order_of(make(1.0));
+    both.once.add(straight, fibre_stresses(cut_forces_of(bent_once.loads), places_));
+  }
+
+  /// By what was compared in the plane of motion.
+  void raise_bending(const Compared& of, double factor) {
+    const Eigen::MatrixXd bent = of.straight + of.change;
+    if (bent.rows() == 0) return;
     for (std::size_t k = 0; k < places_.size(); ++k) {
       // Half the difference of the two fibres is M/W.
       const auto i = 2 * static_cast<Eigen::Index>(k);
-      const double bending = 0.5 * (straight[i] + change[i] - straight[i + 1] - change[i + 1]);
-      result_.bending = std::max(result_.bending, factor * std::abs(bending) / yield_[k]);
+      const double bending = 0.5 * (bent.col(i) - bent.col(i + 1)).cwiseAbs().maxCoeff();
+      result_.bending = std::max(result_.bending, factor * bending / yield_[k]);
     }
+  }
+
+  void add_beyond_once(const BothCompared& both, double factor) {
+    const Compared beyond{both.once.straight + both.once.change,
+                          both.design.change - both.once.change};
+    beyond_once_.add(beyond, beyond, factor);
+  }
+
+  /// Elastic links vibrate as they are when nothing presses them.
+  void look_at_vibration(const SituationRun& run, double factor) {
+    constexpr double unpressed = 1e-4;
+    if (!std::holds_alternative<flexible::Mechanism>(project_->mechanism)) return;
+    if (result_.in_plane.part < unpressed) return;
+    try {
+      const BothCompared both = pressed_vibration_of(*project_, run, factor, places_);
+      result_.change = std::max(*result_.change, both.design.relative());
+      raise_bending(both.design, factor);
+      vibrating_.add(both.design, both.of_once(factor), factor);
+    } catch (const AnalysisError&) {
+      result_.sway = sway_of_range_ = unbounded;
+    }
+  }
+
+  void raise_by_vibration() {
+    std::vector<StressGrowth> vibrating;
+    for (const ComparedPlace& place : places_) vibrating.push_back({place.station});
+    vibrating_.add_to(vibrating);
+    raise_to(vibrating, result_.growth);
+  }
+
+  /// The whole that carries the beam, under its design loads and, for ranges, its loads times one.
+  void look_at_sway(const SituationRun& run, double factor) {
+    constexpr double slight = 100.0;  // times its loads
+    const auto whole = run.motion->critical_factor(run.loads, slight * factor);
+    if (!whole || !(*whole < slight * factor)) return;
+    const auto sway = [&](double times) { return 1.0 / std::max(*whole / times - 1.0, 0.0); };
+    result_.sway = std::max(result_.sway, sway(factor));  // may be infinite
+    sway_of_range_ = std::max(sway_of_range_, sway(1.0));
   }
 
   /// Largest compression over A f_y.
@@ -574,7 +541,8 @@ class Estimating {
   bool open_ = false;  ///< a segment of open thin walls, which may twist under compression
   LateralEstimate lateral_;
   BeamAlone in_plane_, across_;
-  GrowthByPlace growth_, growth_across_;
+  GrowthByPlace growth_, growth_across_, beyond_once_, vibrating_;
+  double sway_of_range_ = 0.0;
   SecondOrderEstimate result_;
 };
 
@@ -582,10 +550,30 @@ class Estimating {
 
 SecondOrderEstimate estimate_second_order(const Project& project,
                                           const std::deque<SituationRun>& runs) {
+  return estimate_designed_second_order(project, runs).estimate;
+}
+
+DesignedSecondOrder estimate_designed_second_order(const Project& project,
+                                                   const std::deque<SituationRun>& runs) {
   Estimating estimating(project, runs);
   for (const SituationRun& run : runs) estimating.look_at(run);
   estimating.take_extremes(runs);
-  return estimating.result();
+  std::vector<StressGrowth> beyond_once = estimating.beyond_once();
+  return {estimating.result(), std::move(beyond_once)};
+}
+
+double pressed_part_in(const Project& project, const SituationRun& run) {
+  BeamAlone alone(project, Plane::z);
+  double part = 0.0;
+  for (const std::size_t i : instants_of(run.loads)) {
+    const Time time = run.loads.time_of(i);
+    const BeamLoads loads = run.loads.loads_at(time);
+    if (compression_of(cut_forces_of(loads)) <= 0.0) continue;
+    MakePosture make = run.motion->stopped(time, loads);
+    if (!make) make = alone.under(loads, holds_of(project, run.motion->supports(loads)).along_z.at);
+    part = part_of_critical(make, part);
+  }
+  return part;
 }
 
 double second_order_growth_at(const SecondOrderEstimate& of, Length s, bool of_range) {
@@ -600,7 +588,7 @@ double second_order_growth_at(const SecondOrderEstimate& of, Length s, bool of_r
     const bool behind = here >= s && (k == 0 || of.growth[k - 1].station.s < s);
     if (before || behind) look(of.growth[k]);
   }
-  return std::max(most, of.sway);
+  return of_range ? most : std::max(most, of.sway);
 }
 
 std::vector<std::string> assumed_holds_of(const SecondOrderEstimate& of, bool in_space) {

@@ -14,6 +14,7 @@
 #include "boxbeam/strength/twisting_buckling.hpp"
 #include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/judged_section.hpp"
+#include "design_factor.hpp"
 
 namespace boxbeam {
 namespace {
@@ -100,8 +101,8 @@ double length_over(const OpenSegment& of, std::vector<double> held, double beam)
 /// What is largest anywhere, each by itself.
 TwistingLoad worst_of(const std::vector<OpenSegment>& segments, const SecondOrderEstimate& of) {
   TwistingLoad load;
-  load.about_y = of.in_plane.factored;
-  load.about_z = of.across ? of.across->factored : 0.0;
+  load.about_y = of.in_plane.part;
+  load.about_z = of.across ? of.across->part : 0.0;
   for (const OpenSegment& segment : segments) {
     for (const OpenEnd& end : segment.ends) {
       load.y_0 = std::max(load.y_0, end.y_0);
@@ -123,7 +124,7 @@ std::optional<BucklingLoad> twisting_load_of(const Project& project,
   BucklingLoad load;
   double longest = unheld;
   for (const SituationRun& run : runs) {
-    const double factor = std::max(1.0, run.situation->load_factor);
+    const double factor = design_factor_of(project, *run.situation);
     for (std::size_t i = 0; i < run.loads.instants(); ++i) {
       const CutForceDiagram diagram = run.loads.diagram(i);
       std::optional<BeamHolds> holds;
@@ -138,12 +139,8 @@ std::optional<BucklingLoad> twisting_load_of(const Project& project,
               N * twisting_per_force(end.GI_T, end.EI_w, length, end.radius_squared);
           if (part <= load.part) continue;
           longest = length;
-          load = {part,
-                  time,
-                  index_of(project, *run.situation),
-                  holds->turning.words,
-                  !holds->turning.said,
-                  part};
+          load = {part, time, index_of(project, *run.situation), holds->turning.words,
+                  !holds->turning.said};
         }
       }
     }
@@ -156,7 +153,7 @@ std::optional<BucklingLoad> twisting_load_of(const Project& project,
   load.held += fmt::format(", by twisting alone N/N_cr,T = {:.3g} ", load.part) +
                (std::isfinite(longest) ? fmt::format("with L_T = {:.3g} m", longest)
                                        : std::string("without what resists warping"));
-  load.part = load.factored = x;
+  load.part = x;
   return load;
 }
 

@@ -159,15 +159,15 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
   NeighbourChecks neighbours = check_neighbours(project, runs);
 
   model.second_order.twisting = twisting_load_of(project, runs, model.second_order);
-  std::vector<CheckResult> checks =
-      all_checks(std::move(beam.checks), neighbours,
-                 check_member(project, zones, model.second_order), check_deflection(project, runs));
+  std::vector<CheckResult> checks = all_checks(
+      std::move(beam.checks), neighbours, check_member(project, zones, model.second_order),
+      check_deflection(project, runs, model.counts_second_order));
   require_numbers(beam.stations, checks, model);
   sort_worst_first(checks);
   sort_worst_first(beam.beside);
   std::vector<Gate> gates =
       all_gates(std::move(beam.gates), std::move(neighbours.gates), model_gates_of(project, model));
-  append(second_order_gates_of(model, checks), gates);
+  append(second_order_gates_of(project, model, checks), gates);
   append(material_gates_of(project), gates);
   append(weld_gates_of(project), gates);
   WarpingFound warping =

@@ -290,7 +290,7 @@ MUTATIONS = [
          ("end-post", "width * post.thickness >= 4.0 * deepest", "width * post.thickness >= 2.0 * deepest",
           "EN 1993-1-5, 9.3.1: 4 h_w t^2/e", "plate_checks_test")),
     *_in("src/verification", "member_checks.cpp",
-         ("across-and-lateral", "const double across = estimate.across ? estimate.across->factored : 0.0;", "const double across = 0.0;",
+         ("across-and-lateral", "const double across = estimate.across ? estimate.across->part : 0.0;", "const double across = 0.0;",
           "Dunkerley: N across the plane together with turning over", "lateral_estimate_test")),
     *_in("src/strength", "member_buckling.cpp",
          ("member-gamma", "gamma() * (n / chi + m)", "gamma() * n / chi + m",

@@ -148,7 +148,10 @@ TEST_CASE("a load factor for strength counts in buckling as a member", "[second_
   const double once = member_use(verify(project));
   CHECK(once < 1.0);
   project.situations.front().load_factor = 3.0;
-  CHECK(member_use(verify(project)) == Approx(3.0 * once).epsilon(1e-9));
+  // More than three times, for what N bends grows with N/N_cr, which is then 0.99.
+  const Verification times = verify(project);
+  CHECK(times.model.second_order.in_plane.part == Approx(0.99).epsilon(3e-3));
+  CHECK(member_use(times) >= 3.0 * once);
 }
 
 TEST_CASE("a load factor counts in whichever situation of the same loads it stands",

@@ -164,7 +164,8 @@ struct DistortionBasis {
   Moment torque;      ///< that comes there
 };
 
-/// What the check of the beam as a member rests on, all of it with load factors.
+/// What the check of the beam as a member rests on, all of it with load factors and the
+/// safety factor that is asked for.
 struct MemberBasis {
   bool turns_over = false;  ///< laterally and by torsion; else it bends
   BucklingCurve curve = BucklingCurve::c;

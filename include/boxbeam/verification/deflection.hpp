@@ -71,9 +71,12 @@ std::string to_text(const MeasuredFrom& against);
 
 /// The largest deflection anywhere along the beam, at any time, in any situation, against its
 /// limit; the load factors of the situations count only where the case asks for it. Small
-/// displacements, elastic, quasi-static under the loads of the chosen model. Nothing for a beam
+/// displacements, elastic, quasi-static under the loads of the chosen model, and of second order:
+/// times 1/(1 - N/N_cr) by the compression of its situation in the plane of motion, which
+/// `second_order_counted` says is in the cut forces under the loads times one. Nothing for a beam
 /// that never bends, or without a limit.
 std::optional<CheckResult> check_deflection(const Project& project,
-                                            const std::deque<SituationRun>& runs);
+                                            const std::deque<SituationRun>& runs,
+                                            bool second_order_counted = false);
 
 }  // namespace boxbeam

@@ -13,9 +13,10 @@ namespace boxbeam {
 /// estimated to miss the tolerance.
 std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& model);
 
-/// Second order where it is not in the cut forces: the check that passes, and by its estimate would
-/// not, the most. None where all would.
-std::vector<Gate> second_order_gates_of(const ModelChoice& model,
+/// Second order where it is not in the cut forces, or is there by the loads times one and not by
+/// those that are to be borne: the check that passes, and by its estimate would not, the most. None
+/// where all would.
+std::vector<Gate> second_order_gates_of(const Project& project, const ModelChoice& model,
                                         const std::vector<CheckResult>& checks);
 
 /// What of EN 1993 is not known of a material that is no structural steel of 210 GPa up to S700:

@@ -16,18 +16,21 @@ struct SituationRun;
 
 /// An axial load against the one that buckles, in one plane of bending.
 struct BucklingLoad {
-  double part = 0.0;  ///< largest N/N_cr over the motion; zero: nothing is compressed
-  Time when;          ///< of it
+  /// Largest N/N_cr over the motion, times the load factor of its situation and the safety factor
+  /// that is asked for; zero: nothing is compressed.
+  double part = 0.0;
+  Time when;  ///< of it
   std::size_t situation = 0;
-  std::string held;       ///< how the beam is taken to be held, in words
-  bool assumed = false;   ///< neither the case nor the mechanism says so
-  double factored = 0.0;  ///< the largest with the load factors of its situation
+  std::string held;      ///< how the beam is taken to be held, in words
+  bool assumed = false;  ///< neither the case nor the mechanism says so
 };
 
 /// How much of the load at which the beam bends sideways and turns over acts.
 struct LateralLoad {
-  double part = 0.0;  ///< largest M/M_cr over the motion, times the load factor of its situation
-  Time when;          ///< of it
+  /// Largest M/M_cr over the motion, times the load factor of its situation and the safety factor
+  /// that is asked for.
+  double part = 0.0;
+  Time when;  ///< of it
   std::size_t situation = 0;
   std::string held;  ///< where the beam is taken to be held sideways and against turning, in words
   bool assumed = false;  ///< the case does not say so
@@ -36,8 +39,8 @@ struct LateralLoad {
 /// How much more a place of the beam is stressed than the straight beam is, by its stress there.
 struct StressGrowth {
   Station station;
-  double stress = 0.0;  ///< of the largest
-  double range = 0.0;   ///< of the largest range
+  double stress = 0.0;  ///< of the largest, by the loads that are to be borne
+  double range = 0.0;   ///< of the largest range, by the loads times one
 };
 
 /// What bending under its axial force changes in a beam that was computed as a straight one.
@@ -57,15 +60,17 @@ struct SecondOrderEstimate {
   std::optional<BucklingLoad> twisting;
   /// As `difference_between`, of the straight beam from the bent one; nothing where it buckles.
   std::optional<double> change;
-  std::vector<StressGrowth> growth;  ///< along the beam; none where it buckles
+  /// Along the beam, none where it buckles; of a model whose cut forces hold the second order of
+  /// the loads times one, what the loads that are to be borne add to it.
+  std::vector<StressGrowth> growth;
   /// What the sway of the whole that carries the beam adds at least, 1/(alpha_cr - 1); 0: nothing
   /// is known of it. Source: EN 1993-1-1:2005, 5.2.2(5), equation 5.4.
   double sway = 0.0;
   double turn = 0.0;  ///< largest turn of a section by bending [rad]
-  /// Times the load factor of its situation: the largest N/(A f_y), and M/(W f_y) in the plane, of
-  /// the bent beam, of the straight one where it buckles; and across it, of the straight one. Over
-  /// all instants where N/N_cr or M/M_cr is above `no_buckling_below`, and of beams of open thin
-  /// walls; else at those looked at.
+  /// Times the load factor of its situation and the safety factor that is asked for: the largest
+  /// N/(A f_y), and M/(W f_y) in the plane, of the bent beam, of the straight one where it buckles;
+  /// and across it, of the straight one. Over all instants where N/N_cr or M/M_cr is above
+  /// `no_buckling_below`, and of beams of open thin walls; else at those looked at.
   double compressed = 0.0, bending = 0.0, bending_across = 0.0;
   bool whole = false;  ///< the mechanism holds the beam in all of this
 };

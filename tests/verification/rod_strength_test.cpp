@@ -1,0 +1,105 @@
+// What rods beside the beam take from the case: partial factors, modulus; and their own bending.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "boxbeam/verification/verify.hpp"
+#include "catch.hpp"
+
+namespace rod_strength_test {
+
+using namespace boxbeam;
+
+namespace {
+
+/// A beam of 3 m on a hinge and a strut of 4 m beneath its end, box 120 x 80 x 6, loaded by F in
+/// its middle: the strut bears F/2 and half its own weight.
+std::string propped(double F, double E, const std::string& strength, const std::string& rod = "",
+                    double mass = 1.0, const char* sideways = "0 m/s^2") {
+  return "[case]\nname = \"a\"\nkind = \"planar\"\n[mechanism]\n" +
+         fmt::format("gravity = [\"{}\", \"0 m/s^2\"]\n", sideways) +
+         "[bodies.b]\npoints = { A = [\"0 m\", \"0 m\"], "
+         "M = [\"1.5 m\", \"0 m\"], B = [\"3 m\", \"0 m\"] }\nsketch = { at = [\"0 m\", \"0 m\"] "
+         "}\n"
+         "[bodies.rod]\n" +
+         fmt::format("mass = \"{:.17g} kg\"\n", mass) +
+         "uniform_rod = \"4 m\"\npoints = { F = [\"-2 m\", "
+         "\"0 m\"], B = [\"2 m\", \"0 m\"] }\nsketch = { at = [\"3 m\", \"-2 m\"], "
+         "angle = \"90 deg\" }\n[joints.A]\nkind = \"pin\"\nconnect = [\"b.A\", \"ground\"]\n"
+         "at = [\"0 m\", \"0 m\"]\n[joints.B]\nkind = \"pin\"\nconnect = [\"rod.B\", \"b.B\"]\n"
+         "[joints.F]\nkind = \"pin\"\nconnect = [\"rod.F\", \"ground\"]\nat = [\"3 m\", \"-4 m\"]\n"
+         "[forces.f]\nkind = \"force\"\npoint = \"b.M\"\ndirection = \"-90 deg\"\n" +
+         fmt::format("size = \"{:.17g} kN\"\n", F) +
+         "[motion]\nduration = \"1 s\"\n[sections.s]\nkind = \"box\"\nwidth = \"300 mm\"\n"
+         "height = \"400 mm\"\nflange = \"20 mm\"\nweb = \"12 mm\"\n[sections.r]\nkind = \"box\"\n"
+         "width = \"120 mm\"\nheight = \"80 mm\"\nflange = \"6 mm\"\nweb = \"6 mm\"\n"
+         "[beam]\nbody = \"b\"\ndensity = \"7850 kg/m^3\"\n[[beam.segments]]\nlength = \"3 m\"\n"
+         "section = \"s\"\n[material]\nname = \"a\"\n" +
+         fmt::format("youngs_modulus = \"{} GPa\"\n", E) +
+         "fy = \"355 MPa\"\nfu = \"510 MPa\"\nup_to = \"40 mm\"\n"
+         "source = \"test\"\n[strength]\nrequired = 1.0\n" +
+         strength +
+         "[[rods]]\nname = \"r\"\nfrom = \"rod.F\"\nto = \"rod.B\"\nsection = \"r\"\n"
+         "curve = \"c\"\n" +
+         rod;
+}
+
+constexpr double A = 0.12 * 0.08 - 0.108 * 0.068;
+const double I = (0.12 * std::pow(0.08, 3) - 0.108 * std::pow(0.068, 3)) / 12.0;
+
+/// gamma_M1 N/(chi A f_y), EN 1993-1-1, 6.3.1, curve c, N_cr = pi^2 E I/L^2.
+double use_by_hand(double N, double E, double gamma_M1) {
+  const double N_cr = std::pow(std::numbers::pi / 4.0, 2) * E * I;
+  const double lambda = std::sqrt(A * 355e6 / N_cr);
+  const double phi = 0.5 * (1.0 + 0.49 * (lambda - 0.2) + lambda * lambda);
+  const double chi = 1.0 / (phi + std::sqrt(phi * phi - lambda * lambda));
+  return gamma_M1 * N / (chi * A * 355e6);
+}
+
+double use_of(const std::string& text) {
+  const Verification of = verify(parse_project("c.toml", text));
+  const CheckResult* const result = of.governing(Criterion::buckling);
+  REQUIRE(result != nullptr);
+  return result->check.utilisation();
+}
+
+}  // namespace
+
+TEST_CASE("a rod has the partial factor on buckling of the case", "[rods]") {
+  CHECK(use_of(propped(400.0, 210.0, "")) == Approx(use_by_hand(200e3, 210e9, 1.0)).epsilon(1e-6));
+  CHECK(use_of(propped(400.0, 210.0, "gamma_M1 = 1.1\n")) ==
+        Approx(use_by_hand(200e3, 210e9, 1.1)).epsilon(1e-6));
+  CHECK(use_of(propped(400.0, 210.0, "gamma_M1 = 1.1\n", "gamma_M1 = 1.2\n")) ==
+        Approx(use_by_hand(200e3, 210e9, 1.2)).epsilon(1e-6));
+}
+
+TEST_CASE("a rod buckles by the modulus of the case where that is softer than steel", "[rods]") {
+  CHECK(use_of(propped(400.0, 196.0, "")) == Approx(use_by_hand(200e3, 196e9, 1.0)).epsilon(1e-6));
+  // It may be of structural steel.
+  CHECK(use_of(propped(400.0, 214.0, "")) == Approx(use_by_hand(200e3, 210e9, 1.0)).epsilon(1e-6));
+}
+
+TEST_CASE("a rod that passes by its force alone has no verdict where its own weight is too much",
+          "[rods]") {
+  // Gravity across the strut, M = m g L/8 of 3.9 % of f_y; EN 1993-1-1, 6.3.3 and table B.1:
+  // n + (1 + 0.6 n) 0.039 is 1.04 at n = 0.98, 0.96 at n = 0.9.
+  constexpr double part = 0.039;
+  const double mass = 8.0 * part * 355e6 * I / 0.04 / (9.81 * 4.0);
+  const auto blocked = [&](double use) {
+    const double F = 2e-3 * use / use_by_hand(1.0, 210e9, 1.0);
+    const Verification of =
+        verify(parse_project("c.toml", propped(F, 210.0, "", "", mass, "9.81 m/s^2")));
+    CHECK(of.governing(Criterion::buckling)->check.utilisation() == Approx(use).epsilon(1e-6));
+    return std::any_of(of.gates.begin(), of.gates.end(), [](const Gate& gate) {
+      return gate.blocks && gate.finding.find("its own weight") != std::string::npos;
+    });
+  };
+  CHECK(blocked(0.98));
+  CHECK_FALSE(blocked(0.9));
+}
+
+}  // namespace rod_strength_test
