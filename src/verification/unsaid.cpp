@@ -10,6 +10,7 @@
 #include "boxbeam/section/outline.hpp"
 #include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
+#include "fast_loads.hpp"
 
 namespace boxbeam {
 namespace {
@@ -183,6 +184,8 @@ std::vector<NotJudged> unestimated_vibration_of(const Project& project, const Mo
   const auto changes = [&](const SituationRun& run) {
     if (run.motion->stands_still()) return false;
     if (frame != nullptr && !has_functions_of_time(frame_in(project, *run.situation))) return false;
+    if (const auto* const space = std::get_if<spatial::Mechanism>(&project.mechanism))
+      return may_vibrate(project, *space, run.loads);
     const Eigen::MatrixXd stresses = stress_history(run.loads, compared_places_of(project.beam));
     return largest_range(stresses) > model.tolerance * stresses.cwiseAbs().maxCoeff();
   };
