@@ -83,8 +83,9 @@ void read_spring(const std::string& name, TableReader& table, Mechanism& mechani
   spring.damping = table.not_negative({"damping", "force per velocity"}, wanted::damping, 0.0);
   spring.acts = static_cast<spatial::Spring::Acts>(
       table.choice({"acts",
-                    "a cable only pulls, a stop or a tyre only pushes; stiffness and damping "
-                    "together: none where their sum would do the other"},
+                    "a cable only pulls, and that where it is longer than free_length; a stop or a "
+                    "tyre only pushes, where it is shorter; stiffness and damping together: none "
+                    "where their sum would do the other"},
                    {"both ways", "pulling", "pushing"}, 0));
   refuse_idle(table, spring.stiffness, spring.damping, wanted::stiffness);
   if (table.problems().size() == before) mechanism.springs.push_back(std::move(spring));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "boxbeam/core/error.hpp"
@@ -15,6 +16,8 @@ namespace {
 
 /// A start is resolved by so many modes at most.
 constexpr std::size_t most_modes_of_start = 192;
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -43,20 +46,39 @@ flexible::ModalModel modal_model_beyond(const flexible::Structure& structure, do
 }
 
 StartSpan start_span_of(const flexible::ModalModel& model) {
-  constexpr std::size_t shown = 6;
-  constexpr double most_steps = 4000.0;
+  constexpr double bears = 0.01, most_steps = 40000.0, gone = 0.01;
+  constexpr double periods = 8.0, fewest_periods = 1.25;  // in which it pushes and pulls
   const double drive = model.structure->mechanism->frequency;
-  double slowest = drive;
-  for (const flexible::Mode& mode : model.modes) {
-    if (mode.frequency > 0.0) slowest = std::min(slowest, mode.frequency);
+  const flexible::StartShares shares = flexible::start_shares_of(model);
+  double fastest = 2.0 * drive, length = 0.0;
+  for (std::size_t i = 0; i < model.modes.size(); ++i) {
+    const auto j = static_cast<Eigen::Index>(i);
+    const double own = model.modes[i].frequency;
+    if (!(own > 0.0)) continue;
+    if (shares.free[j] >= bears) fastest = std::max(fastest, own);
+    if (std::max(shares.free[j], shares.driven[j]) < bears) continue;
+    // It beats with the drive, which ends where its own vibration has died away.
+    const double damping = 0.5 * model.damping(j, j);
+    const double dies = damping > 0.0 ? -std::log(gone) / damping : unbounded;
+    length = std::max({length, 3.0 / own, std::min(1.0 / std::abs(drive - own), dies)});
   }
-  double fastest = drive;
-  for (std::size_t i = 0; i < std::min(shown, model.modes.size()); ++i) {
-    fastest = std::max(fastest, model.modes[i].frequency);
-  }
-  const double rate = 20.0 * fastest;
-  const double steps = std::min(most_steps, std::ceil(rate * std::max(8.0 / drive, 3.0 / slowest)));
-  return {steps / rate, static_cast<std::size_t>(steps)};
+  const double rate = 10.0 * fastest;
+  const auto steps_over = [&](double time) { return std::ceil(rate * std::max(length, time)); };
+  double steps = steps_over(periods / drive);
+  if (!(steps <= most_steps))
+    steps = std::max(std::min(steps, most_steps), steps_over(fewest_periods / drive));
+  if (steps <= most_steps) return {steps / rate, static_cast<std::size_t>(steps)};
+  throw AnalysisError(
+      {fmt::format(
+           "a sudden start at {:.6g} Hz has its peak after as long as {:.4g} s, which takes "
+           "more steps than can be looked at where modes up to {:.4g} Hz vibrate: more "
+           "damping, or a frequency farther from that of a mode, makes it shorter",
+           drive, steps / rate, fastest),
+       "mechanism",
+       {},
+       {},
+       {},
+       {}});
 }
 
 LoadHistory loads_after_start(const Project& project, const Situation& situation,

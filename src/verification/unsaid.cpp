@@ -9,6 +9,8 @@
 #include "boxbeam/project/plate_detail.hpp"
 #include "boxbeam/section/outline.hpp"
 #include "boxbeam/verification/front_end.hpp"
+#include "boxbeam/verification/vibrating_stress.hpp"
+#include "fast_loads.hpp"
 
 namespace boxbeam {
 namespace {
@@ -92,13 +94,32 @@ bool has_weld_at(const Project& project, Length s) {
                      [&](const WeldInput& of) { return abs(of.s - s) <= near; });
 }
 
-/// Whether forces move what carries the beam: how it goes on after the time looked at is not known.
-bool forces_move(const Project& project, const SituationRun& run) {
+/// Whether how it goes on after the time looked at is not known: forces move what carries the beam,
+/// or elastic links vibrate after a sudden start.
+bool goes_on(const Project& project, const SituationRun& run) {
   if (run.loads.closed() || run.loads.is_recorded()) return false;
+  if (run.situation->sudden_start) return true;
   if (const auto* const space = std::get_if<spatial::Mechanism>(&project.mechanism))
     return std::any_of(space->joints.begin(), space->joints.end(), spatial::is_forced);
   return std::holds_alternative<planar::Mechanism>(project.mechanism) &&
          planar_motion_of(run).freedom.undriven > 0;
+}
+
+bool has_functions_of_time(const frame::Structure& structure) {
+  for (const DriverUse& of : functions_of(structure)) {
+    const auto* const series = std::get_if<PolynomialDriver>(of.driver);
+    if (series == nullptr || series->c.size() > 1) return true;
+  }
+  return false;
+}
+
+/// Whether a joint by which a body is held leaves it free to shift across some axis or to turn
+/// about some: all but welds and what drivers hold.
+bool leaves_beam_free(const spatial::Mechanism& mechanism, int body) {
+  const spatial::Joint& carrying = mechanism.joints[static_cast<std::size_t>(body)];
+  if (carrying.kind != spatial::JointKind::fixed && !spatial::is_driven(carrying)) return true;
+  return std::any_of(mechanism.closing.begin(), mechanism.closing.end(),
+                     [](const auto& of) { return of.kind != spatial::ClosingKind::fixed; });
 }
 
 }  // namespace
@@ -135,7 +156,7 @@ std::vector<NotJudged> unfinished_motion_of(const Project& project,
   if (checks.empty()) return {};
   const double least = counts * checks.front().check.utilisation();
   for (const SituationRun& run : runs) {
-    if (!forces_move(project, run)) continue;
+    if (!goes_on(project, run)) continue;
     const Time end = run.loads.begin() + run.loads.period();
     const auto at_end = std::find_if(checks.begin(), checks.end(), [&](const CheckResult& of) {
       const Check& check = of.check;
@@ -146,10 +167,45 @@ std::vector<NotJudged> unfinished_motion_of(const Project& project,
     if (at_end == checks.end()) continue;
     return {{at_end->check.criterion, "the motion",
              fmt::format("{} is used most at its last instant, {:.6g} s; what follows is not "
-                         "looked at ([motion] duration)",
-                         at_end->check.point, end.value())}};
+                         "looked at{}",
+                         at_end->check.point, end.value(),
+                         run.situation->sudden_start ? "" : " ([motion] duration)")}};
   }
   return {};
+}
+
+std::vector<NotJudged> unestimated_vibration_of(const Project& project, const ModelChoice& model,
+                                                const std::deque<SituationRun>& runs) {
+  if (project.model.measured_loads) return {};
+  const auto* const frame = std::get_if<frame::Structure>(&project.mechanism);
+  if (!model.bends_rigid_motion && frame == nullptr) return {};
+  if (model.chosen.level == ModelLevel::modal) return {};
+  const auto changes = [&](const SituationRun& run) {
+    if (run.motion->stands_still()) return false;
+    if (frame != nullptr && !has_functions_of_time(frame_in(project, *run.situation))) return false;
+    if (const auto* const space = std::get_if<spatial::Mechanism>(&project.mechanism))
+      return may_vibrate(project, *space, run.loads);
+    const Eigen::MatrixXd stresses = stress_history(run.loads, compared_places_of(project.beam));
+    return largest_range(stresses) > model.tolerance * stresses.cwiseAbs().maxCoeff();
+  };
+  if (std::none_of(runs.begin(), runs.end(), changes)) return {};
+  const std::string obstacle = front_end_of(project)->obstacle_to_vibration(runs);
+  if (obstacle.empty()) return {};
+  return {
+      {Criterion::yield, "vibration",
+       fmt::format("what it adds is not estimated: {}",
+                   frame != nullptr ? "a frame at rest bears each instant's loads" : obstacle)}};
+}
+
+std::vector<NotJudged> assumed_holds_not_judged(const Project& project,
+                                                const SecondOrderEstimate& estimate) {
+  const auto* const mechanism = std::get_if<spatial::Mechanism>(&project.mechanism);
+  if (mechanism == nullptr || !leaves_beam_free(*mechanism, placement_in(project, *mechanism).body))
+    return {};
+  const std::vector<std::string> assumed = assumed_holds_of(estimate, true);
+  if (assumed.empty()) return {};
+  return {
+      {Criterion::member, "how joints hold the beam", fmt::format("{}", fmt::join(assumed, "; "))}};
 }
 
 std::vector<Gate> weld_gates_of(const Project& project) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double m = 10.0, gravity = 9.81, height = 0.4;
 
-Verification of(double stiffness, const char* driven = "") {
+Verification of(double stiffness, const char* driven = "", double damping = 0.0) {
   const std::string moved = *driven != '\0' ? driven : "moved_by = \"forces\"\nstart = \"0.5 m\"\n";
   return verify(parse_project(
       "stop.toml",
@@ -32,8 +32,8 @@ Verification of(double stiffness, const char* driven = "") {
           gravity, m, moved) +
           fmt::format("[forces.pad]\nkind = \"spring\"\nconnect = [\"arm.B\", "
                       "\"m.C\"]\nstiffness = \"{:.17g} N/m\"\nfree_length = \"0.1 m\"\nacts = "
-                      "\"pushing\"\n",
-                      stiffness) +
+                      "\"pushing\"\ndamping = \"{} N s/m\"\n",
+                      stiffness, damping) +
           "[sections.s]\nkind = \"box\"\nwidth = \"120 mm\"\nheight = \"140 mm\"\nflange = \"10 "
           "mm\"\nweb = \"10 mm\"\n[beam]\nbody = \"arm\"\nstart = \"A\"\naxis = \"x\"\nz = "
           "\"z\"\ndensity = \"7850 kg/m^3\"\n[[beam.segments]]\nlength = \"1 m\"\nsection = "
@@ -75,6 +75,24 @@ TEST_CASE("a driven mass that grazes a stop is judged by its contact") {
   // 0.1 kN at the tip of the arm, 1 m from its root.
   CHECK(soft > 1e-3);
   for (const double k : {1e7, 1e8}) CHECK(use(k) - own == Approx(k / 1e6 * soft).epsilon(0.01));
+}
+
+TEST_CASE("a damped stop bears nothing before it is touched, and at once c v then") {
+  const auto use = [](double k, double mean, double damping) {
+    const std::string driven = fmt::format(
+        "[drivers.fall]\njoint = \"fall\"\nkind = \"harmonic\"\nmean = \"{} m\"\namplitude = "
+        "\"1 m\"\nfrequency = \"0.5 Hz\"\n",
+        mean);
+    return yield_of(of(k, driven.c_str(), damping));
+  };
+  // 0.1 kN by 0.1 mm of depth, without damping.
+  const double own = use(1e-3, 1.0999, 0.0), per_force = (use(1e6, 1.0999, 0.0) - own) / 100.0;
+  // Touched where the sine is -0.95: v = pi sqrt(1 - 0.95^2) m/s, and from there on less.
+  constexpr double c = 1e3, mean = 1.05;
+  const double v = 3.14159265358979 * std::sqrt(1.0 - 0.95 * 0.95);
+  CHECK(use(1e3, mean, c) - own == Approx(per_force * c * v).epsilon(0.005));
+  // It never comes near enough.
+  CHECK(use(1e3, 1.15, c) == Approx(own).epsilon(1e-6));
 }
 
 }  // namespace stop_contact_test

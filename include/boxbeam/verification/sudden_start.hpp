@@ -23,8 +23,11 @@ struct StartSpan {
   std::size_t steps = 0;
 };
 
-/// Eight periods of the drive and three of the slowest vibration, in steps that show the drive and
-/// the six slowest; where these are more than 4000 it ends sooner.
+/// Eight periods of the drive and, of every mode that bears 1 % (`StartShares`), three periods and
+/// what it takes to beat once with the drive, 1/|f - f_j|, or to die away to 1 %, which comes
+/// first; in steps of a tenth of a period of the fastest mode whose own vibration bears as much.
+/// Where these are more than 40000 it is fewer periods of the drive, 1.25 at least. Throws
+/// AnalysisError where that is not enough.
 StartSpan start_span_of(const flexible::ModalModel& model);
 
 /// The loads on the beam over that time in a situation of elastic links, all of their elements with

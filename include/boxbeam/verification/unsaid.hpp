@@ -20,11 +20,25 @@ bool judged_in_fatigue(const std::vector<CheckResult>& checks);
 /// 1993-1-9:2005+AC:2009, table 8.3.
 std::vector<NotJudged> unsaid_joints_of(const Project& project);
 
-/// Uses that are largest at the last instant of a motion by forces, and at least half as large as
-/// the largest of all: beyond it may be more.
+/// Uses that are largest at the last instant of a motion by forces or of a sudden start, and at
+/// least half as large as the largest of all: beyond it may be more.
 std::vector<NotJudged> unfinished_motion_of(const Project& project,
                                             const std::deque<SituationRun>& runs,
                                             const std::vector<CheckResult>& checks);
+
+/// What vibration adds, where loads that change come onto a beam whose vibration nobody estimates:
+/// in space, in the plane where something stands against an estimate, and in frames at rest under
+/// functions of time. Nothing where the loads are measured, elastic links carry them, or the
+/// stresses along the beam change by less than the model's tolerance; in space where they change
+/// slowly
+/// (`may_vibrate`).
+std::vector<NotJudged> unestimated_vibration_of(const Project& project, const ModelChoice& model,
+                                                const std::deque<SituationRun>& runs);
+
+/// In space: how the beam is held against buckling and turning over is taken for granted where it
+/// counts, though a joint that holds it leaves it free in some way.
+std::vector<NotJudged> assumed_holds_not_judged(const Project& project,
+                                                const SecondOrderEstimate& estimate);
 
 /// Welds around a profile that reaches farther than the beam on both sides of its station: they
 /// are not welds of the beam.

@@ -56,6 +56,28 @@ StartEquations start_equations_of(const ModalModel& model) {
 
 }  // namespace
 
+StartShares start_shares_of(const ModalModel& model) {
+  const VectorXcd loads = modal_loads_of(model).p;
+  const VectorXd squares = squares_of(model);
+  const double omega = omega_of(model.structure->mechanism->frequency);
+  StartShares shares{VectorXd::Zero(squares.size()), VectorXd::Zero(squares.size())};
+  for (Index j = 0; j < squares.size(); ++j) {
+    if (!(squares[j] > 0.0)) continue;
+    const double own = std::sqrt(squares[j]), r = omega / own;
+    const double to = own * std::abs(Complex(1.0 - r * r, model.damping(j, j) * r / own));
+    if (!(to > 0.0)) continue;
+    shares.free[j] = std::hypot(r * loads[j].real(), loads[j].imag()) / to;
+    shares.driven[j] = std::abs(loads[j]) / to;
+  }
+  const double largest =
+      squares.size() == 0 ? 0.0 : std::max(shares.free.maxCoeff(), shares.driven.maxCoeff());
+  if (largest > 0.0) {
+    shares.free /= largest;
+    shares.driven /= largest;
+  }
+  return shares;
+}
+
 SuddenStart sudden_start_of(const ModalModel& model, double length, std::size_t steps) {
   assert(steps > 0);
   const Structure& structure = *model.structure;

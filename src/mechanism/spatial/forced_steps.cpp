@@ -94,8 +94,7 @@ std::vector<char> ForcedMotion::acting_in(const Mechanism& mechanism, const Stat
   std::vector<char> acting;
   for (const Spring& spring : mechanism.springs) {
     if (spring.acts == Spring::Acts::both) continue;
-    const double tension = tension_of(spring, state).value;
-    acting.push_back((spring.acts == Spring::Acts::pulling ? tension : -tension) > 0.0 ? 1 : 0);
+    acting.push_back(acts(spring, state) ? 1 : 0);
   }
   return acting;
 }
@@ -106,20 +105,21 @@ double ForcedMotion::until_another_acts(const Tree& tree, const Sample& from) co
   State state;
   if (!one_sided_ || !place(tree, from.y, from.time, from.loops, state)) return until;
   accelerate(tree, state);
-  for (const Spring& spring : tree.mechanism().springs) {
-    if (spring.acts == Spring::Acts::both) continue;
-    const Eigen::Vector3d d = position_of(state, spring.b) - position_of(state, spring.a);
-    const Eigen::Vector3d a = acceleration_of(state, spring.b) - acceleration_of(state, spring.a);
-    const double length = d.norm();
-    if (length == 0.0) continue;
-    // tension + rate t + bend t^2/2 = 0.
-    const auto [tension, rate] = tension_of(spring, state);
-    const double bend = spring.stiffness * d.dot(a) / length;
-    const double root = rate * rate - 2.0 * bend * tension;
-    if (root < 0.0) continue;
-    const double sum = -(rate + std::copysign(std::sqrt(root), rate));
-    for (const double t : {sum / bend, 2.0 * tension / sum})
-      if (t > 0.0) until = std::min(until, over * t);
+  for (const Spring& of : tree.mechanism().springs) {
+    for (const Spring& spring : switches_of(of)) {
+      const Eigen::Vector3d d = position_of(state, spring.b) - position_of(state, spring.a);
+      const Eigen::Vector3d a = acceleration_of(state, spring.b) - acceleration_of(state, spring.a);
+      const double length = d.norm();
+      if (length == 0.0) continue;
+      // tension + rate t + bend t^2/2 = 0.
+      const auto [tension, rate] = tension_of(spring, state);
+      const double bend = spring.stiffness * d.dot(a) / length;
+      const double root = rate * rate - 2.0 * bend * tension;
+      if (root < 0.0) continue;
+      const double sum = -(rate + std::copysign(std::sqrt(root), rate));
+      for (const double t : {sum / bend, 2.0 * tension / sum})
+        if (t > 0.0) until = std::min(until, over * t);
+    }
   }
   return until;
 }
@@ -132,6 +132,7 @@ std::optional<ForcedMotion::Step> ForcedMotion::step_to_change(const Tree& tree,
   // As near as arithmetic can: a stage beyond it would count a hard stop over all of the step.
   const double near = smallest_step(from.time, from.time + dt);
   double low = 0.0, high = dt;
+  std::optional<Sample> before;
   while (std::abs(high - low) > near) {
     const double middle = 0.5 * (low + high);
     Step half = step_from(tree, from, middle, effort);
@@ -141,8 +142,10 @@ std::optional<ForcedMotion::Step> ForcedMotion::step_to_change(const Tree& tree,
       step = std::move(half);
     } else {
       low = middle;
+      before = std::move(half.end);
     }
   }
+  step.before = std::move(before);
   // A stage before it that has them otherwise is no part of this motion.
   if (step.error > 1.0 || step.change < 1.0) return std::nullopt;
   dt = high;
@@ -250,8 +253,10 @@ ForcedMotion::Sample ForcedMotion::advanced(const Tree& tree, Sample from, doubl
     const double longer = 0.9 * std::pow(std::max(step->error, 1e-9), -1.0 / 8.0);
     const double next = std::abs(dt) * std::min(5.0, longer);
     dt = std::abs(dt) < wanted ? std::max(next, wanted) : next;
+    std::optional<Sample> before = std::move(step->before);
     from = std::move(step->end);
     ++effort.steps;
+    if (kept != nullptr && before) kept->push_back(std::move(*before));
     if (kept != nullptr) kept->push_back(from);
   }
   from.time = until;

@@ -93,12 +93,12 @@ Misfit misfit_of(const Motion& motion, const RoughTimes& rough, const Eigen::Mat
   return misfit;
 }
 
-/// Springs that only pull or only push.
-std::vector<const Spring*> one_sided_of(const Mechanism& mechanism) {
-  std::vector<const Spring*> springs;
+/// What says where springs that only pull or only push begin and end to act.
+std::vector<Spring> switches_of(const Mechanism& mechanism) {
+  std::vector<Spring> switches;
   for (const Spring& of : mechanism.springs)
-    if (of.acts != Spring::Acts::both) springs.push_back(&of);
-  return springs;
+    for (Spring& by : spatial::switches_of(of)) switches.push_back(std::move(by));
+  return switches;
 }
 
 /// Of a motion by drivers: between times so close that tensions are cubics.
@@ -110,19 +110,19 @@ std::vector<double> changes_by_drivers(const Chain& chain, const TimeSpan& span)
     chain.at(time, state);
     return tension_of(spring, state);
   };
-  for (const Spring* const spring : one_sided_of(chain.mechanism())) {
+  for (const Spring& spring : switches_of(chain.mechanism())) {
     const auto find = [&](double low, double high, bool tense) {
       for (int i = 0; i < halvings; ++i) {
         const double middle = 0.5 * (low + high);
-        ((tension_at(*spring, middle).value > 0.0) == tense ? low : high) = middle;
+        ((tension_at(spring, middle).value > 0.0) == tense ? low : high) = middle;
       }
       changes.push_back(high);
     };
     double from = span.begin;
-    Tension before = tension_at(*spring, from);
+    Tension before = tension_at(spring, from);
     for (int k = 1; k <= looks; ++k) {
       const double until = span.begin + span.length * k / looks, h = until - from;
-      const Tension behind = tension_at(*spring, until);
+      const Tension behind = tension_at(spring, until);
       const bool tense = before.value > 0.0;
       if ((behind.value > 0.0) != tense) {
         find(from, until, tense);
@@ -132,7 +132,7 @@ std::vector<double> changes_by_drivers(const Chain& chain, const TimeSpan& span)
           const double cubic = y * y * ((1.0 + 2.0 * x) * before.value + x * h * before.rate) +
                                x * x * ((1.0 + 2.0 * y) * behind.value - y * h * behind.rate);
           const double at = from + x * h;
-          if ((cubic > 0.0) == tense || (tension_at(*spring, at).value > 0.0) == tense) continue;
+          if ((cubic > 0.0) == tense || (tension_at(spring, at).value > 0.0) == tense) continue;
           find(from, at, tense);
           find(at, until, !tense);
           break;
@@ -148,7 +148,7 @@ std::vector<double> changes_by_drivers(const Chain& chain, const TimeSpan& span)
 
 std::vector<double> changes_of(const Chain& chain, const TimeSpan& span) {
   constexpr std::size_t most_changes = 1000;
-  if (one_sided_of(chain.mechanism()).empty()) return {};
+  if (switches_of(chain.mechanism()).empty()) return {};
   std::vector<double> changes =
       chain.forced() != nullptr ? chain.forced()->changes() : changes_by_drivers(chain, span);
   std::erase_if(changes,

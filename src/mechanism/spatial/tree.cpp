@@ -228,10 +228,37 @@ Eigen::Vector3d force_of(const Spring& spring, const State& state) {
   const double length = d.norm();
   // Without a length it has no direction; nor has what it does one.
   if (length == 0.0) return Eigen::Vector3d::Zero();
-  double tension = tension_of(spring, state).value;
-  if (spring.acts == Spring::Acts::pulling) tension = std::max(0.0, tension);
-  if (spring.acts == Spring::Acts::pushing) tension = std::min(0.0, tension);
-  return -tension / length * d;
+  if (!acts(spring, state)) return Eigen::Vector3d::Zero();
+  return -tension_of(spring, state).value / length * d;
+}
+
+namespace {
+
+/// Whether a spring has a length at which it begins to act, besides its tension: without damping
+/// both are the same, and a damper without a free length has none.
+bool begins_at_length(const Spring& spring) {
+  return spring.damping != 0.0 && (spring.stiffness != 0.0 || spring.free_length != 0.0);
+}
+
+}  // namespace
+
+std::vector<Spring> switches_of(const Spring& spring) {
+  if (spring.acts == Spring::Acts::both) return {};
+  std::vector<Spring> switches{spring};
+  if (!begins_at_length(spring)) return switches;
+  Spring& longer = switches.emplace_back(spring);
+  longer.stiffness = 1.0;
+  longer.damping = 0.0;
+  return switches;
+}
+
+bool acts(const Spring& spring, const State& state) {
+  if (spring.acts == Spring::Acts::both) return true;
+  const double sign = spring.acts == Spring::Acts::pushing ? -1.0 : 1.0;
+  if (!(sign * tension_of(spring, state).value > 0.0)) return false;
+  if (!begins_at_length(spring)) return true;
+  const double length = (position_of(state, spring.b) - position_of(state, spring.a)).norm();
+  return sign * (length - spring.free_length) > 0.0;
 }
 
 Eigen::Vector3d couple_of(const Mechanism& mechanism, const TorsionSpring& spring,

@@ -200,6 +200,59 @@ TEST_CASE("a mass falls onto a stop that only pushes, and is thrown back") {
   CHECK(value(chain.at(2.0 * (2.0 * fall + contact)), mass) == Approx(height).epsilon(1e-7));
 }
 
+TEST_CASE("a mass falls freely onto a damped stop, and is braked from where it touches it") {
+  // From the touch on m x" = -m g - k x - c x', with x = 0 and x' = -v.
+  constexpr double m = 4.0, k = 2e4, c = 300.0, height = 0.5;
+  Mechanism mechanism;
+  mechanism.gravity = {0.0, 0.0, -g};
+  const int mass = add(mechanism, "mass", JointKind::prismatic, ground, Vector3d::Zero(),
+                       Vector3d::UnitZ(), height);
+  set_mass(mechanism, mass, m, Vector3d::Zero(), Vector3d::Zero());
+  mechanism.springs.push_back({"stop",
+                               {ground, {0.0, 0.0, -1.0}},
+                               {mass, Vector3d::Zero()},
+                               k,
+                               1.0,
+                               c,
+                               Spring::Acts::pushing});
+  const double v = std::sqrt(2.0 * g * height), fall = v / g, s = m * g / k;
+  const double delta = c / (2.0 * m), w = std::sqrt(k / m - delta * delta);
+  mechanism.duration.length = 2.0 * fall;
+  const Chain chain(mechanism);
+  CHECK(value(chain.at(0.99 * fall), mass) == Approx(height * (1.0 - 0.99 * 0.99)).epsilon(1e-9));
+  const double touched = chain.forced()->changes().front();
+  CHECK(touched == Approx(fall).epsilon(1e-9));
+  for (const double t : {1e-6, 0.005, 0.01, 0.02}) {
+    const double x =
+        std::exp(-delta * t) * (s * std::cos(w * t) + (s * delta - v) / w * std::sin(w * t)) - s;
+    INFO("t = " << t);
+    CHECK(value(chain.at(fall + t), mass) == Approx(x).epsilon(1e-7).margin(1e-10));
+  }
+}
+
+TEST_CASE("a slack cable does not pull while its ends part") {
+  // Thrown away from its anchor: the rate is as it was until the cable is taut.
+  constexpr double m = 4.0, k = 2e4, c = 300.0, v = 2.0;
+  Mechanism mechanism;
+  const int mass =
+      add(mechanism, "mass", JointKind::prismatic, ground, Vector3d::Zero(), Vector3d::UnitX());
+  mechanism.joints.back().start_rate = v;
+  set_mass(mechanism, mass, m, Vector3d::Zero(), Vector3d::Zero());
+  mechanism.springs.push_back({"cable",
+                               {ground, {-1.0, 0.0, 0.0}},
+                               {mass, Vector3d::Zero()},
+                               k,
+                               1.5,
+                               c,
+                               Spring::Acts::pulling});
+  mechanism.duration.length = 0.3;
+  const Chain chain(mechanism);
+  CHECK(value(chain.at(0.2499), mass) == Approx(0.4998).epsilon(1e-9));
+  const double delta = c / (2.0 * m), w = std::sqrt(k / m - delta * delta), t = 0.01;
+  CHECK(value(chain.at(0.25 + t), mass) ==
+        Approx(0.5 + v / w * std::exp(-delta * t) * std::sin(w * t)).epsilon(1e-8));
+}
+
 TEST_CASE("a mass bounces on stops of any stiffness and loses nothing") {
   constexpr double m = 10.0, height = 0.4;
   for (const double k : {1e4, 1e5, 1e6, 3e7, 1e8, 1e9, 1e10}) {

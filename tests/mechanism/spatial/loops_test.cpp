@@ -111,8 +111,9 @@ Balance balance_of(const Chain& chain, const State& state) {
     const double rate =
         (b - a).dot(velocity_of(state, spring.b) - velocity_of(state, spring.a)) / length;
     double tension = spring.stiffness * (length - spring.free_length) + spring.damping * rate;
-    if (spring.acts == Spring::Acts::pulling && tension < 0.0) tension = 0.0;
-    if (spring.acts == Spring::Acts::pushing && tension > 0.0) tension = 0.0;
+    const double longer = length - spring.free_length;
+    if (spring.acts == Spring::Acts::pulling && (tension < 0.0 || longer < 0.0)) tension = 0.0;
+    if (spring.acts == Spring::Acts::pushing && (tension > 0.0 || longer > 0.0)) tension = 0.0;
     act(spring.a.body, a, {tension / length * (b - a), Vector3d::Zero()});
     act(spring.b.body, b, {tension / length * (a - b), Vector3d::Zero()});
     balance.power -= tension * rate;

@@ -45,6 +45,19 @@ struct SuddenStart {
 };
 SuddenStart sudden_start_of(const ModalModel& model, double length, std::size_t steps);
 
+/// What the modes bear after the loads are switched on, by their largest speeds eta_j' in the modal
+/// coordinates of mass one: a bending beam's stress goes by the speed at which it vibrates.
+///
+///     free_j   = omega_j |p_j|/omega_j^2 sqrt(cos part^2 + (r sin part)^2)/|1 - r^2 + i d
+///     r/omega_j| driven_j = omega_j |p_j|/omega_j^2/|1 - r^2 + i d r/omega_j|,  r = omega/omega_j
+///
+/// d: the mode's damping [1/s]. Each over the largest of all; zero of a mode without strain.
+/// Source: F. V. Hunt, J. Acoust. Soc. Am. 32 (1960), 1123.
+struct StartShares {
+  Eigen::VectorXd free, driven;
+};
+StartShares start_shares_of(const ModalModel& model);
+
 /// The same at any time, by the parts that add up to it: loads and joint forces are
 ///
 ///     constant + Im(turn of_loads) + sum of x_j of_modes_j + speed_j of_speeds_j

@@ -53,6 +53,7 @@ class ForcedMotion {
     std::optional<std::size_t> massless = {};  ///< a joint whose acceleration is not
     double error = 0.0;                        ///< in tolerances
     bool changes = false;                      ///< others act at its end than at its beginning
+    std::optional<Sample> before = {};         ///< just before those do, where a force jumps
     double change = 1.0;  ///< of the step, where a stage first has others acting than its beginning
   };
 

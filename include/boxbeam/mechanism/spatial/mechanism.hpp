@@ -135,7 +135,7 @@ struct LineForce {
 /// + damping length' draws them together.
 struct Spring {
   /// A cable or chain only pulls, a stop or a tyre only pushes: the force is none where it would
-  /// not.
+  /// not, and with a free length none short of it, or beyond it.
   enum class Acts { both, pulling, pushing };
 
   std::string name;

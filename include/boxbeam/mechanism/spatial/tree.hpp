@@ -93,6 +93,15 @@ struct Tension {
 };
 Tension tension_of(const Spring& spring, const State& state);
 
+/// What must be positive where a spring only pulls, negative where it only pushes, for it to act:
+/// its own tension, and where a damper is in it how far it is longer than its free length, as the
+/// tension of a spring of 1 N/m. None for a spring that acts both ways.
+std::vector<Spring> switches_of(const Spring& spring);
+
+/// Whether a spring acts. A stop that is not touched and a slack cable do not, however fast its
+/// ends approach each other or part.
+bool acts(const Spring& spring, const State& state);
+
 /// What a spring does to its place on b, world axes [N]; to that on a the opposite.
 Eigen::Vector3d force_of(const Spring& spring, const State& state);
 
