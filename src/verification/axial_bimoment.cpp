@@ -10,6 +10,7 @@
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/section/torsion.hpp"
 #include "boxbeam/section/warping.hpp"
 
 namespace boxbeam {
@@ -141,6 +142,16 @@ class Search {
     }
   }
 
+  /// Not where it fades within the thickness of a wall, as where all walls meet in one line.
+  bool warps(const Section& section, const Warping& of) const {
+    const auto I_T = torsion_properties_of(section).I_T;
+    double thickest = 0.0;
+    for (const Warping::Line& wall : of.walls) thickest = std::max(thickest, wall.thickness);
+    const ModelInput& model = project_->model;
+    return I_T &&
+           model.youngs_modulus * of.I_w > model.shear_modulus * I_T->value() * thickest * thickest;
+  }
+
   const std::optional<OpenSection>& section_on(const Station& station) {
     const auto key = std::pair(station.s.value(), station.side == Side::behind);
     const auto known = sections_.find(key);
@@ -148,7 +159,7 @@ class Search {
     std::optional<OpenSection>& open = sections_[key];
     const Section section = section_at(project_->beam, station);
     auto warping = section.inner ? std::nullopt : warping_of(section.outer);
-    if (!warping || !(warping->I_w > 0.0)) return open;
+    if (!warping || !warps(section, *warping)) return open;
     open = OpenSection{std::move(*warping), {}, 0.0};
     open->edges = edges_of(section, open->warping);
     const std::vector<Length> plates = thicknesses_of(section);

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/section/section_properties.hpp"
@@ -32,24 +34,57 @@ class AxialForces {
   explicit AxialForces(const Project& project) : project_(&project) {}
 
   void look_at(const SituationRun& run) {
-    for (std::size_t i = 0; i < run.loads.instants(); ++i) {
-      const CutForceDiagram diagram = run.loads.diagram(i);
-      for (std::size_t k = 1; k < diagram.pieces.size(); ++k) {
-        const CutForcePiece &before = diagram.pieces[k - 1], &behind = diagram.pieces[k];
-        const double size =
-            run.situation->load_factor * std::abs(behind.N(0.0) - before.N(before.length.value()));
-        // What a long beam bears anywhere is not looked up for round-off.
-        if (!(size > 1e-6 * run.loads.largest_force())) continue;
-        if (stands_at_end(project_->beam, behind.start)) continue;
-        const double use = size / borne_at(behind.start);
-        if (use > most.use) most = {use, size, behind.start, &run, i};
-      }
+    const LoadHistory& loads = run.loads;
+    if (loads.is_recorded()) return look_at_recorded(run);
+    for (std::size_t i = 0; i < loads.instants(); ++i) {
+      for (const Jump& jump : jumps_of(loads.kept_diagram(i))) take(run, jump, i);
     }
   }
 
   AxialForce most;
 
  private:
+  struct Jump {
+    Length s;
+    double N = 0.0;
+  };
+
+  std::vector<Jump> jumps_of(const CutForceDiagram& diagram) const {
+    std::vector<Jump> jumps;
+    for (std::size_t k = 1; k < diagram.pieces.size(); ++k) {
+      const CutForcePiece &before = diagram.pieces[k - 1], &behind = diagram.pieces[k];
+      if (stands_at_end(project_->beam, behind.start)) continue;
+      jumps.push_back({behind.start, behind.N(0.0) - before.N(before.length.value())});
+    }
+    return jumps;
+  }
+
+  /// Linear in the channels.
+  void look_at_recorded(const SituationRun& run) {
+    const recorded::ChannelLoads& of = run.loads.recorded_loads();
+    const std::vector<Jump> constant = jumps_of(cut_forces_of(of.constant));
+    std::vector<std::vector<Jump>> units;
+    for (const BeamLoads& unit : of.units) units.push_back(jumps_of(cut_forces_of(unit)));
+    for (std::size_t p = 0; p < constant.size(); ++p) {
+      const bool jumps = std::any_of(units.begin(), units.end(),
+                                     [&](const auto& unit) { return unit[p].N != 0.0; });
+      for (std::size_t i = 0; i < (jumps ? run.loads.instants() : 1); ++i) {
+        Jump jump = constant[p];
+        for (std::size_t k = 0; k < units.size(); ++k)
+          jump.N += of.channels->values[k][i] * units[k][p].N;
+        take(run, jump, i);
+      }
+    }
+  }
+
+  void take(const SituationRun& run, const Jump& jump, std::size_t instant) {
+    // What a long beam bears anywhere is not looked up for round-off.
+    if (!(std::abs(jump.N) > 1e-6 * run.loads.largest_force())) return;
+    const double size = run.situation->load_factor * std::abs(jump.N);
+    const double use = size / borne_at(jump.s);
+    if (use > most.use) most = {use, size, jump.s, &run, instant};
+  }
+
   /// What a quarter of the section bears, of the weaker side [N]; endless of solids.
   double borne_at(Length s) {
     const auto known = borne_.find(s.value());

@@ -140,9 +140,9 @@ WarpingFound look_at_warping(const Project& project, const std::deque<SituationR
                                             stress / of.least_yield);
     }
   }
+  if (axial.gate) found.gates.push_back(std::move(*axial.gate));
   constexpr double much = 0.1;
   if (!(most_share > much)) return found;
-  if (axial.gate) found.gates.push_back(std::move(*axial.gate));
   const std::string by_torque =
       torque.size > 0.0
           ? fmt::format("{:.3g} kN m about their shear centre, at s = {} m", 1e-3 * torque.size,

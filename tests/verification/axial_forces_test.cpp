@@ -96,6 +96,17 @@ TEST_CASE("a lesser one is said, one over the web is not", "[warping]") {
                             Catch::Contains(fmt::format("{:.3g} MPa more", 0.5e-6 * by_B)));
   CHECK_THAT(judged(pulled(girder, 200.0, 2.0, 0.0, z)).line, !Catch::Contains("warping"));
   CHECK_THAT(judged(pulled(box, 200.0, 2.0, 0.1, 0.29)).line, !Catch::Contains("warping"));
+  // Walls that meet in one line do not warp.
+  const Judged cross = judged(pulled(
+      "kind = \"thin-walled\"\nnodes = { o = [\"0 mm\", \"0 mm\"], a = [\"100 mm\", \"0 mm\"], b = "
+      "[\"-100 mm\", \"0 mm\"], c = [\"0 mm\", \"100 mm\"], d = [\"0 mm\", \"-100 mm\"] }\nwalls = "
+      "[\n{ from = \"o\", to = \"a\", thickness = \"20 mm\" },\n"
+      "{ from = \"o\", to = \"b\", thickness = \"20 mm\" },\n"
+      "{ from = \"o\", to = \"c\", thickness = \"20 mm\" },\n"
+      "{ from = \"o\", to = \"d\", thickness = \"20 mm\" }]\n",
+      200.0, 2.0, 0.1, 0.0));
+  CHECK_THAT(cross.line, !Catch::Contains("warping"));
+  for (const Gate& gate : cross.of.gates) CHECK_THAT(gate.finding, !Catch::Contains("bimoment"));
 }
 
 // A quarter of 29 440 mm^2 bears 7360 mm^2 x 345 MPa = 2.54 MN; 0.3 of it are 762 kN.
