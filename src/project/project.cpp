@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "boxbeam/project/case_source.hpp"
+#include "boxbeam/project/hole_rows.hpp"
 #include "boxbeam/project/key_reference.hpp"
 #include "boxbeam/project/limits.hpp"
 #include "case_text.hpp"
@@ -235,14 +236,16 @@ std::optional<Hole> counted_beside(const BeamHole& beside, const std::vector<Bea
 
 }  // namespace
 
-std::vector<Hole> holes_at(const Project& project, Length s) {
+std::vector<Hole> holes_at(const Project& project, Length s) { return holes_at(project.holes, s); }
+
+std::vector<Hole> holes_at(const std::vector<BeamHole>& holes, Length s) {
   std::vector<Hole> taken;
-  for (const BeamHole& at : project.holes) {
+  for (const BeamHole& at : holes) {
     if (at.s == s) taken.push_back(at.hole);
   }
-  if (taken.empty() || taken.size() == project.holes.size()) return taken;
+  if (taken.empty() || taken.size() == holes.size()) return taken;
   std::vector<BeamHole> counted, beside;
-  for (const BeamHole& at : project.holes) (at.s == s ? counted : beside).push_back(at);
+  for (const BeamHole& at : holes) (at.s == s ? counted : beside).push_back(at);
   std::stable_sort(beside.begin(), beside.end(), [&](const BeamHole& a, const BeamHole& b) {
     return abs(a.s - s) < abs(b.s - s);
   });

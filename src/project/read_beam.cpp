@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "boxbeam/project/detail_reader.hpp"
 #include "boxbeam/section/section_defect.hpp"
@@ -69,14 +70,23 @@ std::optional<BoxPlate> plate_of_cut_flat(const Profile& profile, const Hole& ho
   return std::nullopt;
 }
 
-/// What is wrong with a hole in the sections at its station, or nothing.
+/// The sections that a hole goes through: at its station, and on both sides of borders within it.
+std::vector<Section> sections_within(const TaperedBeam& beam, Length s, const Hole& hole) {
+  std::vector<Length> places{s};
+  for (const Segment& of : beam.segments) {
+    if (of.end() != s && abs(of.end() - s) < 0.5 * hole.diameter) places.push_back(of.end());
+  }
+  std::vector<Section> sections;
+  for (const Length& place : places) {
+    if (place > Length{}) sections.push_back(section_at(beam, {place, Side::before}));
+    if (place < beam.length()) sections.push_back(section_at(beam, {place, Side::behind}));
+  }
+  return sections;
+}
+
+/// What is wrong with a hole in the sections that it goes through, or nothing.
 std::optional<std::string> misplacement_of(const TaperedBeam& beam, Length s, const Hole& hole) {
-  for (const Side side : {Side::before, Side::behind}) {
-    if ((side == Side::before && s.value() == 0.0) ||
-        (side == Side::behind && s == beam.length())) {
-      continue;
-    }
-    const Section section = section_at(beam, {s, side});
+  for (const Section& section : sections_within(beam, s, hole)) {
     if (!takes_holes(section.outer)) {
       return "holes are known in boxes, rectangular tubes and plates only";
     }

@@ -95,6 +95,20 @@ Length thickest_at(const TaperedBeam& beam, Length s) {
   return thickest;
 }
 
+/// How far from the centre of a hole its shadow reaches in which no force along the beam comes to a
+/// weld across it: from its widest place by 45 degrees, and no less than to its edge and the
+/// thickness of the parts joined beyond. Source: spread as in EN 1993-1-5:2006, 3.2.3.
+Length reach_at_weld(const BeamHole& at, const WeldInput& weld) {
+  return 0.5 * at.hole.diameter + std::max(weld.thickness, Length(0.5 * at.hole.diameter));
+}
+
+const BeamHole* hole_at_weld(const Project& project, const WeldInput& weld) {
+  for (const BeamHole& at : project.holes) {
+    if (abs(at.s - weld.s) < reach_at_weld(at, weld)) return &at;
+  }
+  return nullptr;
+}
+
 WeldInput read_weld(TableReader table, const Sections& sections, const Project& project) {
   WeldInput weld;
   weld.name = table.text({"name", "of the weld"});
@@ -140,9 +154,13 @@ WeldInput read_weld(TableReader table, const Sections& sections, const Project& 
                                 weakest.name, weld.thickness.value() * 1e3),
                     "choose another steel");
     }
-    if (!holes_at(project, weld.s).empty()) {
-      table.problem("station", "a hole stands in the weld",
-                    "set the weld beside the hole, or leave one of them out");
+    if (const BeamHole* of = hole_at_weld(project, weld)) {
+      table.problem("station",
+                    fmt::format("a hole stands in the weld or so near it that no force comes to "
+                                "all of its length: \"{}\" at s = {:.6g} m",
+                                of->hole.name, of->s.value()),
+                    fmt::format("keep {:.4g} mm from its centre, or leave one of them out",
+                                1e3 * reach_at_weld(*of, weld).value()));
     }
   }
   weld.root.from = weld.root.to = weld.s;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "boxbeam/project/hole_rows.hpp"
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/section/level_shear.hpp"
 #include "boxbeam/section/nominal_stress.hpp"
@@ -147,14 +148,14 @@ Traced derive_bending_stress(Derivation& steps, const std::string& symbol, const
 }
 
 SectionProperties net_without_lag(const Project& project, const StressPoint& point) {
-  return properties_of(point.section, holes_at(project, point.station.s));
+  return properties_of(point.section, holes_in_section(project, point.station));
 }
 
 /// S and b for which V S/(I_y b) is the stress at a point in the plane; nothing where the flow
 /// there is another one.
 std::optional<LevelMoment> level_moment_at(const Project& project, const StressPoint& point) {
   if (project.in_space) return std::nullopt;
-  const auto at = level_moment_of(point.section, holes_at(project, point.station.s), point.z,
+  const auto at = level_moment_of(point.section, holes_in_section(project, point.station), point.z,
                                   point.prismatic.shear[cut_force::V_z]);
   // A seam takes the flow of its web.
   constexpr double round_off = 1e-9;
@@ -248,8 +249,9 @@ std::string shear_coefficient_note(std::size_t which, bool space, const StressPo
   const std::string name = name_of(which, space);
   if (point.is_strip) {
     return fmt::format(
-        "shear stress per {}: the force of the whole plate in its plane, before and "
-        "behind the hole, over what holes leave of its width and its thickness",
+        "shear stress per {}: what the plate carries past the hole in its plane, over what holes "
+        "leave of it: its whole force over its width (strip), its flow from hole to hole over the "
+        "way between them (post)",
         name);
   }
   const bool wall = point.torsion.has_value();

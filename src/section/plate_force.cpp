@@ -141,4 +141,30 @@ std::vector<PlateStrip> strips_beside(const StressField& field, const StressFiel
   return strips;
 }
 
+std::vector<SectionPoint> posts_at(const StressField& whole, const Hole& hole, PointSet set) {
+  const std::string name = "post beside hole " + hole.name;
+  const Profile& profile = whole.section.outer;
+  const bool upright = hole.walls == HoleWalls::webs;
+  if (std::holds_alternative<Plate>(profile)) {
+    const Extent extent = extent_of(profile);
+    const double y = (upright ? extent.y_high : hole.position).value(),
+                 z = (upright ? hole.position : extent.z_high).value();
+    return {point_in_solid(whole, name, y, z)};
+  }
+  if (!has_webs(profile)) return {};
+  if (upright) return points_at_level(whole, name, hole.position, set);
+  std::vector<SectionPoint> posts;
+  const bool one_half = set == PointSet::in_plane && is_mirrored(whole);
+  for (const double up : {1.0, -1.0}) {
+    for (const double side : {1.0, -1.0}) {
+      if (side < 0.0 && (one_half || hole.position == Length{})) continue;
+      std::string at = name;
+      if (!one_half && hole.position != Length{}) at += " " + signed_axis(side, 'y');
+      posts.push_back(
+          point_on_flange(whole, at + " " + signed_axis(up, 'z'), side * hole.position, up));
+    }
+  }
+  return posts;
+}
+
 }  // namespace boxbeam

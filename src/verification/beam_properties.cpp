@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "boxbeam/project/hole_rows.hpp"
 #include "boxbeam/strength/hole_concentration.hpp"
 
 namespace boxbeam {
@@ -47,7 +48,7 @@ std::vector<StationProperties> station_properties_of(const Project& project,
     StationProperties& at = all.emplace_back();
     at.station = envelope.station;
     at.gross = properties_of(section);
-    at.net = properties_of(section, holes_at(project, envelope.station.s));
+    at.net = properties_of(section, holes_in_section(project, envelope.station));
     at.weight = project.beam.density * at.gross.area * gravity;
     at.shear_lag = shear_lag_in(checks, envelope.station);
     at.levels = levels_at(project, section, envelope.station.s);

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "boxbeam/project/hole_rows.hpp"
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/section/plate_force.hpp"
 #include "boxbeam/verification/judged_section.hpp"
@@ -16,8 +17,9 @@ namespace boxbeam {
 namespace {
 
 /// From this part of a plate's width on the bending of the strips beside a hole is looked at, above
-/// this part of the yield strength it stops a verdict.
-constexpr double large_hole = 0.3, felt = 0.05;
+/// this part of the yield strength it stops a verdict; of posts where holes in a row take more than
+/// half of their pitch, in fatigue 0.4 of it: up to there the shear of a post uses it up before.
+constexpr double large_hole = 0.3, felt = 0.05, narrow = 0.5, narrow_in_fatigue = 0.6;
 
 std::string name_of(const BeamHole& at) {
   return fmt::format("hole \"{}\" at s = {} m", at.hole.name, to_text(Station{at.s, Side::both}));
@@ -88,16 +90,103 @@ std::optional<StripBending> strip_bending_at(const Project& project,
   return worst;
 }
 
+/// On both sides of a hole's centre, and on its edges along the beam: beyond a border or a jump of
+/// cut forces within it.
+std::vector<Station> stations_of(const Project& project, const BeamHole& at) {
+  const Length radius = 0.5 * at.hole.diameter, end = project.beam.length();
+  std::vector<Station> stations;
+  if (at.s > Length{}) stations.push_back({at.s, Side::before});
+  if (at.s < end) stations.push_back({at.s, Side::behind});
+  if (at.s - radius > Length{}) stations.push_back({at.s - radius, Side::behind});
+  if (at.s + radius < end) stations.push_back({at.s + radius, Side::before});
+  return stations;
+}
+
 std::optional<StripBending> strip_bending_of(const Project& project,
                                              const std::deque<SituationRun>& runs,
                                              const BeamHole& at) {
   std::optional<StripBending> worst;
-  for (const Side side : {Side::before, Side::behind}) {
-    if (side == Side::before ? at.s == Length{} : at.s == project.beam.length()) continue;
-    auto here = strip_bending_at(project, runs, at, {at.s, side});
+  for (const Station& station : stations_of(project, at)) {
+    auto here = strip_bending_at(project, runs, at, station);
     if (here && (!worst || here->used > worst->used)) worst = std::move(here);
   }
   return worst;
+}
+
+/// How the post between two holes in a row bends.
+struct PostBending {
+  const HolePost* post = nullptr;
+  Stress stress;
+  double used = 0.0;  ///< of the yield strength
+};
+
+/// The post beside a hole that bends most among some, by the flow where the hole is.
+PostBending post_bending_of(const Project& project, const std::deque<SituationRun>& runs,
+                            const BeamHole& at, const std::vector<HolePost>& posts) {
+  PostBending worst;
+  for (const Station& station : stations_of(project, at)) {
+    const Section section = judged_section_at(project, station);
+    const StressField whole = stress_field_of(section, {}, taper_at(project.beam, station));
+    const PlateMaterials materials = materials_of(project, segment_at(project.beam, station));
+    const std::vector<SituationHistory> histories = histories_at(runs, station);
+    for (const SectionPoint& point :
+         posts_at(whole, at.hole, project.in_space ? PointSet::in_space : PointSet::in_plane)) {
+      double most = 0.0;
+      for (const SituationHistory& of : histories) {
+        for (const CutForces& cut : of.history.samples())
+          most = std::max(
+              most, of.situation->load_factor * std::abs(stress_of(point.influence.shear, cut)));
+      }
+      const PlateOf plate = first_to_yield(plates_at(materials, section, point.y, point.z));
+      const double yield = yield_strength_of(*plate.material, plate.thickness)->value();
+      for (const HolePost& post : posts) {
+        const double stress = post.bending_per_shear() * most;
+        const double used = project.strength.required * project.strength.gamma_M0 * stress / yield;
+        if (used > worst.used) worst = {&post, si<Stress>(stress), used};
+      }
+    }
+  }
+  return worst;
+}
+
+/// What stands against the posts on either side of a hole.
+std::optional<Gate> post_gate_of(const Project& project, const std::deque<SituationRun>& runs,
+                                 const BeamHole& at) {
+  std::vector<HolePost> posts = posts_beside(project, at);
+  // Each post once, by its hole nearer to the beginning; far from each other holes leave webs.
+  constexpr double far = 10.0;
+  const auto none = [&](const HolePost& of) {
+    return !of.faced || of.next->s < at.s || of.pitch > far * of.diameter;
+  };
+  posts.erase(std::remove_if(posts.begin(), posts.end(), none), posts.end());
+  if (posts.empty()) return std::nullopt;
+  const PostBending bending = post_bending_of(project, runs, at, posts);
+  if (bending.post == nullptr) return std::nullopt;
+  const HolePost& post = *bending.post;
+  constexpr double round_off = 1e-9;
+  const double share = project.fatigue.asked ? narrow_in_fatigue : narrow;
+  const bool is_narrow = post.left < (1.0 - round_off) * share * post.pitch;
+  if (!(bending.used > (is_narrow ? felt : 1.0))) return std::nullopt;
+  return gate_at(
+      project, at,
+      fmt::format(" and hole \"{}\" leave a post of {:.4g} mm of {:.4g} mm along the "
+                  "beam, which the shear flow of its pitch bends in its plane by {:.3g} "
+                  "MPa, {:.3g} of its yield strength; that is not judged",
+                  post.next->hole.name, 1e3 * post.left.value(), 1e3 * post.pitch.value(),
+                  1e-6 * bending.stress.value(), bending.used));
+}
+
+/// Whether a hole, with those that reach over its station in the same plates, is wider than what
+/// does not count.
+bool is_wide_with_others(const Project& project, const BeamHole& at) {
+  const Section section = section_at(project.beam, {at.s, Side::both});
+  std::vector<Hole> together;
+  for (const BeamHole& other : project.holes) {
+    if (abs(other.s - at.s) < 0.5 * (other.hole.diameter + at.hole.diameter))
+      together.push_back(other.hole);
+  }
+  return taken_by_holes(together, at.hole.walls) >
+         widest_opening * clear_for_holes(section.outer, at.hole.walls);
 }
 
 }  // namespace
@@ -110,7 +199,7 @@ bool is_wide(const Project& project, const BeamHole& at) {
 std::vector<Gate> hole_gates_of(const Project& project, const std::deque<SituationRun>& runs) {
   std::vector<Gate> gates;
   for (const BeamHole& at : project.holes) {
-    if (is_wide(project, at)) {
+    if (is_wide(project, at) || is_wide_with_others(project, at)) {
       const Length radius = 0.5 * at.hole.diameter;
       if (const Diaphragm* of = diaphragm_in(project, at))
         gates.push_back(gate_at(project, at,
@@ -122,6 +211,7 @@ std::vector<Gate> hole_gates_of(const Project& project, const std::deque<Situati
                                 " reaches over the end of the beam, which is taken to be "
                                 "that of whole plates"));
     }
+    if (auto gate = post_gate_of(project, runs, at)) gates.push_back(std::move(*gate));
     if (at.concentration) continue;
     const auto bending = strip_bending_of(project, runs, at);
     if (!bending || !(bending->used > felt)) continue;

@@ -11,6 +11,7 @@
 #include "boxbeam/numerics/extremum.hpp"
 #include "boxbeam/verification/distorted_stretch.hpp"
 #include "boxbeam/verification/front_end.hpp"
+#include "hollow_forces.hpp"
 #include "patch_notes.hpp"
 #include "patch_search.hpp"
 #include "patched_holes.hpp"
@@ -447,6 +448,7 @@ bool forces_are_looked_at(const Project& project) {
 PatchChecks check_patches(const Project& project, const std::deque<SituationRun>& runs,
                           const std::vector<BendingZone>& zones) {
   PatchChecks found;
+  check_hollow_forces(project, runs, found);
   PatchSearch search(project, zones);
   std::vector<FlangeStep> steps = flange_steps_of(project);
   if (!search.has_something_to_do(runs) && steps.empty()) return found;
@@ -474,7 +476,7 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
              result.check.utilisation() > other.check.utilisation())
       other = std::move(result);
   };
-  found.not_judged = not_judged_of_diaphragms(project);
+  for (NotJudged& of : not_judged_of_diaphragms(project)) found.not_judged.push_back(std::move(of));
   for (auto& [key, of] : worst) {
     if (!(of.use > no_use) || is_hardly_felt(project, of)) continue;
     if (of.borne.part == Borne::Part::unsaid_weld) {

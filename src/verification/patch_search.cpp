@@ -231,7 +231,7 @@ std::string PatchSearch::obstacle_of(const LoadIntroduction& of) {
     if (judged.box || judged.path) continue;
     return std::holds_alternative<ThinWalled>(judged_section_at(*project_, station).outer)
                ? path_obstacle(*project_, station)
-               : "only boxes, rectangular tubes and thin-walled paths are";
+               : "only of boxes, rectangular tubes and thin-walled paths is it judged what it does";
   }
   return used_.count(&of) > 0 ? "" : "no force of the case is known to come in there";
 }

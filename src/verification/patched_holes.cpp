@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "boxbeam/section/plate_force.hpp"
 #include "boxbeam/verification/hole_gates.hpp"
@@ -53,7 +54,68 @@ double strip_use(const Project& project, const BeamHole& at, const PatchedWeb& w
   return 0.5 * (m + std::hypot(m, 2.0 * v));
 }
 
+/// How far a force is spread along the beam at the level of a hole: 45 degrees from its edge.
+Length spread_at(const Project& project, const Patch& patch, const BeamHole& at) {
+  const Section section = section_at(project.beam, {at.s, Side::both});
+  const Extent extent = extent_of(section.outer);
+  const HoleWalls web = patch.along_z ? HoleWalls::webs : HoleWalls::flanges;
+  const Length size = patch.along_z ? extent.z_high - extent.z_low : extent.y_high - extent.y_low;
+  const Length clear = clear_for_holes(section.outer, web);
+  if (at.hole.walls != web) return patch.stiff_length + (size - clear);
+  const Length middle = patch.along_z
+                            ? 0.5 * (clear_top_of(section.outer) + clear_bottom_of(section.outer))
+                            : Length{};
+  // The nearer edge, by whichever flange it comes; of pairs in flanges either one.
+  const Length from_edge = 0.5 * clear - abs(at.hole.position - middle);
+  return patch.stiff_length + (size - clear) + 2.0 * from_edge;
+}
+
+/// By how much more small holes in a row make of a force that a web bears: what they leave of the
+/// loaded length along the beam at the level of one of them,
+///
+///     l/(l - sum d),  of a flange c/(c - sum d) across it
+///
+/// 1 where no other one is in the row, without bound where they leave nothing. Source: equilibrium
+/// of what is above them; EN 1993-1-5:2006, 3.2.3 for l.
+double raised_by_row(const Project& project, const Patch& patch, const BeamHole& at) {
+  const HoleWalls web = patch.along_z ? HoleWalls::webs : HoleWalls::flanges;
+  const Length length = spread_at(project, patch, at);
+  std::vector<Hole> row;
+  std::vector<Length> taken;
+  for (const BeamHole& other : project.holes) {
+    if (other.hole.walls != at.hole.walls) continue;
+    const Length d = 0.5 * (at.hole.diameter + other.hole.diameter);
+    if (at.hole.walls != web) {
+      if (abs(other.s - at.s) < d) row.push_back(other.hole);
+      continue;
+    }
+    if (abs(other.hole.position - at.hole.position) >= d) continue;
+    const Length half = 0.5 * length, radius = 0.5 * other.hole.diameter;
+    const Length from = std::max(Length(other.s - radius), Length(patch.s - half)),
+                 to = std::min(Length(other.s + radius), Length(patch.s + half));
+    if (to > from) taken.push_back(to - from);
+  }
+  Length whole = length, lost;
+  if (at.hole.walls != web) {
+    whole = clear_for_holes(section_at(project.beam, {at.s, Side::both}).outer, at.hole.walls);
+    lost = taken_by_holes(row, at.hole.walls);
+  } else {
+    for (const Length& of : taken) lost += of;
+  }
+  const bool alone = at.hole.walls == web ? taken.size() < 2 : row.size() < 2;
+  if (alone) return 1.0;
+  if (!(lost < whole)) return std::numeric_limits<double>::infinity();
+  return whole / (whole - lost);
+}
+
 }  // namespace
+
+void PatchedHoles::take_small(const Patch& patch, const BeamHole& at, double use) {
+  const double raised = raised_by_row(*project_, patch, at);
+  if (raised == 1.0 || !(raised * use > 1.0)) return;
+  Pressed& worst = worst_[&at];
+  if (raised * use > worst.use) worst = {patch.s, patch.name, raised * use, false, true};
+}
 
 void PatchedHoles::take(const Patch& patch, const PatchBasis& basis, double load_factor,
                         double use) {
@@ -63,9 +125,11 @@ void PatchedHoles::take(const Patch& patch, const PatchBasis& basis, double load
   const StrengthDemand& strength = project_->strength;
   for (const BeamHole& at : project_->holes) {
     const bool by_its_pin = patch.may_come_beside_flanges() && at.s == patch.s;
-    if (by_its_pin || abs(at.s - patch.s) >= reach_of(*project_, patch, at) ||
-        !is_wide(*project_, at))
+    if (by_its_pin || abs(at.s - patch.s) >= reach_of(*project_, patch, at)) continue;
+    if (!is_wide(*project_, at)) {
+      take_small(patch, at, use);
       continue;
+    }
     const bool in_web = at.hole.walls == web_walls && web != nullptr;
     const double scale = strength.required * strength.gamma_M0 * load_factor * basis.share;
     const double of = in_web ? strip_use(*project_, at, *web, scale * abs(basis.force)) : use;
@@ -80,9 +144,13 @@ std::vector<Gate> PatchedHoles::gates() const {
   for (const BeamHole& at : project_->holes) {
     const auto of = worst_.find(&at);
     if (of == worst_.end()) continue;
-    const auto& [s, by, use, in_web] = of->second;
+    const auto& [s, by, use, in_web, in_row] = of->second;
     const std::string what =
-        in_web
+        in_row ? fmt::format(
+                     "presses what it and the holes in its row leave, which uses webs by "
+                     "{:.3g} by that part",
+                     use)
+        : in_web
             ? fmt::format("presses the strip of the web beside it by {:.3g} of its strength", use)
             : fmt::format("stands on it or beside it, which uses whole webs by {:.3g}", use);
     gates.push_back(

@@ -23,11 +23,15 @@ class PatchedHoles {
   std::vector<Gate> gates() const;
 
  private:
+  /// A hole that by itself does not count (2.3), with those in its row: has no verdict where webs
+  /// would be used up by what they leave of the loaded length.
+  void take_small(const Patch& patch, const BeamHole& at, double use);
+
   struct Pressed {
     Length s;
     std::string by;
     double use = 0.0;  ///< of the strip of the web, or of whole webs
-    bool in_web = false;
+    bool in_web = false, in_row = false;
   };
   const Project* project_;
   std::map<const BeamHole*, Pressed> worst_;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <deque>
 
+#include "boxbeam/project/hole_rows.hpp"
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/section/outline.hpp"
 #include "boxbeam/verification/cycle_figure.hpp"
@@ -197,7 +198,7 @@ std::optional<SectionFigure> section_figure_of(const Project& project,
   figure.situation = project.situations[basis.running].name;
   figure.outlines = loops_of(outline_of(section, {}));
   figure.points = points_of(checks, *governing);
-  figure.holes = strips_of(section, holes_at(project, figure.station.s));
+  figure.holes = strips_of(section, holes_in_section(project, figure.station));
   figure.welds = welds_of(section);
   figure.across =
       stress_across(figure.outlines, basis.point.net, histories_at(runs, figure.station));

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/project/hole_rows.hpp"
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/section/path_webs.hpp"
 #include "boxbeam/section/plate_force.hpp"
@@ -68,8 +69,8 @@ class StressPoints {
         taper_(taper_at(project.beam, station)),
         set_(project.in_space ? PointSet::in_space : PointSet::in_plane),
         fields_(&fields),
-        shared_field_(
-            fields.of(judged_section_at(project, station), holes_at(project, station.s), taper_)),
+        shared_field_(fields.of(judged_section_at(project, station),
+                                holes_in_section(project, station), taper_)),
         field_(*shared_field_),
         gross_(properties_of(field_.section)),
         net_(properties_of(field_.section, field_.holes)),
@@ -182,7 +183,7 @@ class StressPoints {
     }
   }
 
-  void add_hole(const BeamHole& at) {
+  void add_hole(const CutHole& at) {
     const Hole& hole = at.hole;
     const bool webs = hole.walls == HoleWalls::webs;
     if (at.concentration) {
@@ -244,11 +245,31 @@ class StressPoints {
       }
     }
     add_strips(at);
+    add_posts(at);
+  }
+
+  /// What goes along the beam from hole to hole in a row, at each of its plates.
+  void add_posts(const CutHole& at) {
+    double raised = 1.0;
+    for (const HolePost& post : posts_beside(*project_, *at.of))
+      raised = std::max(raised, post.shear_raised());
+    if (raised == 1.0) return;
+    const auto whole = fields_->of(field_.section, {}, taper_);
+    for (SectionPoint& place : posts_at(*whole, at.hole, set_)) {
+      for (StressInfluence* of : {&place.influence, &place.prismatic}) {
+        for (double& each : of->shear) each *= raised;
+        of->normal = normal_influence(sums_of(net_), place.y.value(), place.z.value()).normal;
+      }
+      place.torsion.reset();
+      StressPoint& point = add(place);
+      point.is_strip = true;
+      point.shear_detail = if_asked(project_->fatigue.shear);
+    }
   }
 
   /// The flow beside a hole is that of one section, which the hole passes on. What the plate
   /// carries as a whole before and behind it, goes through the strips.
-  void add_strips(const BeamHole& at) {
+  void add_strips(const CutHole& at) {
     const auto whole = fields_->of(field_.section, {}, taper_);
     for (const PlateStrip& strip : strips_beside(field_, *whole, at.hole, set_)) {
       StressPoint& point = add(strip.point);
@@ -327,11 +348,12 @@ class StressPoints {
   }
 
   /// A hole may have a detail of its own.
-  void resist_hole(StressPoint& point, const BeamHole& at) {
-    if (!at.detail || !project_->fatigue.asked) return resist(point);
-    point.detail = &*at.detail;
-    point.compression_reduced = at.detail->detail.compression_reduced;
-    point.range_factor = at.detail->stress_factor;
+  void resist_hole(StressPoint& point, const CutHole& at) {
+    const std::optional<BeamDetail>& own = at.of->detail;
+    if (!own || !project_->fatigue.asked) return resist(point);
+    point.detail = &*own;
+    point.compression_reduced = own->detail.compression_reduced;
+    point.range_factor = own->stress_factor;
   }
 
   static void append(std::vector<HoleEdge>& edges, const std::vector<HoleEdge>& others) {
@@ -354,7 +376,7 @@ class StressPoints {
   }
 
   void add_edge(const std::string& name, std::vector<HoleEdge> edges, bool webs, Length plate,
-                const BeamHole& at, const EdgeConcentration& concentration) {
+                const CutHole& at, const EdgeConcentration& concentration) {
     // Shear lag leaves less to bend, and raises every stress of bending alike.
     const SectionProperties& whole = concentration.edge.net;
     for (HoleEdge& edge : edges) {
@@ -477,9 +499,7 @@ std::vector<StressPoint> stress_points_at(const Project& project,
                                           const Station& station, StressFields& fields) {
   StressPoints gathered(project, zones, station, fields);
   gathered.add_section();
-  for (const BeamHole& at : project.holes) {
-    if (at.s == station.s) gathered.add_hole(at);
-  }
+  for (const CutHole& at : holes_cut_at(project, station)) gathered.add_hole(at);
   for (const NamedPoint& named : project.points) {
     if (named.s != station.s) continue;
     gathered.add_named(named);

@@ -31,6 +31,10 @@ struct PlateStrip {
 std::vector<PlateStrip> strips_beside(const StressField& field, const StressField& whole,
                                       const Hole& hole, PointSet set);
 
+/// The places of a hole's centre in each plate that it goes through, in the section without it; in
+/// the plane of a section that mirrors itself on its left half alone.
+std::vector<SectionPoint> posts_at(const StressField& whole, const Hole& hole, PointSet set);
+
 /// What the holes of a section take out of each plate that this one goes through.
 Length taken_by_holes(const std::vector<Hole>& holes, HoleWalls walls);
 

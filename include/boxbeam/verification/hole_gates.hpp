@@ -20,7 +20,10 @@ bool is_wide(const Project& project, const BeamHole& at);
 ///
 ///     M = F/n 0.225 d
 ///
-/// in each. Source: SCI P355 (2011), circular openings as rectangles 0.45 d long.
+/// in each; likewise posts between holes in a row along the beam that bend above yield, or above
+/// 0.05 of it where they are narrower than half of their pitch, in fatigue 0.6 of it. At diaphragms
+/// and ends small holes side by side count together. Source: SCI P355 (2011), circular openings as
+/// rectangles 0.45 d long; web posts.
 std::vector<Gate> hole_gates_of(const Project& project, const std::deque<SituationRun>& runs);
 
 }  // namespace boxbeam
