@@ -449,6 +449,7 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
                           const std::vector<BendingZone>& zones) {
   PatchChecks found;
   check_hollow_forces(project, runs, found);
+  const bool walls_said = !found.gates.empty() || !found.not_judged.empty();
   PatchSearch search(project, zones);
   std::vector<FlangeStep> steps = flange_steps_of(project);
   if (!search.has_something_to_do(runs) && steps.empty()) return found;
@@ -544,6 +545,10 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
   for (Gate& of : notes.gates()) found.gates.push_back(std::move(of));
   for (Gate& of : holes.gates()) found.gates.push_back(std::move(of));
   for (const LoadIntroduction& of : project.beam.introductions) {
+    // What comes into walls of round tubes is said by its force.
+    if (walls_said &&
+        std::holds_alternative<RoundTube>(section_at(project.beam, {of.from, Side::both}).outer))
+      continue;
     const std::string why = of.stiff_length ? search.obstacle_of(of) : "";
     if (why.empty()) continue;
     found.not_judged.push_back({Criterion::patch_loading,

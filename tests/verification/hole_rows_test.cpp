@@ -70,6 +70,19 @@ TEST_CASE("the shear flow of a pitch goes through the post between two holes: ta
   }
 }
 
+TEST_CASE("in space posts in flanges bear the flow of V_y") {
+  std::string holes;
+  for (int i = 0; i < 3; ++i)
+    holes += hole(fmt::format("h{}", i), 60.0, 0.3 + 0.1 * i, "flanges", 0.0);
+  pressed_beams::Beam of = beam(by_bosses + holes);
+  of.space = true;
+  of.forces = {{.at = 1.0, .across = 1600.0}};
+  const double I = (600.0 * std::pow(400.0, 3) - 560.0 * std::pow(376.0, 3)) / 12.0;
+  const double S = 2.0 * 20.0 * 200.0 * 100.0 + 560.0 * 12.0 * 194.0;
+  const double use = std::sqrt(3.0) * 800e3 * S / (I * 40.0) * 100.0 / 40.0 / 355.0;
+  CHECK(use_at(of.verified(), Criterion::yield, "post beside hole") == Approx(use).epsilon(2e-3));
+}
+
 TEST_CASE("posts between holes in a row are judged in shear fatigue by the flow of their pitch") {
   pressed_beams::Beam of = beam(by_bosses + row(3, 60.0, 0.2, 0.3, 0.0));
   of.forces.front().down = 200.0;
