@@ -7,14 +7,13 @@
 #include "boxbeam/project/plate_detail.hpp"
 
 namespace boxbeam {
-namespace {
-
 bool lies_in(const BeamDetail& stretch, Length s) { return s >= stretch.from && s <= stretch.to; }
 
-/// Whether a stretch holds just inside a station's side.
 bool goes_on(const BeamDetail& stretch, const Station& station) {
   return station.side == Side::before ? station.s > stretch.from : station.s < stretch.to;
 }
+
+namespace {
 
 bool is_meant(const BeamDetail& stretch, const PlaceOfDetails& place) {
   return stretch.on == DetailPlace::section || stretch.on == place.on ||

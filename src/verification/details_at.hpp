@@ -6,6 +6,10 @@
 
 namespace boxbeam {
 
+/// Whether a detail holds at a place, and whether it does just inside a station's side.
+bool lies_in(const BeamDetail& stretch, Length s);
+bool goes_on(const BeamDetail& stretch, const Station& station);
+
 /// Where in a section a place is, for details: walls of paths are fibres, and webs or seams
 /// besides.
 struct PlaceOfDetails {

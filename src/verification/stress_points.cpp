@@ -16,13 +16,6 @@
 namespace boxbeam {
 namespace {
 
-bool lies_in(const BeamDetail& stretch, Length s) { return s >= stretch.from && s <= stretch.to; }
-
-/// Whether a stretch goes on just inside a station's side.
-bool goes_on(const BeamDetail& stretch, const Station& station) {
-  return station.side == Side::before ? station.s > stretch.from : station.s < stretch.to;
-}
-
 DetailPlace place_of(SectionPart part) {
   switch (part) {
     case SectionPart::fibre: return DetailPlace::fibres;
