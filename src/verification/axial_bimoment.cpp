@@ -73,7 +73,7 @@ class Search {
         most = here;
         by = place.most;
       }
-      if (!(factor * sum > found.largest)) continue;
+      if (by == nullptr || !(factor * sum > found.largest)) continue;
       found.largest = factor * sum;
       found.words = words_of(*by, factor);
     }
