@@ -58,8 +58,11 @@ void derive_yield_factor(Derivation& steps, const Project& project, Stress yield
 Steps yield_steps(const Project& project, const Check& check, const CheckBasis& basis) {
   Steps steps{time_step(check, "where the equivalent stress is largest")};
   const StressPoint& point = basis.point;
-  constexpr double no_stress = 1e-3;  // Pa
-  const bool sheared = std::abs(basis.stress_at_time.shear.value()) >= no_stress;
+  // In Pa, and of the normal stress, beside which it would be lost.
+  constexpr double no_stress = 1e-3, lost_beside = 1e-7;
+  const bool sheared =
+      std::abs(basis.stress_at_time.shear.value()) >=
+      std::max(no_stress, lost_beside * std::abs(basis.stress_at_time.normal.value()));
   Derivation of;
   derive_normal_section(of, project, point);
   const Traced sigma = derive_normal_stress(of, "sigma", project, point, basis.cut_at_time);

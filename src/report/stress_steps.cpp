@@ -23,6 +23,8 @@ constexpr std::array<const char*, cut_force::count> in_all{"N", "V_y", "V_z", "T
 
 /// Stresses below are round-off [Pa].
 constexpr double no_stress = 1e-3;
+/// And shear stresses below this part of the normal stress at their place.
+constexpr double lost_beside = 1e-7;
 
 std::string name_of(std::size_t which, bool space) {
   return space ? in_all[which] : in_the_plane[which];
@@ -61,12 +63,14 @@ bool is_round_off(const Influence& influence, std::size_t which) {
 }
 
 /// The cut forces that have a part in a stress above round-off, times their coefficients.
+/// `beside`: the other stress at the place, in which what is less than a ten-millionth is lost.
 std::vector<Traced> contributions_of(const Influence& influence, char letter, const CutForces& cut,
-                                     bool space, const Instead& instead = {}) {
+                                     bool space, Stress beside, const Instead& instead = {}) {
   std::vector<Traced> terms;
+  const double least = std::max(no_stress, lost_beside * std::abs(beside.value()));
   for (std::size_t k = 0; k < cut_force::count; ++k) {
     const Traced force = cut_force_of(cut, k, space);
-    if (force.value() == 0.0 || std::abs(influence[k] * force.value()) < no_stress ||
+    if (force.value() == 0.0 || std::abs(influence[k] * force.value()) < least ||
         is_round_off(influence, k))
       continue;
     std::vector<Traced> of;
@@ -293,7 +297,7 @@ Traced derive_normal_stress(Derivation& steps, const std::string& symbol, const 
                             const std::string& note) {
   const bool space = project.in_space;
   if (point.concentration || point.net.I_yz.value() != 0.0) {
-    return derive_sum(steps, symbol, contributions_of(point.influence.normal, 'k', cut, space),
+    return derive_sum(steps, symbol, contributions_of(point.influence.normal, 'k', cut, space, {}),
                       note);
   }
   return derive_bending_stress(steps, symbol, point, cut, space, note);
@@ -343,7 +347,9 @@ Traced derive_shear_stress(Derivation& steps, const std::string& symbol, const P
     return std::vector<Traced>{};
   };
   return derive_sum(steps, symbol,
-                    contributions_of(point.influence.shear, 'c', cut, space, instead), note);
+                    contributions_of(point.influence.shear, 'c', cut, space,
+                                     stress_at(point.influence, cut).normal, instead),
+                    note);
 }
 
 }  // namespace boxbeam::report

@@ -123,7 +123,8 @@ TEST_CASE("slender beams in mechanisms have the stress of corotational beams",
 // Exudyn has 439.8 MPa. At 0.83 of the buckling load the beam shortens so much by bending that the
 // inertia of what it moves changes its axial force: beyond theory of the second order.
 TEST_CASE("a beam that vibrates near its buckling load does not pass", "[elastic_scenes]") {
-  const Project project = scene("v36.toml");
+  Project project = scene("v36.toml");
+  project.strength.required = 1.0;  // under the loads times it the beam buckles
   const Verification verification = verify(project);
   INFO(verification.model.reason);
   CHECK(verification.model.second_order.in_plane.part > 0.8);
