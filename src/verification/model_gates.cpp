@@ -206,10 +206,6 @@ Judges judges(Criterion criterion) {
   return Judges::neither;
 }
 
-}  // namespace
-
-namespace {
-
 /// What second order adds to a deflection, by what it adds to what the design loads bend: less, as
 /// the loads of a deflection are less. Of what `check_deflection` has grown itself nothing.
 double deflection_growth(const Project& project, const CheckResult& result, double designed) {

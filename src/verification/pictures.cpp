@@ -35,6 +35,7 @@ Pictures pictures_of(const Project& project, const std::deque<SituationRun>& run
                      const std::vector<MotionSummary>& motions, Figures figures) {
   const SituationRun& first = runs.front();
   Pictures pictures;
+  pictures.envelope = envelope_lines(runs);
   pictures.elastic = front_end_of(project)->elastic_figures(first, model);
   pictures.postures.push_back(pictures.elastic
                                   ? pictures.elastic->rest
@@ -58,7 +59,6 @@ Pictures pictures_of(const Project& project, const std::deque<SituationRun>& run
     pictures.sn = sn_figure(project, *fatigue, checks);
   }
   if (figures == Figures::without) return pictures;
-  pictures.envelope = envelope_lines(runs);
   const std::size_t worst = governing_situation_of(checks, motions);
   for (const SituationRun& run : runs) {
     const bool among_first = pictures.cycles.size() < most_cycles_drawn;

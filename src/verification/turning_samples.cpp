@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace boxbeam {
 
@@ -40,10 +39,11 @@ void find_turning_samples(const std::vector<double>& values, TurningSamples& fou
       candidate = i;
     }
   }
-  std::sort(turns.begin(), turns.end(), [](const TurningSample& a, const TurningSample& b) {
-    return std::pair(a.index, a.maximum) < std::pair(b.index, b.maximum);
-  });
-  turns.erase(std::unique(turns.begin(), turns.end()), turns.end());
+  // Once round they ascend but where it begins anew.
+  const auto first = std::is_sorted_until(
+      turns.begin(), turns.end(),
+      [](const TurningSample& a, const TurningSample& b) { return a.index < b.index; });
+  std::rotate(turns.begin(), first, turns.end());
 }
 
 }  // namespace boxbeam

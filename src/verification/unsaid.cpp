@@ -113,8 +113,9 @@ bool has_functions_of_time(const frame::Structure& structure) {
   return false;
 }
 
-/// Whether a joint by which a body is held leaves it free to shift across some axis or to turn
-/// about some: all but welds and what drivers hold.
+/// Whether a joint leaves a body free to shift across some axis or to turn about some: the one that
+/// carries it, unless it is a weld or driven, or one that closes a loop, which may hold it by what
+/// it carries.
 bool leaves_beam_free(const spatial::Mechanism& mechanism, int body) {
   const spatial::Joint& carrying = mechanism.joints[static_cast<std::size_t>(body)];
   if (carrying.kind != spatial::JointKind::fixed && !spatial::is_driven(carrying)) return true;

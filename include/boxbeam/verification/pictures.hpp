@@ -18,15 +18,15 @@ namespace boxbeam {
 enum class Figures { without, with };
 
 struct Pictures {
-  std::vector<CutForceLine> lines;  ///< at the critical instants
+  std::vector<CutForceLine> lines;     ///< at the critical instants
+  std::vector<CutForceLine> envelope;  ///< smallest and largest, along the beam
   std::vector<BeamLoadRow> loads;
   std::vector<PostureFigure> postures;           ///< the first at the beginning or without load
   std::optional<LoadsOverTime> loads_over_time;  ///< at the governing station, in space
   std::optional<ElasticFigures> elastic;         ///< of elastic links
   std::optional<SnFigure> sn;                    ///< of the governing fatigue check
   // Where figures are wanted:
-  std::vector<CutForceLine> envelope;  ///< smallest and largest, along the beam
-  std::vector<CycleFigure> cycles;     ///< of every situation that runs, the first first
+  std::vector<CycleFigure> cycles;  ///< of every situation that runs, the first first
   std::vector<DriverLine> drivers;
   std::optional<SectionFigure> section;  ///< where the governing check rests on cut forces
 };

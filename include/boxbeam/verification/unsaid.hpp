@@ -30,8 +30,7 @@ std::vector<NotJudged> unfinished_motion_of(const Project& project,
 /// in space, in the plane where something stands against an estimate, and in frames at rest under
 /// functions of time. Nothing where the loads are measured, elastic links carry them, or the
 /// stresses along the beam change by less than the model's tolerance; in space where they change
-/// slowly
-/// (`may_vibrate`).
+/// slowly (`may_vibrate`).
 std::vector<NotJudged> unestimated_vibration_of(const Project& project, const ModelChoice& model,
                                                 const std::deque<SituationRun>& runs);
 

@@ -30,7 +30,7 @@ constexpr double error_of_passage = 1e-6;
 
 /// Solutions of the equations of motion times coordinates, at most: some ten seconds. Of few
 /// coordinates a solution costs as much as of `fewest_coordinates`.
-constexpr double most_work = 1e7;
+constexpr double most_work = 2e7;
 constexpr double fewest_coordinates = 9.0;
 
 /// Where steps end because drivers or forces bend or jump there: just before and just behind each
@@ -276,9 +276,10 @@ State FreeSolver::advance(double time, const State& known) {
     if (static_cast<double>(equations_.evaluations()) * coordinates > most_work) {
       throw AnalysisError(
           {fmt::format(
-               "the motion under the applied forces takes too much work: {} steps have not "
-               "led to its end; look for a spring that is far too stiff, a mass that is far "
-               "too small or a [motion] duration that is far too long",
+               "the motion under the applied forces takes too much work: {} steps, those "
+               "between the instants that are judged among them, have not led to its end; look "
+               "for a spring that is far too stiff, a mass that is far too small or a [motion] "
+               "duration that is far too long",
                steps_),
            "mechanism",
            state.time,

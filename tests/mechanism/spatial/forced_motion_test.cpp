@@ -73,6 +73,23 @@ double value(const State& state, int joint) {
   return state.coordinates[static_cast<std::size_t>(joint)].value;
 }
 
+/// A mass that moves along z, at rest at a height above a stop on the ground.
+Mechanism falling_onto_stop(double m, double height, double stiffness, double damping) {
+  Mechanism mechanism;
+  mechanism.gravity = {0.0, 0.0, -g};
+  const int mass = add(mechanism, "mass", JointKind::prismatic, ground, Vector3d::Zero(),
+                       Vector3d::UnitZ(), height);
+  set_mass(mechanism, mass, m, Vector3d::Zero(), Vector3d::Zero());
+  mechanism.springs.push_back({"stop",
+                               {ground, {0.0, 0.0, -1.0}},
+                               {mass, Vector3d::Zero()},
+                               stiffness,
+                               1.0,
+                               damping,
+                               Spring::Acts::pushing});
+  return mechanism;
+}
+
 }  // namespace
 
 TEST_CASE("a pendulum in space swings with the period of its closed form") {
@@ -178,22 +195,12 @@ TEST_CASE("a mass falls onto a stop that only pushes, and is thrown back") {
   // Contact with rate v: half a wave about the weight's sag and what that adds. Closed form of a
   // mass on a spring: z = -s + s cos(w t) - v/w sin(w t), s = m g/k.
   constexpr double m = 4.0, k = 2e4, height = 0.5;
-  Mechanism mechanism;
-  mechanism.gravity = {0.0, 0.0, -g};
-  const int mass = add(mechanism, "mass", JointKind::prismatic, ground, Vector3d::Zero(),
-                       Vector3d::UnitZ(), height);
-  set_mass(mechanism, mass, m, Vector3d::Zero(), Vector3d::Zero());
-  mechanism.springs.push_back({"stop",
-                               {ground, {0.0, 0.0, -1.0}},
-                               {mass, Vector3d::Zero()},
-                               k,
-                               1.0,
-                               0.0,
-                               Spring::Acts::pushing});
+  Mechanism mechanism = falling_onto_stop(m, height, k, 0.0);
   const double v = std::sqrt(2.0 * g * height), fall = v / g, w = std::sqrt(k / m), s = m * g / k;
   const double contact = (2.0 / w) * (0.5 * full_turn - std::atan(v / (w * s)));
   mechanism.duration.length = 3.0 * (2.0 * fall + contact);
   const Chain chain(mechanism);
+  constexpr int mass = 0;
   const double lowest = fall + 0.5 * contact;
   CHECK(value(chain.at(lowest), mass) == Approx(-s - std::hypot(s, v / w)).epsilon(1e-7));
   CHECK(value(chain.at(2.0 * fall + contact), mass) == Approx(height).epsilon(1e-7));
@@ -203,22 +210,12 @@ TEST_CASE("a mass falls onto a stop that only pushes, and is thrown back") {
 TEST_CASE("a mass falls freely onto a damped stop, and is braked from where it touches it") {
   // From the touch on m x" = -m g - k x - c x', with x = 0 and x' = -v.
   constexpr double m = 4.0, k = 2e4, c = 300.0, height = 0.5;
-  Mechanism mechanism;
-  mechanism.gravity = {0.0, 0.0, -g};
-  const int mass = add(mechanism, "mass", JointKind::prismatic, ground, Vector3d::Zero(),
-                       Vector3d::UnitZ(), height);
-  set_mass(mechanism, mass, m, Vector3d::Zero(), Vector3d::Zero());
-  mechanism.springs.push_back({"stop",
-                               {ground, {0.0, 0.0, -1.0}},
-                               {mass, Vector3d::Zero()},
-                               k,
-                               1.0,
-                               c,
-                               Spring::Acts::pushing});
+  Mechanism mechanism = falling_onto_stop(m, height, k, c);
   const double v = std::sqrt(2.0 * g * height), fall = v / g, s = m * g / k;
   const double delta = c / (2.0 * m), w = std::sqrt(k / m - delta * delta);
   mechanism.duration.length = 2.0 * fall;
   const Chain chain(mechanism);
+  constexpr int mass = 0;
   CHECK(value(chain.at(0.99 * fall), mass) == Approx(height * (1.0 - 0.99 * 0.99)).epsilon(1e-9));
   const double touched = chain.forced()->changes().front();
   CHECK(touched == Approx(fall).epsilon(1e-9));

@@ -48,10 +48,11 @@ SuddenStart sudden_start_of(const ModalModel& model, double length, std::size_t 
 /// What the modes bear after the loads are switched on, by their largest speeds eta_j' in the modal
 /// coordinates of mass one: a bending beam's stress goes by the speed at which it vibrates.
 ///
-///     free_j   = omega_j |p_j|/omega_j^2 sqrt(cos part^2 + (r sin part)^2)/|1 - r^2 + i d
-///     r/omega_j| driven_j = omega_j |p_j|/omega_j^2/|1 - r^2 + i d r/omega_j|,  r = omega/omega_j
+///     free_j   ~ sqrt((r Re p_j)^2 + (Im p_j)^2)/(omega_j |D_j|)
+///     driven_j ~ |p_j|/(omega_j |D_j|),  D_j = 1 - r^2 + i d_j r/omega_j,  r = omega/omega_j
 ///
-/// d: the mode's damping [1/s]. Each over the largest of all; zero of a mode without strain.
+/// p_j: modal load, of the time factor exp(i omega t); d_j: the mode's damping [1/s]. Each over the
+/// largest of all; zero of a mode without strain.
 /// Source: F. V. Hunt, J. Acoust. Soc. Am. 32 (1960), 1123.
 struct StartShares {
   Eigen::VectorXd free, driven;
