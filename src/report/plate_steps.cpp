@@ -7,6 +7,7 @@
 
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/strength/yield.hpp"
+#include "boxbeam/verification/design_factor.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
 #include "boxbeam/verification/slender_path.hpp"
 #include "derivation_text.hpp"
@@ -336,7 +337,7 @@ Steps member_steps(const Project& project, const CheckResult& result) {
                          ? derive_lateral_use(steps, basis.load, basis.curve, gamma_M1)
                          : derive_flexural_use(steps, basis.load, basis.curve, gamma_M1);
   steps.note([&] { return "the beam " + basis.held; });
-  const double demanded = std::max(project.strength.required, 1.0);
+  const double demanded = demanded_of(project);
   if (demanded == 1.0) {
     steps.define("factor", 1.0 / use);
   } else {

@@ -9,10 +9,10 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/verification/design_factor.hpp"
 #include "boxbeam/verification/judged_section.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
 #include "boxbeam/verification/slender_path.hpp"
-#include "design_factor.hpp"
 #include "plate_panels.hpp"
 
 namespace boxbeam {

@@ -10,11 +10,11 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/forces.hpp"
 #include "boxbeam/verification/balance_defect.hpp"
+#include "boxbeam/verification/design_factor.hpp"
 #include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/vibration_estimate.hpp"
-#include "design_factor.hpp"
 #include "second_order_growth.hpp"
 
 namespace boxbeam {

@@ -10,10 +10,10 @@
 #include "boxbeam/strength/plate_slenderness.hpp"
 #include "boxbeam/strength/section_class.hpp"
 #include "boxbeam/verification/balance_defect.hpp"
+#include "boxbeam/verification/design_factor.hpp"
 #include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
 #include "boxbeam/verification/planar_links.hpp"
-#include "design_factor.hpp"
 
 namespace boxbeam {
 namespace {

@@ -12,9 +12,9 @@
 #include "boxbeam/section/torsion.hpp"
 #include "boxbeam/section/warping.hpp"
 #include "boxbeam/strength/twisting_buckling.hpp"
+#include "boxbeam/verification/design_factor.hpp"
 #include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/judged_section.hpp"
-#include "design_factor.hpp"
 
 namespace boxbeam {
 namespace {
