@@ -74,13 +74,30 @@ std::string stroke_text(const DriverLine& driver) {
              : fmt::format("{} goes from {} to {}", driver.name, text::mm(*low), text::mm(*high));
 }
 
+/// Whether forces move joints of a mechanism in space, and whether drivers move others.
+struct MovedInSpace {
+  bool by_forces = false, by_drivers = false;
+};
+
+MovedInSpace moved_in_space(const Project& project) {
+  const auto* const space = std::get_if<spatial::Mechanism>(&project.mechanism);
+  if (space == nullptr) return {};
+  const auto& joints = space->joints;
+  return {std::any_of(joints.begin(), joints.end(), spatial::is_forced),
+          std::any_of(joints.begin(), joints.end(), spatial::is_driven)};
+}
+
 std::string motion_caption(const Source& source) {
   const auto& closure = source.verification.motions.front().closure;
   // Elsewhere forces are prescribed and the motion is the answer.
-  const bool driven =
-      !source.verification.pictures.elastic && (!closure || closure->freedom.undriven == 0);
+  const MovedInSpace space = moved_in_space(source.project);
+  const bool driven = !source.verification.pictures.elastic &&
+                      (!closure || closure->freedom.undriven == 0) &&
+                      (!space.by_forces || space.by_drivers);
   const std::string what =
-      driven ? "Position, speed and acceleration that the drivers prescribe"
+      driven && space.by_forces
+          ? "Position, speed and acceleration that drivers prescribe and forces cause"
+      : driven ? "Position, speed and acceleration that the drivers prescribe"
       : source.verification.pictures.elastic
           ? "Displacement, speed and acceleration with which the points of the prescribed loads "
             "answer them"

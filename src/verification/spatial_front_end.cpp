@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/spatial/beam_loads.hpp"
@@ -133,8 +134,11 @@ std::vector<DriverLine> driver_lines_of(const spatial::Chain& chain, const LoadH
       const Eigen::Vector3d axis = spatial::in_world(state, joint.parent, joint.axis);
       lines[i].name = spatial::driver_text(joint);
       lines[i].turns = joint.kind == spatial::JointKind::revolute;
-      add_sample(lines[i], time, state.coordinates[i],
-                 axis.dot(lines[i].turns ? wrenches[i].moment : wrenches[i].force));
+      // Where forces move it nothing else acts along its axis.
+      std::optional<double> force;
+      if (!spatial::is_forced(joint))
+        force = axis.dot(lines[i].turns ? wrenches[i].moment : wrenches[i].force);
+      add_sample(lines[i], time, state.coordinates[i], force);
     }
     for (std::size_t i = carrying; i < lines.size(); ++i) {
       const spatial::ClosingJoint& joint = mechanism.closing[i - carrying];
