@@ -52,7 +52,7 @@ class FrameReader : public FrontEndReader {
     project_->beam_body = static_cast<int>(project_->beam_index);
     frame::Structure structure = structure_of(root, tree);
     refuse_moving_parts(root);
-    refuse_planar_parts(root, *project_, structure.plane);
+    refuse_planar_parts(root, *project_, {.deflection = structure.plane});
     project_->in_space = !structure.plane;
     if (root.problems().empty()) add_places(*project_, structure);
     structure.members[project_->beam_index].beam = project_->beam;

@@ -20,16 +20,20 @@ Changeable changeable_of_bodies(const std::string& beam_body) {
   return {parts, "drivers.exciter.frequency", beam_body};
 }
 
-void refuse_planar_parts(TableReader& root, const Project& project, bool deflects) {
+void refuse_planar_parts(TableReader& root, const Project& project, Known known) {
   for (const char* key :
        {"loops", "newton_chain", "equivalent_mass", "pins", "rods", "deflection"}) {
-    const bool deflection = key == std::string_view("deflection");
-    if ((deflects && deflection) || !root.has_misplaced(key)) continue;
+    const std::string_view name = key;
+    const bool deflection = name == "deflection", neighbours = name == "pins" || name == "rods";
+    if ((known.deflection && deflection) || (known.neighbours && neighbours) ||
+        !root.has_misplaced(key))
+      continue;
     root.problem(
         key,
         fmt::format("\"{}\" is known for {}", key,
-                    deflection ? "planar, static and loads cases only"
-                               : "rigid mechanisms in the plane only"),
+                    deflection   ? "planar, static and loads cases only"
+                    : neighbours ? "rigid mechanisms only"
+                                 : "rigid mechanisms in the plane only"),
         fmt::format("remove it from this case of kind = \"{}\"", kind_word_of(project.mechanism)));
   }
 }

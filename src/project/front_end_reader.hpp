@@ -71,8 +71,12 @@ std::unique_ptr<FrontEndReader> reader_for(const recorded::Loads&, const Section
 /// The parts of a mechanism of rigid bodies that a situation may change.
 Changeable changeable_of_bodies(const std::string& beam_body);
 
-/// Notes what is known of rigid mechanisms in the plane only, in a case of another kind; of its
-/// deflection only where it is not known.
-void refuse_planar_parts(TableReader& root, const Project& project, bool deflects = false);
+/// Which parts of rigid mechanisms in the plane another kind of case knows as well.
+struct Known {
+  bool deflection = false, neighbours = false;
+};
+
+/// Notes the parts that it does not know.
+void refuse_planar_parts(TableReader& root, const Project& project, Known known = {});
 
 }  // namespace boxbeam::readers

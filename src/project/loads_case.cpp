@@ -39,7 +39,7 @@ class LoadsReader : public FrontEndReader {
       return;
     }
     project_->mechanism = read_recorded(root, project_->beam, *tables_, project_->in_space);
-    refuse_planar_parts(root, *project_, !project_->in_space);
+    refuse_planar_parts(root, *project_, {.deflection = !project_->in_space});
     add_places();
     project_->beam_body = 0;
   }

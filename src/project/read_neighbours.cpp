@@ -97,10 +97,51 @@ LugInput read_lug(TableReader table, const PinInput& pin) {
   return lug;
 }
 
+/// Whether a joint in space turns about the pin in it, and whether it keeps an axis for it.
+bool turns_about_pin(const spatial::Mechanism& mechanism, int joint) {
+  const auto index = static_cast<std::size_t>(joint);
+  if (index < mechanism.joints.size())
+    return mechanism.joints[index].kind == spatial::JointKind::revolute;
+  const spatial::ClosingKind kind = mechanism.closing[index - mechanism.joints.size()].kind;
+  return kind == spatial::ClosingKind::revolute || kind == spatial::ClosingKind::cylindrical;
+}
+
+bool may_have_pin(const spatial::Mechanism& mechanism, int joint) {
+  const auto index = static_cast<std::size_t>(joint);
+  if (turns_about_pin(mechanism, joint)) return true;
+  if (index < mechanism.joints.size()) return false;
+  const spatial::ClosingKind kind = mechanism.closing[index - mechanism.joints.size()].kind;
+  return kind == spatial::ClosingKind::spherical || kind == spatial::ClosingKind::distance;
+}
+
+/// The joint of a pin: in space behind those that carry bodies those that close loops.
+int joint_of_pin(TableReader& table, const Project& project) {
+  const Key key{"joint", "in which it is"};
+  if (!project.in_space) return joint_of(table, key, planar_of(project));
+  const spatial::Mechanism& mechanism = spatial_of(project);
+  const std::string name = table.text(key);
+  if (name.empty()) return 0;
+  std::vector<std::string> names;
+  for (const spatial::Joint& joint : mechanism.joints) names.push_back(joint.name);
+  for (const spatial::ClosingJoint& joint : mechanism.closing) names.push_back(joint.name);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) {
+    table.problem(key.name, fmt::format("there is no joint \"{}\"", name),
+                  unknown_hint(name, names));
+    return 0;
+  }
+  const int joint = static_cast<int>(found - names.begin());
+  if (!may_have_pin(mechanism, joint))
+    table.problem(key.name, fmt::format("joint \"{}\" does not turn about a pin", name),
+                  "a pin is in a joint of kind \"revolute\", \"cylindrical\", \"spherical\" or "
+                  "\"distance\"");
+  return joint;
+}
+
 PinInput read_pin(TableReader table, const Project& project) {
   PinInput pin;
   pin.name = table.text({"name", "of the pin"});
-  pin.joint = joint_of(table, {"joint", "in which it is"}, planar_of(project));
+  pin.joint = joint_of_pin(table, project);
   PinJoint& geometry = pin.geometry;
   geometry.diameter = si<Length>(table.positive({"diameter", "of the pin"}, wanted::length));
   geometry.hole = si<Length>(
@@ -134,6 +175,11 @@ PinInput read_pin(TableReader table, const Project& project) {
   for (TableReader& of : table.tables(
            {"lugs", "its plates, checked beside and before the hole and there in fatigue"})) {
     LugInput lug = read_lug(of, pin);
+    if (project.in_space && !turns_about_pin(spatial_of(project), pin.joint))
+      of.problem("plate",
+                 "the joint of the pin keeps no axis, so that the way in which it pulls at its "
+                 "plates is not known",
+                 "of lugs the pin is in a joint of kind \"revolute\" or \"cylindrical\"");
     if (std::any_of(pin.lugs.begin(), pin.lugs.end(),
                     [&](const LugInput& other) { return other.inner == lug.inner; }))
       of.problem("plate", "this plate is there already", "write \"inner\" and \"outer\" once each");
@@ -143,25 +189,44 @@ PinInput read_pin(TableReader table, const Project& project) {
   return pin;
 }
 
-/// Whether joints hold a rod at both its points, and no situation changes its body.
-void check_rod_ends(TableReader& table, const RodInput& rod, const Project& project) {
-  const double size = (rod.to.p - rod.from.p).norm();
-  const auto held_at = [&](const planar::Attachment& end) {
-    return std::any_of(planar_of(project).joints.begin(), planar_of(project).joints.end(),
-                       [&](const planar::Joint& joint) {
-                         const auto [a, b] = planar::ends_of(joint);
-                         const auto here = [&](const planar::Attachment& at) {
-                           return at.body == end.body && (at.p - end.p).norm() < 1e-9 * size;
-                         };
-                         return here(a) || here(b);
-                       });
+/// Whether something takes hold of the body of an end there.
+bool is_held(const planar::Mechanism& mechanism, const planar::Attachment& end, double near) {
+  const auto here = [&](const planar::Attachment& at) {
+    return at.body == end.body && (at.p - end.p).norm() < near;
   };
+  return std::any_of(mechanism.joints.begin(), mechanism.joints.end(),
+                     [&](const planar::Joint& joint) {
+                       const auto [a, b] = planar::ends_of(joint);
+                       return here(a) || here(b);
+                     });
+}
+
+bool is_held(const spatial::Mechanism& mechanism, const spatial::Attachment& end, double near) {
+  const auto here = [&](int body, const Eigen::Vector3d& p) {
+    return body == end.body && (p - end.p).norm() < near;
+  };
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const spatial::Joint& joint = mechanism.joints[i];
+    if (here(static_cast<int>(i), joint.point) || here(joint.parent, joint.at)) return true;
+  }
+  const auto holds = [&](const auto& of) {
+    return here(of.a.body, of.a.p) || here(of.b.body, of.b.p);
+  };
+  return std::any_of(mechanism.closing.begin(), mechanism.closing.end(), holds) ||
+         std::any_of(mechanism.springs.begin(), mechanism.springs.end(), holds);
+}
+
+/// Whether joints hold a rod at both its points, and no situation changes its body.
+template <class Mechanism, class Ends>
+void check_rod_ends(TableReader& table, const Ends& rod, const Mechanism& mechanism,
+                    const Project& project) {
+  const double near = 1e-9 * (rod.to.p - rod.from.p).norm();
   for (const auto& [key, end] : {std::pair{"from", rod.from}, {"to", rod.to}}) {
-    if (held_at(end)) continue;
+    if (is_held(mechanism, end, near)) continue;
     table.problem(key, "no joint holds the rod at this point, and nothing presses it there",
                   "write the points at which joints hold it");
   }
-  const std::string& body = planar_of(project).bodies[static_cast<std::size_t>(rod.from.body)].name;
+  const std::string& body = mechanism.bodies[static_cast<std::size_t>(rod.from.body)].name;
   for (const Situation& situation : project.situations) {
     for (const std::string& change : situation.set) {
       if (!change.starts_with("bodies." + body + ".")) continue;
@@ -170,6 +235,63 @@ void check_rod_ends(TableReader& table, const RodInput& rod, const Project& proj
                     "leave the rod's body as it is, or take the rod out of the checks");
     }
   }
+}
+
+/// The two ends of a rod that is a body, and how far apart they are.
+template <class Ends, class Mechanism>
+Ends read_rod_ends(TableReader& table, const Mechanism& mechanism, RodInput& rod) {
+  Ends ends;
+  ends.from = attachment_of(table, {"from", "its end, \"body.point\""}, mechanism);
+  ends.to = attachment_of(table, {"to", "its other end, of the same body"}, mechanism);
+  rod.length = si<Length>((ends.to.p - ends.from.p).norm());
+  if (table.problems().empty() &&
+      (ends.from.body != ends.to.body || ends.from.body < 0 || !(rod.length > Length{})))
+    table.problem("to", "a rod goes from one point of a body to another one of the same body",
+                  "write two of its points");
+  return ends;
+}
+
+Key link_key() {
+  return {"link",
+          "in space, in place of \"from\" and \"to\": the joint of kind \"distance\" or the "
+          "spring that it is"};
+}
+
+/// A rod without mass; its length is known where it does not change.
+RodLink read_link(TableReader& table, const spatial::Mechanism& mechanism, RodInput& rod) {
+  const std::string name = table.text(link_key());
+  std::vector<std::string> names;
+  RodLink link;
+  bool found = false;
+  for (std::size_t i = 0; i < mechanism.closing.size(); ++i) {
+    const spatial::ClosingJoint& joint = mechanism.closing[i];
+    if (joint.kind != spatial::ClosingKind::distance) continue;
+    names.push_back(joint.name);
+    if (joint.name != name) continue;
+    link = {false, i};
+    found = true;
+    if (joint.driver_name.empty()) rod.length = si<Length>(driver_at(joint.length, 0.0).value);
+  }
+  for (std::size_t i = 0; i < mechanism.springs.size(); ++i) {
+    names.push_back(mechanism.springs[i].name);
+    if (mechanism.springs[i].name != name) continue;
+    link = {true, i};
+    found = true;
+  }
+  if (!found && !name.empty())
+    table.problem(link_key().name,
+                  fmt::format("there is no joint of kind \"distance\" and no spring \"{}\"", name),
+                  unknown_hint(name, names));
+  return link;
+}
+
+void read_place(TableReader& table, const Project& project, RodInput& rod) {
+  if (!project.in_space)
+    rod.place = read_rod_ends<PlanarRod>(table, planar_of(project), rod);
+  else if (table.has(link_key()))
+    rod.place = read_link(table, spatial_of(project), rod);
+  else
+    rod.place = read_rod_ends<SpatialRod>(table, spatial_of(project), rod);
 }
 
 /// The thickest wall of a section, whose strength is the lowest.
@@ -188,18 +310,19 @@ Length thickest_wall_of(const Section& section) {
 RodInput read_rod(TableReader table, const Sections& sections, const Project& project) {
   RodInput rod;
   rod.name = table.text({"name", "of the rod"});
-  rod.from = attachment_of(table, {"from", "its end, \"body.point\""}, planar_of(project));
-  rod.to = attachment_of(table, {"to", "its other end, of the same body"}, planar_of(project));
+  read_place(table, project, rod);
   const std::size_t before = table.problems().size();
   rod.section = named_section(table, {"section", "of the rod"}, sections);
-  const double distance = (rod.to.p - rod.from.p).norm();
-  if (table.problems().empty() && (rod.from.body != rod.to.body || distance == 0.0)) {
-    table.problem("to", "a rod goes from one point of a body to another one of the same body",
-                  "write two of its points");
-  }
-  rod.buckling_length = si<Length>(table.positive(
-      {"buckling_length", "against flexural buckling; their distance where not said"},
-      wanted::length, distance > 0.0 ? std::optional(distance) : 1.0));
+  const Key buckling{"buckling_length",
+                     "against flexural buckling; their distance where not said and it does not "
+                     "change"};
+  const bool known = rod.length > Length{};
+  if (!known && std::holds_alternative<RodLink>(rod.place) && !table.has(buckling))
+    table.problem(buckling.name, "the length of the rod changes as it moves",
+                  "write buckling_length, its largest");
+  rod.buckling_length =
+      si<Length>(table.positive(buckling, wanted::length, known ? rod.length.value() : 1.0));
+  if (!known) rod.length = rod.buckling_length;
   constexpr std::array curves{BucklingCurve::a0, BucklingCurve::a, BucklingCurve::b,
                               BucklingCurve::c, BucklingCurve::d};
   rod.curve =
@@ -217,7 +340,10 @@ RodInput read_rod(TableReader table, const Sections& sections, const Project& pr
       steel_of(table, {"steel", "of the rod; that of the beam where not said"}, project);
   if (table.problems().size() == before && table.problems().empty()) {
     const Length wall = thickest_wall_of(rod.section);
-    check_rod_ends(table, rod, project);
+    if (const auto* const ends = std::get_if<PlanarRod>(&rod.place))
+      check_rod_ends(table, *ends, planar_of(project), project);
+    if (const auto* const ends = std::get_if<SpatialRod>(&rod.place))
+      check_rod_ends(table, *ends, spatial_of(project), project);
     rod.yield_strength = strength_at(table, "section", steel, yield_strength_of, wall);
     rod.tensile_strength = strength_at(table, "section", steel, tensile_strength_of, wall);
     const Area whole = properties_of(rod.section).area;
@@ -247,13 +373,13 @@ void read_neighbours(TableReader& root, const Sections& sections, Project& proje
     check_own_name(table, project.pins, pin);
     project.pins.push_back(std::move(pin));
   }
-  for (TableReader& table : root.tables(
-           {"rods", "rods between two points of a body, checked in tension and compression"})) {
+  for (TableReader& table :
+       root.tables({"rods", "rods between two points, checked in tension and compression"})) {
     RodInput rod = read_rod(table, sections, project);
     check_own_name(table, project.rods, rod);
     project.rods.push_back(std::move(rod));
   }
-  if (root.has("deflection")) {
+  if (!project.in_space && root.has("deflection")) {
     project.deflection =
         read_deflection(root.table({"deflection", "how far the beam may bend"}), project);
   }

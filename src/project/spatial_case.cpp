@@ -56,7 +56,7 @@ class SpatialReader : public FrontEndReader {
       for (const char* key : {"start", "axis", "z"}) static_cast<void>(beam.has(key));
     }
     beam.finish();
-    refuse_planar_parts(root, *project_);
+    refuse_planar_parts(root, *project_, {.neighbours = true});
     if (root.problems().empty()) {
       place_others(root, mechanism);
       place_beam(root, project_->beam, project_->placement, mechanism);
@@ -78,6 +78,10 @@ class SpatialReader : public FrontEndReader {
     place_others(root, mechanism);
     place_beam(root, project_->beam, placement, mechanism);
     return mechanism;
+  }
+
+  void read_neighbours(TableReader& root) override {
+    readers::read_neighbours(root, *sections_, *project_);
   }
 
  private:

@@ -1,12 +1,9 @@
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "boxbeam/fatigue/range_limit.hpp"
-#include "boxbeam/mechanism/planar/motion.hpp"
-#include "boxbeam/mechanism/planar/reactions.hpp"
 #include "boxbeam/numerics/extremum.hpp"
 #include "boxbeam/verification/life_cycles.hpp"
 #include "boxbeam/verification/peak_over_time.hpp"
@@ -17,28 +14,26 @@
 namespace boxbeam {
 namespace {
 
-/// The force of a joint in one situation, in the axes of one of its bodies.
+/// The force of a joint in one situation, across its pin in axes of one of its bodies.
 class TurningForce {
  public:
-  TurningForce(const Project& project, const SituationRun& run, int joint, int body)
-      : mechanism_(&planar_in(project, *run.situation)),
-        motion_(&planar_motion_of(run)),
-        finder_(*mechanism_, *motion_),
-        span_(sampled_time_of(run.loads)),
-        joint_(joint),
-        body_(body) {
-    for (const SampledInstant& instant : span_.instants) samples_.push_back(force_at(instant.at));
+  TurningForce(NeighbourLoads& loads, int joint, std::size_t body)
+      : loads_(&loads), joint_(joint), body_(body) {
+    for (const SampledInstant& instant : loads.span().instants)
+      samples_.push_back(force_at(instant.at));
   }
 
   /// The turning points of its component along a direction, as stresses by a factor.
   SituationTurns turns_along(const Eigen::Vector2d& way, double factor) {
+    const SampledTime& span = loads_->span();
     std::vector<double> values;
     for (const Eigen::Vector2d& force : samples_) values.push_back(factor * way.dot(force));
     const TurningSamples found = turning_samples_of(values);
-    SituationTurns turns{{}, values.front(), motion_->closed ? values.front() : values.back()};
+    const bool closed = loads_->run().loads.closed();
+    SituationTurns turns{{}, values.front(), closed ? values.front() : values.back()};
     for (const auto& [sample, maximum] : found.turns) {
       const double sign = maximum ? 1.0 : -1.0;
-      const SampledInstant& at = span_.instants[sample];
+      const SampledInstant& at = span.instants[sample];
       Extremum best{at.at, sign * values[sample]};
       if (at.to > at.from) {
         const Extremum between =
@@ -50,7 +45,7 @@ class TurningForce {
     }
     if (turns.turns.empty())
       turns.turns.push_back(
-          {si<Time>(span_.instants[found.highest].at), values[found.highest], true});
+          {si<Time>(span.instants[found.highest].at), values[found.highest], true});
     std::sort(turns.turns.begin(), turns.turns.end(),
               [](const TurningPoint& a, const TurningPoint& b) { return a.time < b.time; });
     return turns;
@@ -58,26 +53,16 @@ class TurningForce {
 
  private:
   double within(double time) const {
-    if (time < span_.begin) return time + span_.period;
-    return time > span_.begin + span_.period ? time - span_.period : time;
+    const SampledTime& span = loads_->span();
+    if (time < span.begin) return time + span.period;
+    return time > span.begin + span.period ? time - span.period : time;
   }
 
-  Eigen::Vector2d force_at(double time) {
-    const double end = span_.begin + span_.period;
-    const planar::State state =
-        finder_.at(motion_->closed ? time : std::clamp(time, span_.begin, end));
-    const double angle = body_ == planar::ground ? 0.0 : state.q[3 * body_ + 2];
-    for (const planar::Reaction& reaction : planar::reactions_of(*mechanism_, state)) {
-      if (reaction.joint == joint_) return Eigen::Rotation2Dd(-angle) * reaction.force;
-    }
-    return Eigen::Vector2d::Zero();
-  }
+  Eigen::Vector2d force_at(double time) { return loads_->force_across(joint_, body_, time); }
 
-  const planar::Mechanism* mechanism_;
-  const planar::Motion* motion_;
-  planar::StateFinder finder_;
-  SampledTime span_;
-  int joint_, body_;
+  NeighbourLoads* loads_;
+  int joint_;
+  std::size_t body_;
   std::vector<Eigen::Vector2d> samples_;
 };
 
@@ -98,21 +83,16 @@ struct AlongDirection {
 /// A lug under the forces of its pin's joint.
 class LugLife {
  public:
-  LugLife(const Project& project, const std::deque<SituationRun>& runs, const PinInput& pin,
+  LugLife(const Project& project, const NeighbourRuns& runs, const PinInput& pin,
           const LugInput& lug)
       : project_(&project), lug_(&lug), pin_(&pin) {
     stress_per_force_ = share_of(lug) * lug.detail.stress_factor / lug_net_area(lug.plate).value();
-    const auto [a, b] =
-        planar::ends_of(planar_of(project).joints[static_cast<std::size_t>(pin.joint)]);
-    for (const int body : {a.body, b.body}) {
+    for (const std::size_t body : {0U, 1U}) {
       Frame& frame = frames_.emplace_back();
-      frame.name = body == planar::ground
-                       ? "the ground"
-                       : planar_of(project).bodies[static_cast<std::size_t>(body)].name;
-      for (const SituationRun& run : runs) {
-        frame.runs.emplace_back(index_of(project, *run.situation),
-                                TurningForce(project, run, pin.joint, body));
-      }
+      frame.name = runs.front()->bodies_of(pin.joint)[body];
+      for (const auto& run : runs)
+        frame.runs.emplace_back(index_of(project, *run->run().situation),
+                                TurningForce(*run, pin.joint, body));
     }
   }
 
@@ -220,12 +200,15 @@ std::string name_of(const PinInput& pin, const LugInput& lug) {
 
 double share_of(const LugInput& lug) { return lug.inner ? 1.0 : 0.5; }
 
-NeighbourChecks check_lugs(const Project& project, const std::deque<SituationRun>& runs) {
+NeighbourChecks check_lugs(const Project& project, const std::deque<SituationRun>& solved) {
   NeighbourChecks checks;
-  if (!project.fatigue.asked) return checks;
+  const bool any = std::any_of(project.pins.begin(), project.pins.end(),
+                               [](const PinInput& pin) { return !pin.lugs.empty(); });
+  if (!project.fatigue.asked || !any) return checks;
+  const NeighbourRuns runs = neighbour_loads_of(project, solved);
   for (const PinInput& pin : project.pins) {
     if (pin.lugs.empty()) continue;
-    check_unique(project, runs, pin.joint, "pin " + pin.name);
+    check_unique(runs, pin.joint, "pin " + pin.name);
     for (const LugInput& lug : pin.lugs) {
       LugLife life(project, runs, pin, lug);
       const AlongDirection worst = life.worst();

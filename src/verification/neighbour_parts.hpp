@@ -1,29 +1,28 @@
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "boxbeam/verification/neighbours.hpp"
+#include "neighbour_loads.hpp"
 
 /// What the checks of pins, of their lugs and of rods have in common.
 namespace boxbeam {
 
 /// Stops where rigid bodies do not determine the reaction of a joint.
-void check_unique(const Project& project, const std::deque<SituationRun>& runs, int joint,
-                  const std::string& of);
+void check_unique(const NeighbourRuns& runs, int joint, const std::string& of);
 
 /// What round-off leaves of a force in this mechanism: a billionth of the largest reaction, times
 /// its load factor.
-double negligible_force(const Project& project, const std::deque<SituationRun>& runs);
+double negligible_force(const NeighbourRuns& runs);
 
 /// The check of a neighbour by its largest force.
 Check check_begun(Criterion criterion, const std::string& name, const Project& project,
                   const Extreme& worst);
 
-/// The largest stress by which its own weight and inertia bend a rod about its weaker axis, at the
-/// instants of the motion, times the load factors of their situations.
-Stress own_bending_of(const Project& project, const std::deque<SituationRun>& runs,
-                      const RodInput& rod);
+/// The largest stress by which a rod bends about its weaker axis, in the plane by its own weight
+/// and inertia, in space by all that acts on it, at the instants of the motion, times the load
+/// factors of their situations.
+Stress own_bending_of(const NeighbourRuns& runs, const RodInput& rod);
 
 /// How far a rod is used by its axial force and by what bends it, where `use` is by the first
 /// alone:

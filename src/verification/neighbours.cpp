@@ -2,21 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <iterator>
-#include <type_traits>
 
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/mechanism/planar/degrees_of_freedom.hpp"
-#include "boxbeam/mechanism/planar/forces.hpp"
-#include "boxbeam/mechanism/planar/motion.hpp"
-#include "boxbeam/mechanism/planar/reactions.hpp"
 #include "boxbeam/section/section_properties.hpp"
-#include "boxbeam/verification/model_ladder.hpp"
-#include "boxbeam/verification/peak_over_time.hpp"
 #include "neighbour_parts.hpp"
 
 namespace boxbeam {
@@ -34,159 +25,45 @@ Stress pin_modulus_of(const Project& project) {
   return std::max(of_steel, si<Stress>(project.model.youngs_modulus), std::less<>());
 }
 
-/// Largest value of a function of the state over the motion, found between the instants.
-Extreme largest_over(const Project& project, const SituationRun& run,
-                     const std::function<double(const planar::State&)>& f) {
-  const planar::Motion& motion = planar_motion_of(run);
-  planar::StateFinder finder(planar_in(project, *run.situation), motion);
-  const double end = motion.begin + motion.period;
-  const auto value_at = [&](double time) {
-    return f(finder.at(motion.closed ? time : std::clamp(time, motion.begin, end)));
-  };
-  // At the instants of the loads: they know where drivers and forces jump or bend.
-  const SampledTime span = sampled_time_of(run.loads);
-  std::vector<double> values;
-  for (const SampledInstant& instant : span.instants) values.push_back(value_at(instant.at));
-  const Extremum peak = peak_over_time(values, span, value_at);
-  return {si<Time>(peak.at), peak.value, index_of(project, *run.situation)};
-}
-
 /// The largest value over all situations, times their load factors where these count.
-Extreme worst_of(const Project& project, const std::deque<SituationRun>& runs,
-                 const std::function<double(const SituationRun&, const planar::State&)>& f,
-                 bool factored = true) {
+Extreme worst_of(const Project& project, const NeighbourRuns& runs,
+                 const std::function<double(NeighbourLoads&, double)>& f, bool factored = true) {
   Extreme worst;
-  for (const SituationRun& run : runs) {
-    Extreme in =
-        largest_over(project, run, [&](const planar::State& state) { return f(run, state); });
-    if (factored) in.value *= run.situation->load_factor;
-    if (&run == &runs.front() || in.value > worst.value) worst = in;
+  for (const auto& run : runs) {
+    Extreme in = run->largest(project, [&](double time) { return f(*run, time); });
+    if (factored) in.value *= run->run().situation->load_factor;
+    if (run == runs.front() || in.value > worst.value) worst = in;
   }
   return worst;
 }
 
 }  // namespace
 
-void check_unique(const Project& project, const std::deque<SituationRun>& runs, int joint,
-                  const std::string& of) {
-  for (const SituationRun& run : runs) {
-    const planar::Mechanism& mechanism = planar_in(project, *run.situation);
-    if (planar::is_unique(mechanism, planar_motion_of(run).freedom, joint)) continue;
+void check_unique(const NeighbourRuns& runs, int joint, const std::string& of) {
+  for (const auto& run : runs) {
+    if (run->determines(joint)) continue;
     throw AnalysisError({fmt::format("the load on {} is not determined by rigid bodies: joints "
                                      "repeat each other, and how they share their load depends on "
                                      "their stiffness; release one of them",
                                      of),
-                         "joint " + mechanism.joints[static_cast<std::size_t>(joint)].name,
+                         "joint " + run->joint_name(joint),
                          {},
                          {},
                          {}});
   }
 }
 
-namespace {
-
-double force_in(const Project& project, const SituationRun& run, const planar::State& state,
-                int joint) {
-  for (const planar::Reaction& reaction :
-       planar::reactions_of(planar_in(project, *run.situation), state)) {
-    if (reaction.joint == joint) return reaction.force.norm();
-  }
-  return 0.0;
-}
-
-}  // namespace
-
-double negligible_force(const Project& project, const std::deque<SituationRun>& runs) {
+double negligible_force(const NeighbourRuns& runs) {
   double largest = 0.0;
-  for (const SituationRun& run : runs) {
-    for (const planar::State& state : planar_motion_of(run).states) {
-      for (const planar::Reaction& reaction :
-           planar::reactions_of(planar_in(project, *run.situation), state)) {
-        largest = std::max(largest, run.situation->load_factor * reaction.force.norm());
-      }
-    }
+  for (const auto& run : runs) {
+    for (const SampledInstant& instant : run->span().instants)
+      largest =
+          std::max(largest, run->run().situation->load_factor * run->largest_force(instant.at));
   }
   return 1e-9 * largest;
 }
 
 namespace {
-
-/// Whether a point of a rod's body is one of its ends.
-bool is_at(const Eigen::Vector2d& point, const planar::Attachment& end, const RodInput& rod) {
-  return (point - end.p).norm() < 1e-9 * (rod.to.p - rod.from.p).norm();
-}
-
-/// The largest tension and the largest compression anywhere in a rod, below zero where it has none.
-struct AxialForces {
-  double tension = 0.0, compression = 0.0;
-};
-
-/// Of an even rod that turns, the tension along it is a parabola, highest above its chord, by
-/// m omega^2 L/8, in the middle; the compression is largest at an end.
-AxialForces axial_forces_in(const Project& project, const SituationRun& run,
-                            const planar::State& state, const RodInput& rod) {
-  const planar::Mechanism& mechanism = planar_in(project, *run.situation);
-  const auto body = static_cast<std::size_t>(rod.from.body);
-  const Eigen::Vector2d line = rod.to.p - rod.from.p;
-  const Eigen::Vector2d along =
-      Eigen::Rotation2Dd(state.q[3 * rod.from.body + 2]) * line.normalized();
-  double at_from = 0.0;  // tension in the rod at either end
-  double at_to = 0.0;
-  const auto add = [&](int on, const Eigen::Vector2d& point, const Eigen::Vector2d& force) {
-    if (on != rod.from.body) return;
-    if (is_at(point, rod.from, rod)) at_from -= force.dot(along);
-    if (is_at(point, rod.to, rod)) at_to += force.dot(along);
-  };
-  for (const planar::Reaction& reaction : planar::reactions_of(mechanism, state)) {
-    add(reaction.on, reaction.point, reaction.force);
-  }
-  for (const planar::AppliedLoad& load :
-       planar::applied_loads_of(mechanism, state.time, state.q, state.v)) {
-    add(load.on, load.point, load.vector);
-  }
-  const double omega = state.v[3 * rod.from.body + 2];
-  const double rise = 0.5 * mechanism.bodies[body].mass * omega * omega * line.norm();
-  const auto tension_at = [&](double x) {
-    return at_from + (at_to - at_from) * x + rise * x * (1.0 - x);
-  };
-  const double highest = rise > 0.0 ? 0.5 * (1.0 + (at_to - at_from) / rise) : 0.0;
-  return {std::max({at_from, at_to, tension_at(std::clamp(highest, 0.0, 1.0))}),
-          std::max(-at_from, -at_to)};
-}
-
-/// What turns a rod or loads it beside its ends, so that it bends: the names of joints and forces.
-std::vector<std::string> bending_of(const planar::Mechanism& mechanism, const RodInput& rod) {
-  std::vector<std::string> names;
-  const auto beside = [&](const planar::Attachment& at) {
-    return at.body == rod.from.body && !is_at(at.p, rod.from, rod) && !is_at(at.p, rod.to, rod);
-  };
-  for (const planar::Joint& joint : mechanism.joints) {
-    const auto [a, b] = planar::ends_of(joint);
-    if (a.body != rod.from.body && b.body != rod.from.body) continue;
-    const auto [hold, other] = planar::holds_of(joint);
-    // In a slot the rod's end turns; what slides along the rod bends it.
-    const bool turns_freely =
-        hold == planar::Hold::place &&
-        (other == planar::Hold::place || (other == planar::Hold::guide && b.body != rod.from.body));
-    if (!turns_freely || beside(a) || beside(b)) names.push_back(joint.name);
-  }
-  for (const planar::AppliedForce& force : mechanism.forces) {
-    const bool bends = std::visit(
-        [&](const auto& kind) {
-          using Kind = std::decay_t<decltype(kind)>;
-          if constexpr (std::is_same_v<Kind, planar::PointForce>) {
-            return beside(kind.at);
-          } else if constexpr (std::is_same_v<Kind, planar::Spring>) {
-            return beside(kind.a) || beside(kind.b);
-          } else {
-            return kind.a.body == rod.from.body || kind.b.body == rod.from.body;
-          }
-        },
-        force.kind);
-    if (bends) names.push_back(force.name);
-  }
-  return names;
-}
 
 Gate rod_gate(const RodInput& rod, const std::string& finding) {
   return {"", "", fmt::format("rod {}: {}", rod.name, finding), true};
@@ -241,16 +118,52 @@ NeighbourResult check_in_service(const Project& project, const PinInput& pin,
 
 }  // namespace
 
-NeighbourChecks check_pins(const Project& project, const std::deque<SituationRun>& runs) {
+namespace {
+
+/// What the joint of a pin bears that no check of the pin counts: a moment across it, which its
+/// outer plates take as two forces, and a force along it.
+void look_beside(const Project& project, const NeighbourRuns& runs, const PinInput& pin,
+                 const Extreme& worst, NeighbourChecks& checks) {
+  const double moment = worst_of(project, runs, [&](NeighbourLoads& of, double time) {
+                          return of.beside_pin(pin.joint, time).moment;
+                        }).value;
+  const double along = worst_of(project, runs, [&](NeighbourLoads& of, double time) {
+                         return of.beside_pin(pin.joint, time).along;
+                       }).value;
+  const PinJoint& of = pin.geometry;
+  const double lever = (of.inner_plate + 2.0 * of.gap + of.outer_plate).value();
+  // Beside half of the pin's force, in either of its outer plates.
+  constexpr double hardly = 0.04;
+  if (2.0 * moment > hardly * worst.value * lever) {
+    checks.gates.push_back(
+        {"", "",
+         fmt::format(
+             "pin {}: its joint bears a moment of {:.3g} kN m across the pin as well, which "
+             "is not judged; a joint that leaves it free says so (\"spherical\")",
+             pin.name, 1e-3 * moment),
+         true});
+  }
+  if (along > hardly * worst.value) {
+    checks.not_judged.push_back(
+        {Criterion::pin, "pin " + pin.name,
+         fmt::format("{:.3g} kN along it, which what keeps it in its hole bears", 1e-3 * along)});
+  }
+}
+
+}  // namespace
+
+NeighbourChecks check_pins(const Project& project, const std::deque<SituationRun>& solved) {
   NeighbourChecks checks;
   if (project.pins.empty()) return checks;
-  const double nothing = negligible_force(project, runs);
+  const NeighbourRuns runs = neighbour_loads_of(project, solved);
+  const double nothing = negligible_force(runs);
   for (const PinInput& pin : project.pins) {
-    check_unique(project, runs, pin.joint, "pin " + pin.name);
-    const auto force = [&](const SituationRun& run, const planar::State& state) {
-      return force_in(project, run, state, pin.joint);
+    check_unique(runs, pin.joint, "pin " + pin.name);
+    const auto force = [&](NeighbourLoads& of, double time) {
+      return of.force_in(pin.joint, time);
     };
     const Extreme worst = worst_of(project, runs, force);
+    look_beside(project, runs, pin, worst, checks);
     if (worst.value <= nothing) {
       checks.not_judged.push_back({Criterion::pin, "pin " + pin.name, "no force"});
       continue;
@@ -338,7 +251,6 @@ NeighbourResult check_compression(const Project& project, const RodInput& rod,
   const char* const source = section.class_4
                                  ? "EN 1993-1-1:2005, 6.3.1; effective area EN 1993-1-5:2006, 4.4"
                                  : "EN 1993-1-1:2005, 6.3.1";
-  const Length between = si<Length>((rod.to.p - rod.from.p).norm());
   PressedRod pressed{section,
                      properties.I_2,
                      properties.I_z < properties.I_y,
@@ -348,7 +260,7 @@ NeighbourResult check_compression(const Project& project, const RodInput& rod,
                      rod.curve,
                      rod.gamma_M0,
                      rod.gamma_M1,
-                     twisting_rod_of(rod.section, youngs_modulus, rod.buckling_length, between),
+                     twisting_rod_of(rod.section, youngs_modulus, rod.buckling_length, rod.length),
                      force_beside(rod, section)};
   const Force resistance = compression_resistance_of(pressed).least;
   return {check_of(Criterion::buckling, project, rod, worst, resistance, source),
@@ -385,20 +297,18 @@ void add_own_bending(const RodInput& rod, Stress bending, std::size_t before,
 
 }  // namespace
 
-NeighbourChecks check_rods(const Project& project, const std::deque<SituationRun>& runs) {
+NeighbourChecks check_rods(const Project& project, const std::deque<SituationRun>& solved) {
   NeighbourChecks checks;
   if (project.rods.empty()) return checks;
-  const double nothing = negligible_force(project, runs);
+  const NeighbourRuns runs = neighbour_loads_of(project, solved);
+  const double nothing = negligible_force(runs);
   for (const RodInput& rod : project.rods) {
     const std::size_t before = checks.results.size();
-    for (std::size_t i = 0; i < planar_of(project).joints.size(); ++i) {
-      const auto [a, b] = planar::ends_of(planar_of(project).joints[i]);
-      if (a.body != rod.from.body && b.body != rod.from.body) continue;
-      check_unique(project, runs, static_cast<int>(i), "rod " + rod.name);
-    }
+    for (const int joint : runs.front()->joints_of(rod))
+      check_unique(runs, joint, "rod " + rod.name);
     const auto largest = [&](double AxialForces::*which) {
-      return worst_of(project, runs, [&](const SituationRun& run, const planar::State& state) {
-        return axial_forces_in(project, run, state, rod).*which;
+      return worst_of(project, runs, [&](NeighbourLoads& of, double time) {
+        return of.axial_forces_in(rod, time).*which;
       });
     };
     const Extreme tension = largest(&AxialForces::tension);
@@ -422,10 +332,10 @@ NeighbourChecks check_rods(const Project& project, const std::deque<SituationRun
         checks.gates.push_back(rod_gate(rod, obstacle));
       }
     }
-    add_own_bending(rod, own_bending_of(project, runs, rod), before, checks);
+    add_own_bending(rod, own_bending_of(runs, rod), before, checks);
     std::vector<std::string> bending;
-    for (const SituationRun& run : runs) {
-      for (std::string& name : bending_of(planar_in(project, *run.situation), rod)) {
+    for (const auto& run : runs) {
+      for (std::string& name : run->bending_of(rod)) {
         if (std::find(bending.begin(), bending.end(), name) == bending.end()) {
           bending.push_back(std::move(name));
         }

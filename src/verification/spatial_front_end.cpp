@@ -240,6 +240,8 @@ class SpatialMotion : public SolvedMotion {
     return at;
   }
 
+  const spatial::Chain& chain() const { return *chain_; }
+
  private:
   const Project* project_;
   std::shared_ptr<const spatial::Chain> chain_;
@@ -280,6 +282,10 @@ class SpatialFrontEnd : public FrontEnd {
 
 std::unique_ptr<const FrontEnd> front_end_for(const spatial::Mechanism&, const Project& project) {
   return std::make_unique<SpatialFrontEnd>(project);
+}
+
+const spatial::Chain& chain_of(const SituationRun& run) {
+  return dynamic_cast<const SpatialMotion&>(*run.motion).chain();
 }
 
 }  // namespace boxbeam

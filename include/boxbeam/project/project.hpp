@@ -206,7 +206,7 @@ struct LugInput {
 /// A pin of the mechanism and the plates it bears on.
 struct PinInput {
   std::string name;
-  int joint = 0;
+  int joint = 0;  ///< in space behind those that carry bodies those that close loops
   PinJoint geometry;
   PinStrength strength;
   bool replaceable = false;  ///< in service, whose limits it keeps as well
@@ -214,10 +214,25 @@ struct PinInput {
   double required = 1.0;
 };
 
-/// A rod of the mechanism between two of its points, looked at under tension and compression.
+/// A rod between two points of one body, in the plane or in space.
+struct PlanarRod {
+  planar::Attachment from, to;
+};
+struct SpatialRod {
+  spatial::Attachment from, to;
+};
+
+/// A rod without mass, in space: a joint that keeps a distance, or a spring.
+struct RodLink {
+  bool spring = false;
+  std::size_t index = 0;  ///< among the closing joints, or the springs
+};
+
+/// A rod of the mechanism, looked at under tension and compression.
 struct RodInput {
   std::string name;
-  planar::Attachment from, to;  ///< of one body
+  std::variant<PlanarRod, SpatialRod, RodLink> place;
+  Length length;  ///< between its ends; of one whose length changes that against buckling
   Section section;
   Stress yield_strength;         ///< of its thickest wall
   Stress tensile_strength;       ///< likewise

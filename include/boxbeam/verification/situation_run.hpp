@@ -11,6 +11,9 @@
 namespace boxbeam::planar {
 struct Motion;
 }
+namespace boxbeam::spatial {
+class Chain;
+}
 
 namespace boxbeam {
 
@@ -52,6 +55,8 @@ struct SituationHistory {
 
 /// The motion of a mechanism of rigid bodies in the plane.
 const planar::Motion& planar_motion_of(const SituationRun& run);
+/// A mechanism in space, prepared for any time.
+const spatial::Chain& chain_of(const SituationRun& run);
 
 std::size_t index_of(const Project& project, const Situation& situation);
 

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "boxbeam/verification/peak_over_time.hpp"
+#include "boxbeam/verification/situation_run.hpp"
+
+namespace boxbeam {
+
+/// The largest tension and the largest compression anywhere in a rod, below zero where it has none.
+struct AxialForces {
+  double tension = 0.0, compression = 0.0;  ///< [N]
+};
+
+/// What a joint bears that its pin does not.
+struct BesidePin {
+  double along = 0.0;   ///< force along the pin, by size [N]
+  double moment = 0.0;  ///< moment across it, by size [N m]
+};
+
+/// What joints with pins and rods bear in one situation, by rigid bodies: all that the checks of
+/// neighbours ask of a mechanism, in the plane or in space. Looks at the run, which stays.
+class NeighbourLoads {
+ public:
+  explicit NeighbourLoads(const SituationRun& run)
+      : run_(&run), span_(sampled_time_of(run.loads)) {}
+  NeighbourLoads(const NeighbourLoads&) = delete;
+  NeighbourLoads& operator=(const NeighbourLoads&) = delete;
+  virtual ~NeighbourLoads() = default;
+
+  const SituationRun& run() const { return *run_; }
+  const SampledTime& span() const { return span_; }
+
+  /// Whether rigid bodies determine what a joint bears.
+  virtual bool determines(int joint) const = 0;
+  virtual std::string joint_name(int joint) const = 0;
+  /// Of the bodies of a joint, in their order; "the ground".
+  virtual std::array<std::string, 2> bodies_of(int joint) const = 0;
+  /// Those that take hold of a rod, or are one.
+  virtual std::vector<int> joints_of(const RodInput& rod) const = 0;
+
+  /// The size of the force on the pin of a joint [N].
+  virtual double force_in(int joint, double time) = 0;
+  /// The same force in two axes across the pin that turn with one of the joint's bodies [N].
+  virtual Eigen::Vector2d force_across(int joint, std::size_t body, double time) = 0;
+  virtual BesidePin beside_pin(int joint, double time) = 0;
+
+  virtual AxialForces axial_forces_in(const RodInput& rod, double time) = 0;
+  /// The largest moment that bends a rod at a time, by its own weight and inertia in the plane, by
+  /// all that acts on it in space [N m].
+  virtual double moment_in(const RodInput& rod, double time) = 0;
+  /// What turns a rod or loads it beside its ends, so that it bends: the names of joints and
+  /// forces.
+  virtual std::vector<std::string> bending_of(const RodInput& rod) = 0;
+
+  /// The largest force of any joint at a time [N].
+  virtual double largest_force(double time) = 0;
+
+  /// The largest value of a function of time over the motion, found between the instants.
+  Extreme largest(const Project& project, const std::function<double(double)>& f) const;
+
+ protected:
+  /// A time as the motion knows it: behind the end of one that does not repeat is nothing.
+  double within(double time) const;
+
+ private:
+  const SituationRun* run_;
+  SampledTime span_;
+};
+
+using NeighbourRuns = std::vector<std::unique_ptr<NeighbourLoads>>;
+
+/// Of every run, in their order. Precondition: a mechanism of rigid bodies.
+NeighbourRuns neighbour_loads_of(const Project& project, const std::deque<SituationRun>& runs);
+
+std::unique_ptr<NeighbourLoads> planar_neighbour_loads(const Project& project,
+                                                       const SituationRun& run);
+std::unique_ptr<NeighbourLoads> spatial_neighbour_loads(const Project& project,
+                                                        const SituationRun& run);
+
+}  // namespace boxbeam

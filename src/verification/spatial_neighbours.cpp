@@ -1,0 +1,259 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <variant>
+
+#include "boxbeam/beam/cut_force_diagram.hpp"
+#include "boxbeam/mechanism/spatial/beam_loads.hpp"
+#include "boxbeam/mechanism/spatial/chain.hpp"
+#include "boxbeam/section/section_properties.hpp"
+#include "front_ends.hpp"
+#include "neighbour_loads.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// As much bending as a second order that does not count (EN 1993-1-1, 6.3.1.2(4)), over f_y.
+constexpr double hardly = 0.04;
+
+/// Two axes across a unit vector.
+Eigen::Matrix<double, 2, 3> across(const Eigen::Vector3d& axis) {
+  Eigen::Matrix<double, 2, 3> of;
+  of.row(0) = axis.unitOrthogonal();
+  of.row(1) = axis.cross(of.row(0).transpose());
+  return of;
+}
+
+/// A rod that is a body, as an even beam of its mass.
+struct RodBeam {
+  TaperedBeam beam;
+  spatial::BeamBody body;
+  double modulus = 0.0;  ///< least of its section [m^3]
+};
+
+class SpatialNeighbours : public NeighbourLoads {
+ public:
+  SpatialNeighbours(const Project& project, const SituationRun& run)
+      : NeighbourLoads(run), chain_(&chain_of(run)), mechanism_(&chain_->mechanism()) {
+    static_cast<void>(project);
+  }
+
+  bool determines(int joint) const override {
+    return chain_->loops() == nullptr ||
+           chain_->loops()->unique()[static_cast<std::size_t>(joint)] != 0;
+  }
+
+  std::string joint_name(int joint) const override {
+    return closes(joint) ? closing(joint).name : carrying(joint).name;
+  }
+
+  std::array<std::string, 2> bodies_of(int joint) const override {
+    const std::array<int, 2> of = indices_of(joint);
+    return {name_of(of[0]), name_of(of[1])};
+  }
+
+  std::vector<int> joints_of(const RodInput& rod) const override {
+    const int first = static_cast<int>(mechanism_->joints.size());
+    if (const auto* const link = std::get_if<RodLink>(&rod.place)) {
+      if (link->spring) return {};
+      return {first + static_cast<int>(link->index)};
+    }
+    const int body = std::get<SpatialRod>(rod.place).from.body;
+    std::vector<int> joints;
+    for (int i = 0; i < first + static_cast<int>(mechanism_->closing.size()); ++i) {
+      const std::array<int, 2> of = indices_of(i);
+      if (of[0] == body || of[1] == body) joints.push_back(i);
+    }
+    return joints;
+  }
+
+  double force_in(int joint, double time) override {
+    look_at(time);
+    const Eigen::Vector3d& force = wrenches_[static_cast<std::size_t>(joint)].force;
+    const auto axis = axis_of(joint);
+    return axis ? (force - axis->dot(force) * *axis).norm() : force.norm();
+  }
+
+  Eigen::Vector2d force_across(int joint, std::size_t body, double time) override {
+    look_at(time);
+    const int of = indices_of(joint)[body];
+    // The axis is the same in both bodies' own axes at every time.
+    const Eigen::Matrix3d& turn = closes(joint) ? closing(joint).turn : carrying(joint).turn;
+    const Eigen::Vector3d& axis = closes(joint) ? closing(joint).axis : carrying(joint).axis;
+    const Eigen::Vector3d own = body == 0 ? axis : Eigen::Vector3d(turn.transpose() * axis);
+    return across(own) *
+           spatial::in_axes(state_, of, wrenches_[static_cast<std::size_t>(joint)].force);
+  }
+
+  BesidePin beside_pin(int joint, double time) override {
+    look_at(time);
+    const auto axis = axis_of(joint);
+    if (!axis) return {};
+    const spatial::Wrench& of = wrenches_[static_cast<std::size_t>(joint)];
+    return {std::abs(axis->dot(of.force)), (of.moment - axis->dot(of.moment) * *axis).norm()};
+  }
+
+  AxialForces axial_forces_in(const RodInput& rod, double time) override {
+    look_at(time);
+    if (const auto* const link = std::get_if<RodLink>(&rod.place)) {
+      const double tension = tension_of(*link);
+      return {tension, -tension};
+    }
+    const BeamLoads loads = loads_on(rod);
+    double at_end = 0.0;  // what takes hold of the far end pulls there
+    const Length end = beam_of(rod).beam.length();
+    for (const PointLoad& load : loads.points)
+      if (load.s == end) at_end += load.force.x();
+    AxialForces most{at_end, -at_end};
+    for (const CutForcePiece& piece : cut_forces_of(loads).pieces) {
+      each_place_of(piece, [&](double x) {
+        most.tension = std::max(most.tension, piece.N(x));
+        most.compression = std::max(most.compression, -piece.N(x));
+      });
+    }
+    return most;
+  }
+
+  double moment_in(const RodInput& rod, double time) override {
+    look_at(time);
+    if (std::holds_alternative<RodLink>(rod.place)) return 0.0;
+    double most = 0.0;
+    for (const CutForcePiece& piece : cut_forces_of(loads_on(rod)).pieces) {
+      each_place_of(
+          piece, [&](double x) { most = std::max(most, std::hypot(piece.M_y(x), piece.M_z(x))); });
+    }
+    return most;
+  }
+
+  std::vector<std::string> bending_of(const RodInput& rod) override {
+    std::vector<std::string> names;
+    if (std::holds_alternative<RodLink>(rod.place)) return names;
+    const auto add = [&](std::string_view name) {
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
+    };
+    const int body = std::get<SpatialRod>(rod.place).from.body;
+    for (const spatial::LineForce& line : mechanism_->line_forces)
+      if (line.on == body) add(line.name);
+    const RodBeam& of = beam_of(rod);
+    const double length = of.beam.length().value();
+    const double bends = hardly * rod.yield_strength.value() * of.modulus;
+    for (const SampledInstant& instant : span().instants) {
+      look_at(instant.at);
+      for (const PointLoad& load : loads_on(rod).points) {
+        const double s = load.s.value();
+        const bool between = s > 1e-6 * length && s < (1.0 - 1e-6) * length;
+        if ((between && load.force.norm() > 0.0) || load.moment.norm() > bends) add(load.name);
+      }
+    }
+    return names;
+  }
+
+  double largest_force(double time) override {
+    look_at(time);
+    double largest = 0.0;
+    for (const spatial::Wrench& of : wrenches_) largest = std::max(largest, of.force.norm());
+    return largest;
+  }
+
+ private:
+  bool closes(int joint) const { return joint >= static_cast<int>(mechanism_->joints.size()); }
+  const spatial::Joint& carrying(int joint) const {
+    return mechanism_->joints[static_cast<std::size_t>(joint)];
+  }
+  const spatial::ClosingJoint& closing(int joint) const {
+    return mechanism_->closing[static_cast<std::size_t>(joint) - mechanism_->joints.size()];
+  }
+
+  /// The body that carries and the one that is carried, or a and b.
+  std::array<int, 2> indices_of(int joint) const {
+    if (closes(joint)) return {closing(joint).a.body, closing(joint).b.body};
+    return {carrying(joint).parent, joint};
+  }
+
+  std::string name_of(int body) const {
+    return body == spatial::ground ? "the ground"
+                                   : mechanism_->bodies[static_cast<std::size_t>(body)].name;
+  }
+
+  /// The axis of a pin in the world; nothing of joints that have none.
+  std::optional<Eigen::Vector3d> axis_of(int joint) const {
+    if (!closes(joint)) {
+      const spatial::Joint& of = carrying(joint);
+      if (of.kind != spatial::JointKind::revolute) return std::nullopt;
+      return spatial::in_world(state_, of.parent, of.axis);
+    }
+    const spatial::ClosingJoint& of = closing(joint);
+    if (of.kind != spatial::ClosingKind::revolute && of.kind != spatial::ClosingKind::cylindrical)
+      return std::nullopt;
+    return spatial::in_world(state_, of.a.body, of.axis);
+  }
+
+  /// Of a joint that keeps a distance, or of a spring.
+  double tension_of(const RodLink& link) const {
+    const auto between = [&](const spatial::Attachment& a, const spatial::Attachment& b) {
+      return (spatial::position_of(state_, b) - spatial::position_of(state_, a)).normalized();
+    };
+    if (link.spring) {
+      const spatial::Spring& spring = mechanism_->springs[link.index];
+      return -between(spring.a, spring.b).dot(spatial::force_of(spring, state_));
+    }
+    const spatial::ClosingJoint& joint = mechanism_->closing[link.index];
+    return -between(joint.a, joint.b).dot(wrenches_[mechanism_->joints.size() + link.index].force);
+  }
+
+  BeamLoads loads_on(const RodInput& rod) {
+    return spatial::beam_loads_of(*chain_, state_, beam_of(rod).body);
+  }
+
+  const RodBeam& beam_of(const RodInput& rod) {
+    RodBeam& of = beams_[&rod];
+    if (!of.beam.segments.empty()) return of;
+    const SpatialRod& place = std::get<SpatialRod>(rod.place);
+    const Eigen::Vector3d line = place.to.p - place.from.p;
+    const SectionProperties section = properties_of(rod.section);
+    const double mass = mechanism_->bodies[static_cast<std::size_t>(place.from.body)].mass;
+    of.beam.segments.push_back({"", {}, si<Length>(line.norm()), rod.section, rod.section});
+    of.beam.density = si<Density>(mass / (section.area.value() * line.norm()));
+    spatial::BeamPlacement placement{place.from.body, place.from.p, {}};
+    placement.axes.col(0) = line.normalized();
+    const Eigen::Matrix<double, 2, 3> beside = across(placement.axes.col(0));
+    placement.axes.col(1) = beside.row(0);
+    placement.axes.col(2) = beside.row(1);
+    of.body = spatial::beam_body_of(of.beam, placement, *mechanism_);
+    of.modulus = std::min(section.W_y, section.W_z).value();
+    return of;
+  }
+
+  /// At the ends of a piece and between them, where its forces may have their largest.
+  template <class Visit>
+  static void each_place_of(const CutForcePiece& piece, const Visit& visit) {
+    constexpr int parts = 16;
+    for (int i = 0; i <= parts; ++i) visit(piece.length.value() * i / parts);
+  }
+
+  void look_at(double time) {
+    const double at = within(time);
+    if (looked_at_ == at) return;
+    chain_->at(at, state_);
+    chain_->joint_wrenches(state_, wrenches_);
+    looked_at_ = at;
+  }
+
+  const spatial::Chain* chain_;
+  const spatial::Mechanism* mechanism_;
+  std::optional<double> looked_at_;  ///< the time of the state [s]
+  spatial::State state_;
+  std::vector<spatial::Wrench> wrenches_;
+  std::map<const RodInput*, RodBeam> beams_;
+};
+
+}  // namespace
+
+std::unique_ptr<NeighbourLoads> spatial_neighbour_loads(const Project& project,
+                                                        const SituationRun& run) {
+  return std::make_unique<SpatialNeighbours>(project, run);
+}
+
+}  // namespace boxbeam
