@@ -341,6 +341,14 @@ struct PartMaterial {
 
 /// A case: everything a verification needs, validated. Behind it nothing is checked again.
 struct Project {
+  // Defined once: every source that holds a project would compile what it is made of anew.
+  Project();
+  Project(const Project&);
+  Project(Project&&) noexcept;
+  Project& operator=(const Project&);
+  Project& operator=(Project&&) noexcept;
+  ~Project();
+
   std::string name;
   std::string title;
   CaseHeader header;
