@@ -52,7 +52,7 @@ class FrameReader : public FrontEndReader {
     project_->beam_body = static_cast<int>(project_->beam_index);
     frame::Structure structure = structure_of(root, tree);
     refuse_moving_parts(root);
-    refuse_planar_parts(root, *project_, {.deflection = structure.plane});
+    refuse_planar_parts(root, *project_, {.deflection = true});
     project_->in_space = !structure.plane;
     if (root.problems().empty()) add_places(*project_, structure);
     structure.members[project_->beam_index].beam = project_->beam;
@@ -84,9 +84,7 @@ class FrameReader : public FrontEndReader {
   }
 
   void read_neighbours(TableReader& root) override {
-    if (!root.has("deflection")) return;
-    project_->deflection =
-        read_deflection(root.table({"deflection", "how far the beam may bend"}), *project_);
+    read_deflection_of(root, *project_);
   }
 
   std::vector<Situation> read_combinations(TableReader& root) const override {

@@ -31,7 +31,7 @@ void refuse_planar_parts(TableReader& root, const Project& project, Known known)
     root.problem(
         key,
         fmt::format("\"{}\" is known for {}", key,
-                    deflection   ? "planar, static and loads cases only"
+                    deflection   ? "rigid mechanisms, static and loads cases only"
                     : neighbours ? "rigid mechanisms only"
                                  : "rigid mechanisms in the plane only"),
         fmt::format("remove it from this case of kind = \"{}\"", kind_word_of(project.mechanism)));

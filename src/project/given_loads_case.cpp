@@ -156,7 +156,6 @@ std::vector<std::string> obstacles_to_given_loads(const Project& project) {
   if (std::any_of(project.situations.begin(), project.situations.end(),
                   [](const Situation& of) { return !of.serviceability; }))
     obstacles.emplace_back("some of its combinations do not count for its deflection");
-  if (project.in_space) obstacles.emplace_back("deflections in space need the mechanism");
   return obstacles;
 }
 

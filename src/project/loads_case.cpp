@@ -39,7 +39,7 @@ class LoadsReader : public FrontEndReader {
       return;
     }
     project_->mechanism = read_recorded(root, project_->beam, *tables_, project_->in_space);
-    refuse_planar_parts(root, *project_, {.deflection = !project_->in_space});
+    refuse_planar_parts(root, *project_, {.deflection = true});
     add_places();
     project_->beam_body = 0;
   }
@@ -60,9 +60,7 @@ class LoadsReader : public FrontEndReader {
   }
 
   void read_neighbours(TableReader& root) override {
-    if (project_->in_space || !root.has("deflection")) return;
-    project_->deflection =
-        read_deflection(root.table({"deflection", "how far the beam may bend"}), *project_);
+    read_deflection_of(root, *project_);
   }
 
  private:

@@ -109,7 +109,8 @@ std::string text_of(const MeasuredFrom& line) {
 std::optional<SupportedLine> supported_line_of(const Project& project) {
   if (std::holds_alternative<frame::Structure>(project.mechanism))
     return SupportedLine{UnloadedAxis{}, "its supports' motion included"};
-  if (std::holds_alternative<recorded::Loads>(project.mechanism)) return std::nullopt;
+  // In space what holds the beam in one plane may let it turn in the other.
+  if (!std::holds_alternative<planar::Mechanism>(project.mechanism)) return std::nullopt;
   auto line = line_of(supports_of(project, planar_of(project)));
   for (const Situation& situation : project.situations) {
     if (!line) break;
@@ -186,8 +187,10 @@ void read_against(TableReader& table, const Project& project, DeflectionInput& d
 
 }  // namespace
 
-DeflectionInput read_deflection(TableReader table, const Project& project) {
-  DeflectionInput deflection;
+void read_deflection_of(TableReader& root, Project& project) {
+  if (!root.has("deflection")) return;
+  TableReader table = root.table({"deflection", "how far the beam may bend"});
+  DeflectionInput& deflection = project.deflection.emplace();
   deflection.limit =
       si<Length>(table.positive({"limit", "largest deflection allowed"}, wanted::length));
   deflection.load_factor =
@@ -198,7 +201,6 @@ DeflectionInput read_deflection(TableReader table, const Project& project) {
   deflection.shear_modulus = si<Stress>(table.positive(
       {"shear_modulus", "of the beam"}, wanted::stress, project.model.shear_modulus));
   table.finish();
-  return deflection;
 }
 
 }  // namespace boxbeam::readers

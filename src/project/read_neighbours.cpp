@@ -379,10 +379,7 @@ void read_neighbours(TableReader& root, const Sections& sections, Project& proje
     check_own_name(table, project.rods, rod);
     project.rods.push_back(std::move(rod));
   }
-  if (!project.in_space && root.has("deflection")) {
-    project.deflection =
-        read_deflection(root.table({"deflection", "how far the beam may bend"}), project);
-  }
+  read_deflection_of(root, project);
 }
 
 }  // namespace boxbeam::readers

@@ -248,7 +248,7 @@ void read_neighbours(TableReader& root, const Sections& sections, Project& proje
 
 /// [deflection]: its limit, and the line that it is measured from, which the beam's supports say
 /// where the case does not.
-DeflectionInput read_deflection(TableReader table, const Project& project);
+void read_deflection_of(TableReader& root, Project& project);
 
 /// [[welds]] between parts of the beam.
 void read_welds(TableReader& root, const Sections& sections, Project& project);

@@ -227,6 +227,16 @@ Steps given_fatigue_steps(const Project& project, const GivenBasis& basis) {
   return steps_of(of);
 }
 
+/// A deflection under the loads times one: in space of both directions together.
+Traced bent(Derivation& of, const DeflectionBasis& basis, bool in_space) {
+  if (!in_space) return of.known("int m M/(E I_y) ds + int v V/(G A_v) ds", basis.alone);
+  const Traced along_y = of.define("w_y", of.known("int m M_z/(E I_z) ds + int v V_y/(G A_y) ds",
+                                                   si<Length>(basis.along[0])));
+  const Traced along_z = of.define("w_z", of.known("int m M_y/(E I_y) ds + int v V_z/(G A_z) ds",
+                                                   si<Length>(basis.along[1])));
+  return sqrt(along_y * along_y + along_z * along_z);
+}
+
 Steps deflection_steps(const Project& project, const Check& check, const DeflectionBasis& basis) {
   const DeflectionInput& input = *project.deflection;
   Derivation of;
@@ -237,7 +247,7 @@ Steps deflection_steps(const Project& project, const Check& check, const Deflect
                                     "load factor of the situation, as the case asks");
     w = of.define("w", gamma_F * w_1);
   } else {
-    w = of.define("w", of.known("int m M/(E I_y) ds + int v V/(G A_v) ds", basis.alone));
+    w = of.define("w", bent(of, basis, project.in_space));
   }
   of.note([&] {
     return fmt::format("at s = {} m, t = {}{}", to_text(check.station),

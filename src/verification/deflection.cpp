@@ -26,7 +26,8 @@ constexpr std::array<std::array<double, 2>, nodes> gauss{
 
 /// Bends and shears of a piece at any place of it, by the polynomial through its nodes.
 struct Flexibility {
-  double curvature_N = 0.0, curvature_M = 0.0, shear = 0.0;
+  Eigen::Matrix<double, 2, 3> curvature = Eigen::Matrix<double, 2, 3>::Zero();
+  Eigen::Vector2d shear = Eigen::Vector2d::Zero();
 };
 
 Flexibility flexibility_at(const FlexibilityPiece& piece, double s) {
@@ -37,8 +38,7 @@ Flexibility flexibility_at(const FlexibilityPiece& piece, double s) {
     for (std::size_t j = 0; j < nodes; ++j) {
       if (j != i) weight *= (u - gauss[j][0]) / (gauss[i][0] - gauss[j][0]);
     }
-    at.curvature_N += weight * piece.curvature_N[i];
-    at.curvature_M += weight * piece.curvature_M[i];
+    at.curvature += weight * piece.curvature[i];
     at.shear += weight * piece.shear[i];
   }
   return at;
@@ -61,23 +61,24 @@ class Integration {
 
   /// The places of a line less those of another one, w_0 + slope (s - a).
   DeflectedLine measured() const {
-    double a = 0.0, w_0 = 0.0, slope = 0.0;
+    double a = 0.0;
+    Eigen::Vector2d w_0, slope;
     if (const auto* chord = std::get_if<Chord>(&model_->against)) {
       a = chord->from.value();
-      w_0 = line_.at(chord->from).value();
-      slope = (line_.at(chord->to).value() - w_0) / (chord->to - chord->from).value();
+      w_0 = line_.at(chord->from);
+      slope = (line_.at(chord->to) - w_0) / (chord->to - chord->from).value();
     } else if (const auto* tangent = std::get_if<Tangent>(&model_->against)) {
       a = tangent->at.value();
-      w_0 = line_.at(tangent->at).value();
+      w_0 = line_.at(tangent->at);
       slope = rotation_at(a);
     } else {  // the start of the line has moved and turned itself
-      w_0 = -shift_.w;
+      w_0 = -shift_.start;
       slope = -shift_.slope;
     }
     DeflectedLine line = line_;
     for (DeflectedLine::Stretch& stretch : line.stretches) {
-      stretch.w_from -= si<Length>(w_0 + slope * (stretch.from.value() - a));
-      stretch.w_to -= si<Length>(w_0 + slope * (stretch.to.value() - a));
+      stretch.at_from -= w_0 + slope * (stretch.from.value() - a);
+      stretch.at_to -= w_0 + slope * (stretch.to.value() - a);
       stretch.slope_from -= slope;
       stretch.slope_to -= slope;
     }
@@ -104,35 +105,49 @@ class Integration {
     return borders;
   }
 
+  /// The shear strains along y and z at a place.
+  Eigen::Vector2d sheared_at(const Flexibility& of, const CutForces& cut) const {
+    return of.shear.cwiseProduct(seen({cut.V_y.value(), cut.V_z.value()}));
+  }
+
+  /// What of a direction counts: in the plane z alone.
+  Eigen::Vector2d seen(Eigen::Vector2d of) const {
+    if (!model_->in_space) of[0] = 0.0;
+    return of;
+  }
+
   void add(const FlexibilityPiece& piece, double from, double to) {
     const double half = 0.5 * (to - from);
-    double turn = 0.0, lag = 0.0, sheared = 0.0;  // int kappa, int (to - s) kappa, int gamma
+    // int kappa, int (to - s) kappa, int gamma
+    Eigen::Vector2d turn = Eigen::Vector2d::Zero(), lag = turn, sheared = turn;
     for (const auto& [u, weight] : gauss) {
       const double s = from + half * (1.0 + u);
       const CutForces cut = diagram_->at({si<Length>(s)});
       const Flexibility of = flexibility_at(piece, s);
-      const double kappa =
-          of.curvature_N * cut.N.value() + of.curvature_M * cut.M_y.value() + shift_.curvature;
+      const Eigen::Vector3d bending(cut.N.value(), cut.M_y.value(), cut.M_z.value());
+      const Eigen::Vector2d kappa =
+          seen(of.curvature * bending + Eigen::Vector2d(0.0, shift_.curvature));
       turn += half * weight * kappa;
       lag += half * weight * (to - s) * kappa;
-      sheared += half * weight * of.shear * cut.V_z.value();
+      sheared += half * weight * sheared_at(of, cut);
     }
-    const auto slope_at = [&](double s, Side side, double theta) {
-      const CutForces cut = diagram_->at({si<Length>(s), side});
-      return theta + flexibility_at(piece, s).shear * cut.V_z.value();
+    const auto slope_at = [&](double s, Side side) -> Eigen::Vector2d {
+      return theta_ + sheared_at(flexibility_at(piece, s), diagram_->at({si<Length>(s), side}));
     };
-    DeflectedLine::Stretch stretch{si<Length>(from), si<Length>(to), si<Length>(w_), {}, 0.0, 0.0};
+    DeflectedLine::Stretch& stretch = line_.stretches.emplace_back();
+    stretch.from = si<Length>(from);
+    stretch.to = si<Length>(to);
+    stretch.at_from = w_;
     rotations_.push_back(theta_);
-    stretch.slope_from = slope_at(from, Side::behind, theta_);
+    stretch.slope_from = slope_at(from, Side::behind);
     w_ += theta_ * (to - from) - lag + sheared;
     theta_ -= turn;
-    stretch.w_to = si<Length>(w_);
-    stretch.slope_to = slope_at(to, Side::before, theta_);
-    line_.stretches.push_back(stretch);
+    stretch.at_to = w_;
+    stretch.slope_to = slope_at(to, Side::before);
   }
 
   /// The rotation of the section at a place where a stretch begins, or at the end of the beam.
-  double rotation_at(double s) const {
+  Eigen::Vector2d rotation_at(double s) const {
     for (std::size_t i = 0; i < rotations_.size(); ++i) {
       if (line_.stretches[i].from.value() >= s) return rotations_[i];
     }
@@ -142,49 +157,80 @@ class Integration {
   const DeflectionModel* model_;
   const CutForceDiagram* diagram_;
   BeamShift shift_;
-  double w_ = 0.0, theta_ = 0.0;
+  Eigen::Vector2d w_ = Eigen::Vector2d::Zero(), theta_ = Eigen::Vector2d::Zero();
   DeflectedLine line_;
-  std::vector<double> rotations_;  ///< at the beginnings of the stretches
+  std::vector<Eigen::Vector2d> rotations_;  ///< at the beginnings of the stretches
 };
 
-/// w = c[0] + c[1] u + c[2] u^2 + c[3] u^3 over a stretch, u from 0 to 1.
-std::array<double, 4> cubic_of(const DeflectedLine::Stretch& stretch) {
-  const double h = (stretch.to - stretch.from).value();
-  const double rise = (stretch.w_to - stretch.w_from).value();
-  const double a = h * stretch.slope_from, b = h * stretch.slope_to;
-  return {stretch.w_from.value(), a, 3.0 * rise - 2.0 * a - b, a + b - 2.0 * rise};
+/// w = c_0 + c_1 u + c_2 u^2 + c_3 u^3 over a stretch, u from 0 to 1; along y and z.
+struct Cubic {
+  explicit Cubic(const DeflectedLine::Stretch& stretch) {
+    const double h = (stretch.to - stretch.from).value();
+    const Eigen::Vector2d rise = stretch.at_to - stretch.at_from;
+    const Eigen::Vector2d a = h * stretch.slope_from, b = h * stretch.slope_to;
+    c = {stretch.at_from, a, 3.0 * rise - 2.0 * a - b, a + b - 2.0 * rise};
+  }
+
+  Eigen::Vector2d at(double u) const { return c[0] + u * (c[1] + u * (c[2] + u * c[3])); }
+
+  /// d(|w|^2/2)/du.
+  double outwards(double u) const {
+    return at(u).dot(c[1] + u * (2.0 * c[2] + 3.0 * u * c[3]));
+  }
+
+  std::array<Eigen::Vector2d, 4> c;
+};
+
+/// Calls `look` at the places within a stretch where one direction alone turns round:
+/// c_1 + 2 c_2 u + 3 c_3 u^2 = 0, without cancellation.
+template <class Look>
+void where_one_turns(const Cubic& of, const Look& look) {
+  for (const Eigen::Index axis : {0, 1}) {
+    const double c_1 = of.c[1][axis], c_2 = of.c[2][axis], c_3 = of.c[3][axis];
+    const double root = std::sqrt(std::max(0.0, c_2 * c_2 - 3.0 * c_1 * c_3));
+    const double q = -(c_2 + std::copysign(root, c_2));
+    look(q / (3.0 * c_3));
+    look(c_1 / q);
+  }
 }
 
-double value_of(const std::array<double, 4>& c, double u) {
-  return c[0] + u * (c[1] + u * (c[2] + u * c[3]));
+/// Calls `look` where the axis is farthest off, both directions together, between `from` and `to`.
+template <class Look>
+void where_both_turn(const Cubic& of, double from, double to, const Look& look) {
+  if (!(of.outwards(from) > 0.0 && of.outwards(to) < 0.0)) return;
+  constexpr int halvings = 48;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (from + to);
+    (of.outwards(middle) > 0.0 ? from : to) = middle;
+  }
+  look(from);
 }
 
 }  // namespace
 
-Length DeflectedLine::at(Length s) const {
+Eigen::Vector2d DeflectedLine::at(Length s) const {
   const auto stretch = std::find_if(stretches.begin(), stretches.end() - 1,
                                     [&](const Stretch& of) { return s <= of.to; });
-  const double u = (s - stretch->from) / (stretch->to - stretch->from);
-  return si<Length>(value_of(cubic_of(*stretch), u));
+  return Cubic(*stretch).at((s - stretch->from) / (stretch->to - stretch->from));
 }
 
 LargestDeflection largest_of(const DeflectedLine& line) {
   LargestDeflection largest;
   for (const DeflectedLine::Stretch& stretch : line.stretches) {
-    const std::array<double, 4> c = cubic_of(stretch);
+    const Cubic cubic(stretch);
     const auto look = [&](double u) {
       if (!(u >= 0.0 && u <= 1.0)) return;  // a straight stretch has no such place, which is NaN
-      const double size = std::abs(value_of(c, u));
+      const Eigen::Vector2d along = cubic.at(u);
+      const double size = along.norm();
       if (size <= largest.size.value()) return;
-      largest = {stretch.from + u * (stretch.to - stretch.from), si<Length>(size)};
+      largest = {stretch.from + u * (stretch.to - stretch.from), si<Length>(size), along};
     };
     look(0.0);
     look(1.0);
-    // c_1 + 2 c_2 u + 3 c_3 u^2 = 0, without cancellation.
-    const double root = std::sqrt(std::max(0.0, c[2] * c[2] - 3.0 * c[1] * c[3]));
-    const double q = -(c[2] + std::copysign(root, c[2]));
-    look(q / (3.0 * c[3]));
-    look(c[1] / q);
+    where_one_turns(cubic, look);
+    constexpr int parts = 4;
+    for (int i = 0; i < parts; ++i)
+      where_both_turn(cubic, static_cast<double>(i) / parts, (i + 1.0) / parts, look);
   }
   return largest;
 }
@@ -193,6 +239,7 @@ DeflectionModel deflection_model_of(const Project& project) {
   const DeflectionInput& input = *project.deflection;
   DeflectionModel model;
   model.against = input.against;
+  model.in_space = project.in_space;
   for (const Segment& segment : project.beam.segments) {
     for (int k = 0; k < pieces_per_segment; ++k) {
       FlexibilityPiece& piece = model.pieces.emplace_back();
@@ -207,12 +254,11 @@ DeflectionModel deflection_model_of(const Project& project) {
       for (std::size_t i = 0; i < nodes; ++i) {
         const Length s = piece.start + 0.5 * (1.0 + gauss[i][0]) * piece.length;
         const Section section = section_at(project.beam, {s});
-        const Eigen::RowVector3d curvature =
-            normal_stress_plane(sums_of(outline_of(section, {}))).row(2) /
-            input.youngs_modulus.value();
-        piece.curvature_N[i] = curvature[0];
-        piece.curvature_M[i] = curvature[1];
-        piece.shear[i] = 1.0 / (input.shear_modulus * shear_areas_of(section).z).value();
+        piece.curvature[i] = normal_stress_plane(sums_of(outline_of(section, {}))).bottomRows<2>() /
+                             input.youngs_modulus.value();
+        const ShearAreas areas = shear_areas_of(section);
+        piece.shear[i] = Eigen::Vector2d(1.0 / areas.y.value(), 1.0 / areas.z.value()) /
+                         input.shear_modulus.value();
       }
     }
   }
@@ -297,9 +343,10 @@ std::optional<CheckResult> check_deflection(const Project& project,
     const double alone = grown * peak.value;
     if (factor * alone <= worst.value) continue;
     worst = {si<Time>(peak.at), factor * alone, index_of(project, *run.situation)};
-    basis = {si<Length>(alone), factor};
+    const LargestDeflection largest = largest_in(run, diagram_at(peak.at), si<Time>(peak.at));
+    basis = {si<Length>(alone), grown * largest.along, factor};
     worst_grown = grown;
-    place = largest_in(run, diagram_at(peak.at), si<Time>(peak.at)).at;
+    place = largest.at;
   }
   if (worst.value == 0.0) return std::nullopt;
   const Situation& situation = project.situations[worst.situation];

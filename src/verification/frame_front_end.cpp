@@ -278,7 +278,8 @@ class FrameAtRest : public SolvedMotion {
 
   BeamShift beam_shift(Time time) const override {
     const frame::Vector6 start = frame_->start_at(project_->beam_body, time.value());
-    return {start[2], -start[4], frame_->heat_curvature(project_->beam_body)};
+    return {
+        {start[1], start[2]}, {start[5], -start[4]}, frame_->heat_curvature(project_->beam_body)};
   }
 
   std::optional<double> critical_factor(const LoadHistory& loads, double most) const override {

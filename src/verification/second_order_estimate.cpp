@@ -563,15 +563,18 @@ DesignedSecondOrder estimate_designed_second_order(const Project& project,
 }
 
 double pressed_part_in(const Project& project, const SituationRun& run) {
-  BeamAlone alone(project, Plane::z);
+  BeamAlone alone(project, Plane::z), sideways(project, Plane::y);
   double part = 0.0;
   for (const std::size_t i : instants_of(run.loads)) {
     const Time time = run.loads.time_of(i);
     const BeamLoads loads = run.loads.loads_at(time);
     if (compression_of(cut_forces_of(loads)) <= 0.0) continue;
+    const auto holds = holds_of(project, run.motion->supports(loads));
     MakePosture make = run.motion->stopped(time, loads);
-    if (!make) make = alone.under(loads, holds_of(project, run.motion->supports(loads)).along_z.at);
+    if (!make) make = alone.under(loads, holds.along_z.at);
     part = part_of_critical(make, part);
+    if (project.in_space)
+      part = part_of_critical(sideways.under(loads, holds.along_y.at), part);
   }
   return part;
 }

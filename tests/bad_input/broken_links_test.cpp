@@ -184,7 +184,7 @@ TEST_CASE("what belongs to rigid mechanisms is refused in one of elastic links",
   check_refused({
       {"a Newton chain", chain, line_of("[case]", chain), {"a Newton chain", "rigorous"}},
       with("[deflection]\nlimit = \"1 mm\"\n", "[deflection]",
-           {"\"deflection\" is known for planar, static and loads cases only",
+           {"\"deflection\" is known for rigid mechanisms, static and loads cases only",
             "kind = \"flexible\""}),
       with("[loops.a]\nsign = \"+\"\n", "[loops.a]", {"\"loops\" is known for rigid mechanisms"}),
       with("[bodies.a]\nmass = \"1 kg\"\n", "[bodies.a]",

@@ -364,8 +364,8 @@ TEST_CASE("what is wrong in a case in space is said with what to write", "[bad_i
            "[drivers.swing]\njoint = \"hinge\"\nkind = \"polynomial\"\n"
            "coefficients = [\"0 rad\", \"1 rad/s\", \"1 rad/s^2\"]\n",
        "\"hinge\" neither repeats nor ends", "duration"},
-      {all + "[deflection]\nlimit = \"1 mm\"\n", "known for planar, static and loads cases only",
-       "remove it"},
+      {all + "[deflection]\nlimit = \"1 mm\"\n", "does not say from which line its deflection",
+       "against = \"tangent\""},
       {all + "[[hand_formulas]]\nname = \"v\"\nquantity = \"omega\"\nof = \"arm\"\n"
              "formula = [\"1/0\", \"0\", \"0\"]\n",
        "has no finite value", "division by zero"},

@@ -3,6 +3,8 @@
 
 #include "boxbeam/verification/deflection.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <functional>
 
@@ -64,7 +66,7 @@ std::function<double(double)> deflected(const Project& project, const std::vecto
   loads.lines = unloaded_lines(project.beam);
   for (LineLoad& line : loads.lines) line.force[2].c[0] = line_load;
   const DeflectedLine line = deflected_line_of(deflection_model_of(project), cut_forces_of(loads));
-  return [line](double s) { return line.at(si<Length>(s)).value(); };
+  return [line](double s) { return line.at(si<Length>(s))[1]; };
 }
 
 constexpr double h = 0.3;
@@ -111,7 +113,7 @@ TEST_CASE("a cantilever against the line from its root to its tip") {
     const double x = i * L / 16.0;
     const double free = P * x * x * (3 * L - x) / (6 * EI);
     const double chord = x / L * P * L * L * L / (3 * EI);
-    CHECK(line.at(si<Length>(x)).value() == Approx(chord - free).epsilon(1e-9));
+    CHECK(line.at(si<Length>(x))[1] == Approx(chord - free).epsilon(1e-9));
   }
   // Its largest place is where x^2/2 - x + 1/3 = 0 in lengths of L, which is none of a grid.
   const LargestDeflection largest = largest_of(line);
@@ -275,11 +277,11 @@ TEST_CASE("from a tangent inside the beam both parts bend away as cantilevers") 
   loads.lines = unloaded_lines(project.beam);
   if (imbalance_of(loads).moment.norm() > 1.0) loads.points[0].moment.y() = -P * L;
   const DeflectedLine line = deflected_line_of(deflection_model_of(project), cut_forces_of(loads));
-  CHECK(line.at(si<Length>(1.0)).value() == Approx(0.0).margin(1e-15));
-  CHECK(line.at(si<Length>(L)).value() ==
+  CHECK(line.at(si<Length>(1.0))[1] == Approx(0.0).margin(1e-15));
+  CHECK(line.at(si<Length>(L))[1] ==
         Approx(-(P * 27.0 / (3 * EI) + P * 3.0 / GA)).epsilon(1e-9));
   // int_0^a x P (L - x)/(E I) dx = P (L a^2/2 - a^3/3)/(E I), downwards; the shear lifts it.
-  CHECK(line.at(si<Length>(0.0)).value() ==
+  CHECK(line.at(si<Length>(0.0))[1] ==
         Approx(-P * (L / 2.0 - 1.0 / 3.0) / EI + P / GA).epsilon(1e-9));
 }
 
@@ -289,6 +291,127 @@ TEST_CASE("a load between two places of any grid: the corner of the moment is me
   const double b = L - a;
   const auto w = deflected(project_of(h, h, 0.0, L), {{0.0, P * b / L}, {a, -P}, {L, P * a / L}});
   CHECK(w(a) == Approx(-(P * a * a * b * b / (3 * L * EI) + P * a * b / (L * GA))).epsilon(1e-10));
+}
+
+namespace {
+
+/// A cantilever from s = 0, in space, pushed at its tip along y and z and halfway along y alone.
+BeamLoads pushed_in_space(const Project& project, double along_y, double along_z, double halfway) {
+  BeamLoads loads;
+  PointLoad root, tip, middle;
+  tip.s = si<Length>(L);
+  tip.force = {0.0, along_y, along_z};
+  middle.s = si<Length>(L / 2.0);
+  middle.force.y() = halfway;
+  root.force = -tip.force - middle.force;
+  root.moment = -L * Eigen::Vector3d::UnitX().cross(tip.force) -
+                L / 2.0 * Eigen::Vector3d::UnitX().cross(middle.force);
+  loads.points = {root, middle, tip};
+  loads.lines = unloaded_lines(project.beam);
+  REQUIRE(imbalance_of(loads).moment.norm() < 1e-6);
+  return loads;
+}
+
+}  // namespace
+
+TEST_CASE("in space a cantilever bends along y and along z, each by its own inertia and walls") {
+  Project project = project_of(h, h, 0.0, L);
+  project.in_space = true;
+  project.deflection->against = Tangent{si<Length>(0.0)};
+  // Of the box on its side, and its flanges carry V_y.
+  const double I_z = (h * 0.2 * 0.2 * 0.2 - (h - 0.04) * std::pow(0.18, 3)) / 12.0;
+  const double A_y = 2.0 * 0.02 * 0.2;
+  const double along_y = 0.7 * P, along_z = -P;
+  const DeflectedLine line =
+      deflected_line_of(deflection_model_of(project),
+                        cut_forces_of(pushed_in_space(project, along_y, along_z, 0.0)));
+  const double y = along_y * (L * L * L / (3.0 * E * I_z) + L / (G * A_y));
+  const double z = along_z * (L * L * L / (3.0 * EI) + L / GA);
+  const Eigen::Vector2d tip = line.at(si<Length>(L));
+  CHECK(tip.x() == Approx(y).epsilon(1e-9));
+  CHECK(tip.y() == Approx(z).epsilon(1e-9));
+  const LargestDeflection largest = largest_of(line);
+  CHECK(largest.size.value() == Approx(std::hypot(y, z)).epsilon(1e-9));
+  CHECK(largest.at.value() == L);
+}
+
+TEST_CASE("where both directions together are farthest off is found between the places of a grid") {
+  Project project = project_of(h, 0.5 * h, 0.5, 3.7);
+  project.in_space = true;
+  const DeflectionModel model = deflection_model_of(project);
+  for (int k = 0; k < 24; ++k) {
+    const double angle = 0.26 * k;
+    const DeflectedLine line = deflected_line_of(
+        model, cut_forces_of(pushed_in_space(project, P * std::cos(angle), P * std::sin(angle),
+                                             -1.7 * P * std::cos(0.6 * k))));
+    double most = 0.0;
+    constexpr int places = 20000;
+    for (int i = 0; i <= places; ++i)
+      most = std::max(most, line.at(si<Length>(L * i / places)).norm());
+    const double found = largest_of(line).size.value();
+    CHECK(found >= most * (1.0 - 1e-14));
+    CHECK(found <= most * (1.0 + 1e-6));
+  }
+}
+
+TEST_CASE("a boom that gravity bends in space: q L^4/(8 E I) + q L^2/(2 G A_v) each way") {
+  // Turned about its axis, so that gravity has a part along its y.
+  for (const double turned : {0.0, 30.0, 90.0}) {
+    const double roll = turned * std::acos(-1.0) / 180.0;
+    const std::string text = fmt::format(
+        R"([case]
+name = "boom"
+kind = "spatial"
+[mechanism]
+gravity = ["0 m/s^2", "{} m/s^2", "{} m/s^2"]
+[bodies.boom]
+points = {{ heel = ["0 m", "0 m", "0 m"] }}
+[joints.heel]
+kind = "fixed"
+connect = ["ground", "boom.heel"]
+at = ["0 m", "0 m", "0 m"]
+[motion]
+duration = "1 s"
+[material]
+steel = "S355"
+[sections.box]
+kind = "box"
+width = "200 mm"
+height = "300 mm"
+flange = "20 mm"
+web = "10 mm"
+[beam]
+body = "boom"
+start = "heel"
+axis = "x"
+z = "z"
+density = "7850 kg/m^3"
+[[beam.segments]]
+length = "4 m"
+from = "box"
+to = "box"
+[strength]
+required = 1.0
+[deflection]
+limit = "10 mm"
+against = "tangent"
+at = "0 m"
+)",
+        -9.81 * std::sin(roll), -9.81 * std::cos(roll));
+    const Project project = parse_project("boom.toml", text);
+    const auto result = check_deflection(project, run_situations(project));
+    REQUIRE(result);
+    const double A = 0.2 * 0.3 - 0.18 * 0.26;
+    const double q = 7850.0 * 9.81 * A;
+    const double I_z = (h * 0.2 * 0.2 * 0.2 - (h - 0.04) * std::pow(0.18, 3)) / 12.0;
+    const auto tip = [&](double load, double inertia, double area) {
+      return load * (std::pow(L, 4) / (8.0 * E * inertia) + L * L / (2.0 * G * area));
+    };
+    const double y = tip(q * std::sin(roll), I_z, 2.0 * 0.02 * 0.2);
+    const double z = tip(q * std::cos(roll), inertia_of(h), shear_area_of(h));
+    CHECK(result->check.acting.value() == Approx(std::hypot(y, z)).epsilon(1e-8));
+    CHECK(result->check.station.s.value() == L);
+  }
 }
 
 TEST_CASE("the check takes the largest deflection of all instants; the load factor only if asked") {
@@ -307,7 +430,7 @@ TEST_CASE("the check takes the largest deflection of all instants; the load fact
   for (std::size_t i = 0; i < loads.instants(); ++i) {
     const DeflectedLine line = deflected_line_of(model, loads.diagram(i));
     for (int j = 0; j <= 500; ++j) {
-      largest = std::max(largest, std::abs(line.at(si<Length>(6.2 * j / 500.0)).value()));
+      largest = std::max(largest, std::abs(line.at(si<Length>(6.2 * j / 500.0))[1]));
     }
   }
   CHECK(check.acting.value() >= largest * (1.0 - 1e-12));

@@ -153,7 +153,8 @@ TEST_CASE("a load factor for strength counts in buckling as a member", "[second_
   // It is the loads times it, the weight among them.
   Project loaded = test::slow_slider_crank(3.0 * 0.33 * critical);
   std::get<planar::Mechanism>(loaded.mechanism).gravity *= 3.0;
-  CHECK(member_use(times) == Approx(member_use(verify(loaded))).epsilon(1e-9));
+  // As closely as N_cr is found, and better where the halvings are the same.
+  CHECK(member_use(times) == Approx(member_use(verify(loaded))).epsilon(1e-5));
   CHECK(member_use(times) >= 3.0 * once);
 }
 

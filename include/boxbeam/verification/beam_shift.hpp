@@ -1,11 +1,13 @@
 #pragma once
 
+#include <Eigen/Core>
+
 namespace boxbeam {
 
-/// What bends and moves a beam beside its cut forces, in the plane of its z.
+/// What bends and moves a beam beside its cut forces, along its y and its z.
 struct BeamShift {
-  double w = 0.0;          ///< of its start, along z [m]
-  double slope = 0.0;      ///< of its start's section, dw/ds without shear
+  Eigen::Vector2d start = Eigen::Vector2d::Zero();  ///< by which its start has moved [m]
+  Eigen::Vector2d slope = Eigen::Vector2d::Zero();  ///< of the section there, without shear
   double curvature = 0.0;  ///< by heat, all along; positive lengthens +z [1/m]
 };
 

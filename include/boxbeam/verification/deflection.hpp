@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <deque>
 #include <optional>
@@ -17,39 +18,42 @@ struct FlexibilityPiece {
   static constexpr std::size_t nodes = 5;
 
   Length start, length;
-  std::array<double, nodes> curvature_N;  ///< curvature per N [1/(N m)]
-  std::array<double, nodes> curvature_M;  ///< curvature per M_y, 1/(E I_y) [1/(N m^2)]
-  std::array<double, nodes> shear;        ///< 1/(G A_v) [1/N]
+  /// Curvatures of the axis along y and z, a row each, per N, M_y and M_z [1/(N m), 1/(N m^2)].
+  std::array<Eigen::Matrix<double, 2, 3>, nodes> curvature;
+  std::array<Eigen::Vector2d, nodes> shear;  ///< 1/(G A_v) along y and z [1/N]
 };
 
 /// The beam as it bends: a sixteenth of a segment each piece, in order.
 ///
-/// kappa is the slope of the normal stress along z over E: in unsymmetric sections, or where the
-/// centroid lies off the axis, it depends on N too (normal_stress_plane). A_v: EN 1993-1-1 6.2.6
-/// (webs of boxes, 2 A/pi of round tubes, 5/6 of solid plates). Holes are left out.
+/// kappa is the slope of the normal stress along an axis over E: in unsymmetric sections it depends
+/// on both moments, where the centroid lies off the axis on N too (normal_stress_plane). A_v: EN
+/// 1993-1-1 6.2.6 (webs of boxes along z, flanges along y, 2 A/pi of round tubes, 5/6 of solid
+/// plates). Holes are left out.
 struct DeflectionModel {
   std::vector<FlexibilityPiece> pieces;
   MeasuredFrom against;
+  bool in_space = false;  ///< the axis bends along y as well
 };
 
 DeflectionModel deflection_model_of(const Project& project);
 
-/// The bent axis, positive along +z, from the line that it is measured from. Between the ends of a
+/// The bent axis, along y and z, from the line that it is measured from. Between the ends of a
 /// stretch it is the cubic of both places and slopes.
 struct DeflectedLine {
   struct Stretch {
     Length from, to;
-    Length w_from, w_to;
-    double slope_from = 0.0, slope_to = 0.0;
+    Eigen::Vector2d at_from, at_to;  ///< [m]
+    Eigen::Vector2d slope_from, slope_to;
   };
   std::vector<Stretch> stretches;  ///< in order, from the start of the beam to its end
 
-  Length at(Length s) const;
+  Eigen::Vector2d at(Length s) const;  ///< along y and z [m]
 };
 
 /// A place of a line and how far it lies off, without sign.
 struct LargestDeflection {
   Length at, size;
+  Eigen::Vector2d along = Eigen::Vector2d::Zero();  ///< y and z [m]
 };
 
 LargestDeflection largest_of(const DeflectedLine& line);
@@ -57,11 +61,12 @@ LargestDeflection largest_of(const DeflectedLine& line);
 /// Timoshenko's beam, integrated along the axis (Gauss' rule on every stretch between loads, ends
 /// of segments and ends of the line that is measured from):
 ///
-///     theta' = -kappa,  w' = theta + V/(G A_v),  kappa = M/(E I_y)
+///     theta' = -kappa,  w' = theta + V/(G A_v),  kappa = M/(E I)
 ///
-/// The rotation theta is that of the sections. From a chord: w less the straight line through both
-/// ends; from a tangent at a: w less w(a) + theta(a) (s - a), as of a beam clamped there; from the
-/// unloaded axis: w with the shift and the turn of the beam's start. Heat bends it besides.
+/// along z, and along y in space. The rotation theta is that of the sections. From a chord: w less
+/// the straight line through both ends; from a tangent at a: w less w(a) + theta(a) (s - a), as of
+/// a beam clamped there; from the unloaded axis: w with the shift and the turn of the beam's start.
+/// Heat bends it besides.
 /// Source: Timoshenko, Strength of Materials I, articles 38 and 39.
 DeflectedLine deflected_line_of(const DeflectionModel& model, const CutForceDiagram& diagram,
                                 const BeamShift& shift = {});
@@ -69,11 +74,11 @@ DeflectedLine deflected_line_of(const DeflectionModel& model, const CutForceDiag
 /// "chord 0 to 4 m", "tangent at 0 m", "unloaded axis".
 std::string to_text(const MeasuredFrom& against);
 
-/// The largest deflection anywhere along the beam, at any time, in any situation, against its
+/// The largest deflection, in space of both directions together, anywhere along the beam, at any time, in any situation, against its
 /// limit; the load factors of the situations count only where the case asks for it. Small
 /// displacements, elastic, quasi-static under the loads of the chosen model, and of second order:
-/// times 1/(1 - N/N_cr) by the compression of its situation in the plane of motion, which
-/// `second_order_counted` says is in the cut forces under the loads times one. Nothing for a beam
+/// times 1/(1 - N/N_cr) by the compression of its situation in the plane of motion, in space in the
+/// weaker plane, which `second_order_counted` says is in the cut forces under the loads times one. Nothing for a beam
 /// that never bends, or without a limit.
 std::optional<CheckResult> check_deflection(const Project& project,
                                             const std::deque<SituationRun>& runs,
