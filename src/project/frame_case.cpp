@@ -83,9 +83,7 @@ class FrameReader : public FrontEndReader {
     situation.changed = std::move(structure);
   }
 
-  void read_neighbours(TableReader& root) override {
-    read_deflection_of(root, *project_);
-  }
+  void read_neighbours(TableReader& root) override { read_deflection_of(root, *project_); }
 
   std::vector<Situation> read_combinations(TableReader& root) const override {
     return readers::read_combinations(root, frame_of(*project_));

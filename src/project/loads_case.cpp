@@ -59,9 +59,7 @@ class LoadsReader : public FrontEndReader {
     return loads;
   }
 
-  void read_neighbours(TableReader& root) override {
-    read_deflection_of(root, *project_);
-  }
+  void read_neighbours(TableReader& root) override { read_deflection_of(root, *project_); }
 
  private:
   /// Where loads act, named.

@@ -359,9 +359,8 @@ std::string shape_text(const Project& project) {
   if (std::any_of(segments.begin(), segments.end(), is_open)) {
     text += text.empty() ? "" : ", ";
     text +=
-        "torsion and warping of open sections (a case in the plane has no torque: forces are taken "
-        "to act through the shear centre, beside which they are a case in space; that sections "
-        "keep their shape where forces act is taken for granted)";
+        "whether open sections keep their shape where forces act (in the plane these act on the "
+        "axis; others are a case in space)";
   }
   return text;
 }

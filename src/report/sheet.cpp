@@ -230,10 +230,10 @@ Steps given_fatigue_steps(const Project& project, const GivenBasis& basis) {
 /// A deflection under the loads times one: in space of both directions together.
 Traced bent(Derivation& of, const DeflectionBasis& basis, bool in_space) {
   if (!in_space) return of.known("int m M/(E I_y) ds + int v V/(G A_v) ds", basis.alone);
-  const Traced along_y = of.define("w_y", of.known("int m M_z/(E I_z) ds + int v V_y/(G A_y) ds",
-                                                   si<Length>(basis.along[0])));
-  const Traced along_z = of.define("w_z", of.known("int m M_y/(E I_y) ds + int v V_z/(G A_z) ds",
-                                                   si<Length>(basis.along[1])));
+  const Traced along_y = of.define(
+      "w_y", of.known("int m M_z/(E I_z) ds + int v V_y/(G A_y) ds", si<Length>(basis.along[0])));
+  const Traced along_z = of.define(
+      "w_z", of.known("int m M_y/(E I_y) ds + int v V_z/(G A_z) ds", si<Length>(basis.along[1])));
   return sqrt(along_y * along_y + along_z * along_z);
 }
 

@@ -174,9 +174,7 @@ struct Cubic {
   Eigen::Vector2d at(double u) const { return c[0] + u * (c[1] + u * (c[2] + u * c[3])); }
 
   /// d(|w|^2/2)/du.
-  double outwards(double u) const {
-    return at(u).dot(c[1] + u * (2.0 * c[2] + 3.0 * u * c[3]));
-  }
+  double outwards(double u) const { return at(u).dot(c[1] + u * (2.0 * c[2] + 3.0 * u * c[3])); }
 
   std::array<Eigen::Vector2d, 4> c;
 };

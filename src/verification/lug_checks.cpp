@@ -204,7 +204,13 @@ NeighbourChecks check_lugs(const Project& project, const std::deque<SituationRun
   NeighbourChecks checks;
   const bool any = std::any_of(project.pins.begin(), project.pins.end(),
                                [](const PinInput& pin) { return !pin.lugs.empty(); });
-  if (!project.fatigue.asked || !any) return checks;
+  if (!project.fatigue.asked) return checks;
+  for (const PinInput& pin : project.pins) {
+    if (pin.lugs.empty())
+      checks.not_judged.push_back({Criterion::lug_fatigue, "fatigue of the plates of " + pin.name,
+                                   "[[pins.lugs]] are not given"});
+  }
+  if (!any) return checks;
   const NeighbourRuns runs = neighbour_loads_of(project, solved);
   for (const PinInput& pin : project.pins) {
     if (pin.lugs.empty()) continue;

@@ -1,8 +1,20 @@
 #include "neighbour_loads.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace boxbeam {
+
+bool RodMass::is_even() const {
+  constexpr double percent = 0.01;
+  const double even = mass * length * length / 12.0;
+  return std::abs(centre - 0.5 * length) <= percent * length && beside <= percent * length &&
+         std::abs(inertia - even) <= percent * even;
+}
+
+double RodMass::lever() const {
+  return std::max(0.0, mass * centre * (length - centre) - inertia) / length;
+}
 
 double NeighbourLoads::within(double time) const {
   return run_->loads.closed() ? time : std::clamp(time, span_.begin, span_.begin + span_.period);

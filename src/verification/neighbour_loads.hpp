@@ -23,6 +23,22 @@ struct BesidePin {
   double moment = 0.0;  ///< moment across it, by size [N m]
 };
 
+/// How the mass of a body lies about the line of a rod between two points of it.
+struct RodMass {
+  double mass = 0.0, length = 0.0;  ///< [kg, m]
+  double centre = 0.0;              ///< of mass, along the line from its start [m]
+  double beside = 0.0;              ///< of mass, beside the line [m]
+  double inertia = 0.0;             ///< about the centre of mass, across the rod [kg m^2]
+
+  /// Whether it is that of an even rod, to a percent.
+  bool is_even() const;
+
+  /// The largest moment per load per mass across a rod between pins whose mass lies unknown within
+  /// its length, but by its centre and inertia: m (x_c (L - x_c) - I/m)/L, for at no place a mass
+  /// dm bends by more than dm x (L - x)/L. Of an even rod 4/3 of what it is.
+  double lever() const;
+};
+
 /// What joints with pins and rods bear in one situation, by rigid bodies: all that the checks of
 /// neighbours ask of a mechanism, in the plane or in space. Looks at the run, which stays.
 class NeighbourLoads {

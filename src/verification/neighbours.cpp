@@ -9,6 +9,7 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "neighbour_parts.hpp"
+#include "patch_notes.hpp"
 
 namespace boxbeam {
 namespace {
@@ -295,6 +296,29 @@ void add_own_bending(const RodInput& rod, Stress bending, std::size_t before,
         {Criterion::rod, "rod " + rod.name, text + ", which is not counted"});
 }
 
+/// Fatigue that is asked for and that no detail of a rod judges.
+void add_unjudged_range(const Project& project, const NeighbourRuns& runs, const RodInput& rod,
+                        NeighbourChecks& checks) {
+  const auto largest = [&](double AxialForces::*which) {
+    constexpr bool factored = false;
+    return worst_of(
+               project, runs,
+               [&](NeighbourLoads& of, double time) {
+                 return of.axial_forces_in(rod, time).*which;
+               },
+               factored)
+        .value;
+  };
+  const Area area = rod.net_area.value_or(properties_of(rod.section).area);
+  const Stress range =
+      si<Force>(largest(&AxialForces::tension) + largest(&AxialForces::compression)) / area;
+  if (range > hardly_changes)
+    checks.not_judged.push_back(
+        {Criterion::rod, "rod " + rod.name,
+         fmt::format("in fatigue; its force changes its stress by {:.3g} MPa",
+                     1e-6 * range.value())});
+}
+
 }  // namespace
 
 NeighbourChecks check_rods(const Project& project, const std::deque<SituationRun>& solved) {
@@ -333,6 +357,7 @@ NeighbourChecks check_rods(const Project& project, const std::deque<SituationRun
       }
     }
     add_own_bending(rod, own_bending_of(runs, rod), before, checks);
+    if (project.fatigue.asked) add_unjudged_range(project, runs, rod, checks);
     std::vector<std::string> bending;
     for (const auto& run : runs) {
       for (std::string& name : run->bending_of(rod)) {

@@ -97,7 +97,8 @@ class PlanarNeighbours : public NeighbourLoads {
   ///
   ///     M <= m L (|mean|/8 + 0.01604 |ends|)
   ///
-  /// mean, ends  of g - a across the rod. Source: equilibrium.
+  /// mean, ends  of g - a across the rod; of an uneven one by `RodMass::lever`, and by what acts
+  /// along it beside its line. Source: equilibrium.
   double moment_in(const RodInput& input, double time) override {
     const PlanarRod& rod = ends_of(input);
     look_at(time);
@@ -110,9 +111,19 @@ class PlanarNeighbours : public NeighbourLoads {
                         planar::acceleration_of(end, state_.q, state_.v, state_.a));
     };
     const double from = load_at(rod.from), to = load_at(rod.to);
-    const double mass = mechanism_->bodies[static_cast<std::size_t>(rod.from.body)].mass;
+    const planar::Body& body = mechanism_->bodies[static_cast<std::size_t>(rod.from.body)];
+    const Eigen::Vector2d own = (rod.to.p - rod.from.p) / length, centre = -rod.from.p;
+    const RodMass of{body.mass, length, own.dot(centre),
+                     std::abs(own.x() * centre.y() - own.y() * centre.x()), body.inertia};
     constexpr double of_ends = 0.01604;
-    return mass * length * (std::abs(from + to) / 16.0 + of_ends * std::abs(from - to) / 2.0);
+    if (of.is_even())
+      return of.mass * length * (std::abs(from + to) / 16.0 + of_ends * std::abs(from - to) / 2.0);
+    const planar::Attachment middle{rod.from.body, Eigen::Vector2d::Zero()};
+    const double along = (line / length)
+                             .dot(mechanism_->gravity -
+                                  planar::acceleration_of(middle, state_.q, state_.v, state_.a));
+    return of.lever() * std::max(std::abs(from), std::abs(to)) +
+           of.mass * of.beside * std::abs(along);
   }
 
   std::vector<std::string> bending_of(const RodInput& input) override {

@@ -573,8 +573,7 @@ double pressed_part_in(const Project& project, const SituationRun& run) {
     MakePosture make = run.motion->stopped(time, loads);
     if (!make) make = alone.under(loads, holds.along_z.at);
     part = part_of_critical(make, part);
-    if (project.in_space)
-      part = part_of_critical(sideways.under(loads, holds.along_y.at), part);
+    if (project.in_space) part = part_of_critical(sideways.under(loads, holds.along_y.at), part);
   }
   return part;
 }

@@ -61,7 +61,8 @@ DesignedSecondOrder estimate_designed_second_order(const Project& project,
                                                    const std::deque<SituationRun>& runs);
 
 /// Largest N/N_cr of a situation in the plane of motion, in space in the weaker plane, under its
-/// loads times one, at the instants that `estimate_second_order` looks at; one or more where it buckles.
+/// loads times one, at the instants that `estimate_second_order` looks at; one or more where it
+/// buckles.
 double pressed_part_in(const Project& project, const SituationRun& run);
 
 }  // namespace boxbeam

@@ -1,3 +1,4 @@
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -119,12 +120,13 @@ class SpatialNeighbours : public NeighbourLoads {
   double moment_in(const RodInput& rod, double time) override {
     look_at(time);
     if (std::holds_alternative<RodLink>(rod.place)) return 0.0;
-    double most = 0.0;
+    const double beyond = uneven_moment(rod);
+    double even = 0.0;
     for (const CutForcePiece& piece : cut_forces_of(loads_on(rod)).pieces) {
       each_place_of(
-          piece, [&](double x) { most = std::max(most, std::hypot(piece.M_y(x), piece.M_z(x))); });
+          piece, [&](double x) { even = std::max(even, std::hypot(piece.M_y(x), piece.M_z(x))); });
     }
-    return most;
+    return even + beyond;
   }
 
   std::vector<std::string> bending_of(const RodInput& rod) override {
@@ -201,6 +203,27 @@ class SpatialNeighbours : public NeighbourLoads {
     }
     const spatial::ClosingJoint& joint = mechanism_->closing[link.index];
     return -between(joint.a, joint.b).dot(wrenches_[mechanism_->joints.size() + link.index].force);
+  }
+
+  /// What an uneven mass may bend a rod by beside that of an even one; zero of an even one.
+  double uneven_moment(const RodInput& rod) const {
+    const SpatialRod& place = std::get<SpatialRod>(rod.place);
+    const int index = place.from.body;
+    const spatial::Body& body = mechanism_->bodies[static_cast<std::size_t>(index)];
+    const Eigen::Vector3d line = place.to.p - place.from.p;
+    const Eigen::Vector3d along = line.normalized(), centre = body.centre - place.from.p;
+    const Eigen::Matrix<double, 2, 3> beside = across(along);
+    const Eigen::Matrix2d inertia = beside * body.inertia * beside.transpose();
+    const RodMass of{body.mass, line.norm(), along.dot(centre), along.cross(centre).norm(),
+                     inertia.selfadjointView<Eigen::Lower>().eigenvalues()[0]};
+    if (of.is_even()) return 0.0;
+    const auto load_at = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+      return spatial::in_axes(state_, index,
+                              mechanism_->gravity - spatial::acceleration_of(state_, {index, p}));
+    };
+    const double most =
+        std::max((beside * load_at(place.from.p)).norm(), (beside * load_at(place.to.p)).norm());
+    return of.lever() * most + of.mass * of.beside * std::abs(along.dot(load_at(body.centre)));
   }
 
   BeamLoads loads_on(const RodInput& rod) {

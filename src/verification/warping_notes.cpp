@@ -119,7 +119,6 @@ double largest_bimoment(double torque, double GI_T, double EI_w, double length) 
 
 WarpingFound look_at_warping(const Project& project, const std::deque<SituationRun>& runs) {
   WarpingFound found;
-  if (!project.in_space) return found;
   std::vector<WarpingSegment> segments;
   for (std::size_t k = 0; k < project.beam.segments.size(); ++k) {
     WarpingSegment of = warping_segment_of(project, k);

@@ -278,8 +278,7 @@ TEST_CASE("from a tangent inside the beam both parts bend away as cantilevers") 
   if (imbalance_of(loads).moment.norm() > 1.0) loads.points[0].moment.y() = -P * L;
   const DeflectedLine line = deflected_line_of(deflection_model_of(project), cut_forces_of(loads));
   CHECK(line.at(si<Length>(1.0))[1] == Approx(0.0).margin(1e-15));
-  CHECK(line.at(si<Length>(L))[1] ==
-        Approx(-(P * 27.0 / (3 * EI) + P * 3.0 / GA)).epsilon(1e-9));
+  CHECK(line.at(si<Length>(L))[1] == Approx(-(P * 27.0 / (3 * EI) + P * 3.0 / GA)).epsilon(1e-9));
   // int_0^a x P (L - x)/(E I) dx = P (L a^2/2 - a^3/3)/(E I), downwards; the shear lifts it.
   CHECK(line.at(si<Length>(0.0))[1] ==
         Approx(-P * (L / 2.0 - 1.0 / 3.0) / EI + P / GA).epsilon(1e-9));
@@ -322,9 +321,8 @@ TEST_CASE("in space a cantilever bends along y and along z, each by its own iner
   const double I_z = (h * 0.2 * 0.2 * 0.2 - (h - 0.04) * std::pow(0.18, 3)) / 12.0;
   const double A_y = 2.0 * 0.02 * 0.2;
   const double along_y = 0.7 * P, along_z = -P;
-  const DeflectedLine line =
-      deflected_line_of(deflection_model_of(project),
-                        cut_forces_of(pushed_in_space(project, along_y, along_z, 0.0)));
+  const DeflectedLine line = deflected_line_of(
+      deflection_model_of(project), cut_forces_of(pushed_in_space(project, along_y, along_z, 0.0)));
   const double y = along_y * (L * L * L / (3.0 * E * I_z) + L / (G * A_y));
   const double z = along_z * (L * L * L / (3.0 * EI) + L / GA);
   const Eigen::Vector2d tip = line.at(si<Length>(L));

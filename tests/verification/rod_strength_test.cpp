@@ -19,15 +19,16 @@ namespace {
 /// A beam of 3 m on a hinge and a strut of 4 m beneath its end, box 120 x 80 x 6, loaded by F in
 /// its middle: the strut bears F/2 and half its own weight.
 std::string propped(double F, double E, const std::string& strength, const std::string& rod = "",
-                    double mass = 1.0, const char* sideways = "0 m/s^2") {
+                    double mass = 1.0, const char* sideways = "0 m/s^2",
+                    const char* of_mass = "uniform_rod = \"4 m\"") {
   return "[case]\nname = \"a\"\nkind = \"planar\"\n[mechanism]\n" +
          fmt::format("gravity = [\"{}\", \"0 m/s^2\"]\n", sideways) +
          "[bodies.b]\npoints = { A = [\"0 m\", \"0 m\"], "
          "M = [\"1.5 m\", \"0 m\"], B = [\"3 m\", \"0 m\"] }\nsketch = { at = [\"0 m\", \"0 m\"] "
          "}\n"
          "[bodies.rod]\n" +
-         fmt::format("mass = \"{:.17g} kg\"\n", mass) +
-         "uniform_rod = \"4 m\"\npoints = { F = [\"-2 m\", "
+         fmt::format("mass = \"{:.17g} kg\"\n", mass) + of_mass +
+         "\npoints = { F = [\"-2 m\", "
          "\"0 m\"], B = [\"2 m\", \"0 m\"] }\nsketch = { at = [\"3 m\", \"-2 m\"], "
          "angle = \"90 deg\" }\n[joints.A]\nkind = \"pin\"\nconnect = [\"b.A\", \"ground\"]\n"
          "at = [\"0 m\", \"0 m\"]\n[joints.B]\nkind = \"pin\"\nconnect = [\"rod.B\", \"b.B\"]\n"
@@ -100,6 +101,45 @@ TEST_CASE("a rod that passes by its force alone has no verdict where its own wei
   };
   CHECK(blocked(0.98));
   CHECK_FALSE(blocked(0.9));
+}
+
+TEST_CASE("a rod with a lump of mass bends by m g L/4, twice as much as an even one", "[rods]") {
+  // At n = 0.95 and m g L/8 of 0.02 f_y it passes, n + (1 + 0.6 n) 0.02 = 0.98; with 0.04
+  // not, 1.01.
+  constexpr double part = 0.02, use = 0.95;
+  const double mass = 8.0 * part * 355e6 * I / 0.04 / (9.81 * 4.0);
+  const double F = 2e-3 * use / use_by_hand(1.0, 210e9, 1.0);
+  const auto words = [&](const char* of_mass) {
+    const Verification of =
+        verify(parse_project("c.toml", propped(F, 210.0, "", "", mass, "9.81 m/s^2", of_mass)));
+    for (const Gate& gate : of.gates)
+      if (gate.blocks && gate.finding.find("its own weight") != std::string::npos)
+        return gate.finding;
+    return std::string();
+  };
+  CHECK(words("uniform_rod = \"4 m\"").empty());
+  // 0.04 x 355 = 14.2 MPa, and 0.95 + 1.57 x 0.04 = 1.01.
+  const std::string lump = words("inertia = \"0 kg m^2\"");
+  CHECK(lump.find("14.2 MPa") != std::string::npos);
+  CHECK(lump.find("101 %") != std::string::npos);
+}
+
+TEST_CASE("where fatigue is asked for, what no detail of a rod judges stands with the verdict",
+          "[rods]") {
+  const std::string fatigue =
+      "[fatigue]\nloading = \"spectrum\"\ncategory = 160\ngamma_Mf = 1.0\nrequired = 1.0\n"
+      "[[situations]]\nname = \"on\"\n[[situations]]\nname = \"off\"\n"
+      "set = { \"forces.f.size\" = \"0 kN\" }\n[[situations]]\nname = \"change\"\n"
+      "between = [\"on\", \"off\"]\ncycles = 2e6\n";
+  const auto words = [&](const std::string& more) {
+    for (const NotJudged& of :
+         verify(parse_project("c.toml", propped(400.0, 210.0, "", more))).not_judged)
+      if (of.reason.find("in fatigue") != std::string::npos) return of.reason;
+    return std::string();
+  };
+  CHECK(words("").empty());
+  // 200 kN on and off the strut.
+  CHECK(words(fatigue).find(fmt::format("{:.3g} MPa", 200e-3 / A)) != std::string::npos);
 }
 
 }  // namespace rod_strength_test

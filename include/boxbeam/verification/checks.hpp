@@ -175,7 +175,7 @@ struct MemberBasis {
 
 /// What the check of a deflection rests on.
 struct DeflectionBasis {
-  Length alone;  ///< w_1, without load factor
+  Length alone;                                     ///< w_1, without load factor
   Eigen::Vector2d along = Eigen::Vector2d::Zero();  ///< the same along y and z [m]
   double load_factor = 1.0;
 };
