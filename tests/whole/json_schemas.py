@@ -88,9 +88,8 @@ def check_refuses_changes(name, document, what):
             continue
         seen.add(kind_of(path))
         for key in found:
-            for rename in (False, True):
-                if key in OPTIONAL and not rename:
-                    continue
+            # What is refused where a key is missing is refused where it has another name.
+            for rename in (True,) if key in OPTIONAL else (False,):
                 changed = copy.deepcopy(document)
                 at = changed
                 for part in path:
