@@ -412,6 +412,64 @@ at = "0 m"
   }
 }
 
+TEST_CASE("a frame in space bends away from its unloaded axis, what its supports turn included") {
+  // Pinned at both ends, forks against twisting, P in the middle along y and along z; the axis
+  // turns at its start.
+  const std::string text = R"([case]
+name = "girder"
+kind = "static"
+[frame]
+space = true
+gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
+[sections.box]
+kind = "box"
+width = "200 mm"
+height = "300 mm"
+flange = "20 mm"
+web = "10 mm"
+[beam]
+density = "7850 kg/m^3"
+[[beam.segments]]
+length = "4 m"
+section = "box"
+[supports.a]
+kind = "pinned"
+at = ["0 m", "0 m", "0 m"]
+fork = true
+[supports.z]
+kind = "roller"
+at = ["4 m", "0 m", "0 m"]
+direction = "z"
+fork = true
+[supports.y]
+kind = "roller"
+at = ["4 m", "0 m", "0 m"]
+direction = "y"
+[loads.p]
+kind = "force"
+at = ["2 m", "0 m", "0 m"]
+force = ["0 kN", "35 kN", "-50 kN"]
+moment = ["0 N m", "0 N m", "0 N m"]
+[material]
+steel = "S355"
+[strength]
+required = 1.0
+[deflection]
+limit = "10 mm"
+)";
+  const Project project = parse_project("girder.toml", text);
+  const auto result = check_deflection(project, run_situations(project));
+  REQUIRE(result);
+  const double I_z = (h * 0.2 * 0.2 * 0.2 - (h - 0.04) * std::pow(0.18, 3)) / 12.0;
+  const auto middle = [](double force, double inertia, double area) {
+    return force * (L * L * L / (48.0 * E * inertia) + L / (4.0 * G * area));
+  };
+  const double y = middle(35e3, I_z, 2.0 * 0.02 * 0.2);
+  const double z = middle(50e3, inertia_of(h), shear_area_of(h));
+  CHECK(result->check.acting.value() == Approx(std::hypot(y, z)).epsilon(1e-6));
+  CHECK(result->check.station.s.value() == Approx(2.0));
+}
+
 TEST_CASE("the check takes the largest deflection of all instants; the load factor only if asked") {
   const std::string demand = "\n[deflection]\nlimit = \"5 mm\"\nfrom = \"0 m\"\nto = \"6.2 m\"\n";
   Project project = test::changed_rig({}, demand);
