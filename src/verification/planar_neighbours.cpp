@@ -111,7 +111,7 @@ class PlanarNeighbours : public NeighbourLoads {
                         planar::acceleration_of(end, state_.q, state_.v, state_.a));
     };
     const double from = load_at(rod.from), to = load_at(rod.to);
-    const planar::Body& body = mechanism_->bodies[static_cast<std::size_t>(rod.from.body)];
+    const Body& body = mechanism_->bodies[static_cast<std::size_t>(rod.from.body)];
     const Eigen::Vector2d own = (rod.to.p - rod.from.p) / length, centre = -rod.from.p;
     const RodMass of{body.mass, length, own.dot(centre),
                      std::abs(own.x() * centre.y() - own.y() * centre.x()), body.inertia};

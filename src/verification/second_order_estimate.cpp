@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 #include "beam_holds.hpp"
@@ -49,6 +50,8 @@ BeamLoads in_plane(BeamLoads loads, Plane plane) {
 }
 
 /// How a beam is held at an instant, in both planes.
+constexpr const char* held_by_mechanism = "held as its mechanism holds it";
+
 struct Held {
   MakePosture in_plane, across;
   BeamHolds alone;
@@ -224,7 +227,12 @@ class Estimating {
       add_section(section_at(project.beam, place.station), place.station.s);
       result_.growth.push_back({place.station});
     }
+    const double length = project.beam.length().value();
     for (const Segment& segment : project.beam.segments) {
+      for (const Section& section : {segment.from, segment.to})
+        cantilever_ = std::min(cantilever_, std::pow(0.5 * std::numbers::pi / length, 2) *
+                                                project.model.youngs_modulus *
+                                                properties_of(section).I_2.value());
       const Profile& profile = segment.from.outer;
       open_ = open_ || std::holds_alternative<ThinWalled>(profile);
     }
@@ -253,11 +261,14 @@ class Estimating {
       };
       const BeamHolds& alone = held.alone;
       const bool axial = bears_axial_force(diagram);
+      const auto whole = axial ? part_of_whole(run, time, diagram, alone, factor) : std::nullopt;
       if (held.whole)
-        raise(result_.in_plane, held.in_plane, "held as its mechanism holds it", false);
+        raise(result_.in_plane, held.in_plane, held_by_mechanism, false);
       else if (axial)
-        raise(result_.in_plane, held.in_plane, alone.along_z.words, !alone.along_z.said);
-      if (axial) raise(*result_.across, held.across, alone.along_y.words, !alone.along_y.said);
+        raise(result_.in_plane, held.in_plane, alone.along_z.words, !alone.along_z.said && !whole);
+      if (axial)
+        raise(*result_.across, held.across, alone.along_y.words, !alone.along_y.said && !whole);
+      if (whole) raise_by_whole({*whole, time, situation, held_by_mechanism, false}, factor);
       look_sideways(diagram, loads, held, time, situation, factor);
       result_.bending = std::max(result_.bending, factor * bending_of_yield(diagram));
       if (result_.in_plane.part >= 1.0 || result_.across->part >= 1.0) {
@@ -476,6 +487,31 @@ class Estimating {
     raise_to(vibrating, result_.growth);
   }
 
+  /// N/N_cr of the whole mechanism in space, where the case does not say how the beam is held. Not
+  /// where N is so little beside that of a cantilever of the beam's least stiffness that it counts
+  /// nowhere.
+  std::optional<double> part_of_whole(const SituationRun& run, Time time,
+                                      const CutForceDiagram& diagram, const BeamHolds& alone,
+                                      double factor) const {
+    constexpr double nowhere = 0.01;
+    if (!project_->in_space || alone.along_z.said || alone.along_y.said) return {};
+    if (!(factor * compression_of(diagram) > nowhere * cantilever_)) return {};
+    const auto critical = run.motion->critical_factor_at(time, diagram, factor / nowhere);
+    if (!critical) return {};
+    return factor / *critical;
+  }
+
+  /// By the whole, whose planes are one: where it is weaker than the beam by itself in either, that
+  /// is how it buckles, and what it bends grows as of a frame that sways.
+  void raise_by_whole(const BucklingLoad& whole, double factor) {
+    constexpr double alike = 1.001;
+    if (!(whole.part > alike * std::max(result_.in_plane.part, result_.across->part))) return;
+    *result_.across = whole;
+    const auto sway = [](double part) { return part < 1.0 ? part / (1.0 - part) : unbounded; };
+    result_.sway = std::max(result_.sway, sway(whole.part));
+    sway_of_range_ = std::max(sway_of_range_, sway(whole.part / factor));
+  }
+
   /// The whole that carries the beam, under its design loads and, for ranges, its loads times one.
   void look_at_sway(const SituationRun& run, double factor) {
     constexpr double slight = 100.0;  // times its loads
@@ -543,6 +579,7 @@ class Estimating {
   BeamAlone in_plane_, across_;
   GrowthByPlace growth_, growth_across_, beyond_once_, vibrating_;
   double sway_of_range_ = 0.0;
+  double cantilever_ = unbounded;  ///< N_cr of one as long as the beam, of its least I [N]
   SecondOrderEstimate result_;
 };
 
@@ -573,7 +610,12 @@ double pressed_part_in(const Project& project, const SituationRun& run) {
     MakePosture make = run.motion->stopped(time, loads);
     if (!make) make = alone.under(loads, holds.along_z.at);
     part = part_of_critical(make, part);
-    if (project.in_space) part = part_of_critical(sideways.under(loads, holds.along_y.at), part);
+    if (!project.in_space) continue;
+    part = part_of_critical(sideways.under(loads, holds.along_y.at), part);
+    if (holds.along_z.said || holds.along_y.said) continue;
+    constexpr double most = 1e3;
+    const auto whole = run.motion->critical_factor_at(time, cut_forces_of(loads), most);
+    if (whole) part = std::max(part, 1.0 / *whole);
   }
   return part;
 }

@@ -10,6 +10,7 @@
 #include "boxbeam/mechanism/spatial/motion.hpp"
 #include "boxbeam/verification/chain_motion_result.hpp"
 #include "front_ends.hpp"
+#include "stopped_in_space.hpp"
 
 namespace boxbeam {
 namespace {
@@ -238,6 +239,11 @@ class SpatialMotion : public SolvedMotion {
           std::clamp(spatial::in_beam(placement, place).x(), 0.0, project_->beam.length().value()));
     }
     return at;
+  }
+
+  std::optional<double> critical_factor_at(Time time, const CutForceDiagram& diagram,
+                                           double most) const override {
+    return critical_factor_in_space(*project_, *chain_, time, diagram, most);
   }
 
   const spatial::Chain& chain() const { return *chain_; }

@@ -10,6 +10,7 @@
 #include "boxbeam/mechanism/spatial/beam_loads.hpp"
 #include "boxbeam/mechanism/spatial/chain.hpp"
 #include "boxbeam/section/section_properties.hpp"
+#include "even_beam.hpp"
 #include "front_ends.hpp"
 #include "neighbour_loads.hpp"
 
@@ -27,10 +28,8 @@ Eigen::Matrix<double, 2, 3> across(const Eigen::Vector3d& axis) {
   return of;
 }
 
-/// A rod that is a body, as an even beam of its mass.
-struct RodBeam {
-  TaperedBeam beam;
-  spatial::BeamBody body;
+/// A rod that is a body.
+struct RodBeam : EvenBeam {
   double modulus = 0.0;  ///< least of its section [m^3]
 };
 
@@ -234,17 +233,8 @@ class SpatialNeighbours : public NeighbourLoads {
     RodBeam& of = beams_[&rod];
     if (!of.beam.segments.empty()) return of;
     const SpatialRod& place = std::get<SpatialRod>(rod.place);
-    const Eigen::Vector3d line = place.to.p - place.from.p;
+    of.set(*mechanism_, place.from.body, place.from.p, place.to.p, rod.section);
     const SectionProperties section = properties_of(rod.section);
-    const double mass = mechanism_->bodies[static_cast<std::size_t>(place.from.body)].mass;
-    of.beam.segments.push_back({"", {}, si<Length>(line.norm()), rod.section, rod.section});
-    of.beam.density = si<Density>(mass / (section.area.value() * line.norm()));
-    spatial::BeamPlacement placement{place.from.body, place.from.p, {}};
-    placement.axes.col(0) = line.normalized();
-    const Eigen::Matrix<double, 2, 3> beside = across(placement.axes.col(0));
-    placement.axes.col(1) = beside.row(0);
-    placement.axes.col(2) = beside.row(1);
-    of.body = spatial::beam_body_of(of.beam, placement, *mechanism_);
     of.modulus = std::min(section.W_y, section.W_z).value();
     return of;
   }

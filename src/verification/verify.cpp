@@ -19,14 +19,6 @@
 #include "given_cuts.hpp"
 
 namespace boxbeam {
-
-Verification::Verification() = default;
-Verification::Verification(const Verification&) = default;
-Verification::Verification(Verification&&) noexcept = default;
-Verification& Verification::operator=(const Verification&) = default;
-Verification& Verification::operator=(Verification&&) noexcept = default;
-Verification::~Verification() = default;
-
 namespace {
 
 template <class T>

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "boxbeam/beam/cut_force_diagram.hpp"
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/any_motion_result.hpp"
 #include "boxbeam/verification/beam_shift.hpp"
@@ -64,6 +65,13 @@ class SolvedMotion {
   /// At so many times its loads the whole of it buckles, the least of all instants, at most `most`;
   /// nothing where that is not known.
   virtual std::optional<double> critical_factor(const LoadHistory&, double /*most*/) const {
+    return {};
+  }
+
+  /// At so many times its loads the whole of it, stopped at a time, buckles, at most `most`;
+  /// nothing where that is not known. `diagram`: of the beam then.
+  virtual std::optional<double> critical_factor_at(Time, const CutForceDiagram& /*diagram*/,
+                                                   double /*most*/) const {
     return {};
   }
 

@@ -25,14 +25,6 @@ const char* to_text(Verdict verdict);
 
 /// The result of a verification.
 struct Verification {
-  // Defined once, as a project's: see there.
-  Verification();
-  Verification(const Verification&);
-  Verification(Verification&&) noexcept;
-  Verification& operator=(const Verification&);
-  Verification& operator=(Verification&&) noexcept;
-  ~Verification();
-
   Verdict verdict = Verdict::fail;
   ModelChoice model;
   SearchSummary search;                ///< of the governing places along the beam

@@ -1,0 +1,290 @@
+#include "stopped_in_space.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <limits>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/frame/statics.hpp"
+#include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/verification/front_end.hpp"
+#include "even_beam.hpp"
+
+namespace boxbeam {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// Other bodies and joints beside the beam.
+constexpr double stiffer = 1e4;
+
+/// The frame that a stopped mechanism is, and what presses its members.
+class StoppedFrame {
+ public:
+  StoppedFrame(const Project& project, const spatial::Chain& chain, const spatial::State& state)
+      : project_(&project), chain_(&chain), mechanism_(&chain.mechanism()), state_(&state) {}
+
+  /// Whether it can be made.
+  bool make(const CutForceDiagram& diagram) {
+    const spatial::BeamPlacement placement = placement_in(*project_, *mechanism_);
+    own_ = placement.body;
+    const spatial::BodyMotion& own = state_->bodies[static_cast<std::size_t>(own_)];
+    frame::Member& beam = structure.members.emplace_back();
+    beam.name = "beam";
+    beam.beam = project_->beam;
+    beam.start = own.position + own.R_WB * placement.start;
+    beam.axes = own.R_WB * placement.axes;
+    beam.youngs_modulus = project_->model.youngs_modulus;
+    beam.shear_modulus = project_->model.shear_modulus;
+    loaded.members.emplace_back().cut = diagram;
+    find_stiffness();
+    member_of_.assign(mechanism_->bodies.size(), frame::ground);
+    for (std::size_t i = 0; i < mechanism_->bodies.size(); ++i) {
+      if (static_cast<int>(i) == own_)
+        member_of_[i] = 0;
+      else
+        add_body(static_cast<int>(i));
+    }
+    for (std::size_t i = 0; i < mechanism_->joints.size(); ++i)
+      if (!add_joint(i)) return false;
+    for (std::size_t k = 0; k < mechanism_->closing.size(); ++k) add_closing(k);
+    for (const spatial::Spring& spring : mechanism_->springs) add_spring(spring);
+    return true;
+  }
+
+  frame::Structure structure;
+  frame::Equilibrium loaded;
+
+ private:
+  /// Of the stiffest place of the beam, E A/L and E I/L.
+  void find_stiffness() {
+    const double length = project_->beam.length().value();
+    for (const Segment& segment : project_->beam.segments) {
+      for (const Section& section : {segment.from, segment.to}) {
+        const SectionProperties of = properties_of(section);
+        const double E = project_->model.youngs_modulus;
+        along_ = std::max(along_, E * of.area.value() / length);
+        about_ = std::max(about_, E * of.I_1.value() / length);
+      }
+    }
+  }
+
+  /// A bar between two places of the world, so much stiffer than the beam; its index.
+  int add_bar(const Vector3d& from, const Vector3d& to, double stiffness_along) {
+    const double length = (to - from).norm();
+    frame::Member& bar = structure.members.emplace_back();
+    bar.name = "bar";
+    bar.start = from;
+    bar.axes.col(0) = (to - from) / length;
+    bar.axes.col(1) = bar.axes.col(0).unitOrthogonal();
+    bar.axes.col(2) = bar.axes.col(0).cross(bar.axes.col(1));
+    bar.beam.segments = {{"", {}, si<Length>(length), bar_section(length), bar_section(length)}};
+    const double area = properties_of(bar_section(length)).area.value();
+    bar.youngs_modulus = stiffness_along * length / area;
+    bar.shear_modulus = bar.youngs_modulus / 2.6;
+    loaded.members.emplace_back();
+    return static_cast<int>(structure.members.size()) - 1;
+  }
+
+  /// As stout as a bar is whose bending does not count beside its length.
+  static Section bar_section(double length) {
+    return {Plate{si<Length>(0.5 * length), si<Length>(0.5 * length)}, {}};
+  }
+
+  /// Of so stout a bar E I/L is E A/L times its square over 48: so both are stiffer than the
+  /// beam's.
+  double stiff_bar(double length) const {
+    return stiffer * std::max(along_, 48.0 * about_ / (length * length));
+  }
+
+  std::vector<Vector3d> places_on(int body) const {
+    std::vector<Vector3d> places{mechanism_->joints[static_cast<std::size_t>(body)].point};
+    for (const spatial::Joint& joint : mechanism_->joints)
+      if (joint.parent == body) places.push_back(joint.at);
+    const auto add = [&](const auto& of) {
+      for (const spatial::Attachment& end : {of.a, of.b})
+        if (end.body == body) places.push_back(end.p);
+    };
+    for (const spatial::ClosingJoint& joint : mechanism_->closing) add(joint);
+    for (const spatial::Spring& spring : mechanism_->springs) add(spring);
+    return places;
+  }
+
+  void add_body(int body) {
+    const std::vector<Vector3d> places = places_on(body);
+    Vector3d from = places.front(), to = from;
+    for (const Vector3d& a : places) {
+      for (const Vector3d& b : places)
+        if ((b - a).norm() > (to - from).norm()) from = a, to = b;
+    }
+    const double least = 1e-3 * project_->beam.length().value();
+    if (!((to - from).norm() > least)) to = from + least * Vector3d::UnitX();
+    EvenBeam& even = bodies_.emplace_back();
+    even.set(*mechanism_, body, from, to, bar_section((to - from).norm()));
+    member_of_[static_cast<std::size_t>(body)] =
+        add_bar(spatial::position_of(*state_, {body, from}),
+                spatial::position_of(*state_, {body, to}), stiff_bar((to - from).norm()));
+    // As the loads on it have them.
+    structure.members.back().axes =
+        state_->bodies[static_cast<std::size_t>(body)].R_WB * even.body.placement.axes;
+    loaded.members.back().cut = cut_forces_of(spatial::beam_loads_of(*chain_, *state_, even.body));
+  }
+
+  /// A place of the world on a body, or on the ground.
+  frame::Place place_on(int body, const Vector3d& at) const {
+    if (body == spatial::ground) return {frame::ground, at};
+    return on_member(member_of_[static_cast<std::size_t>(body)], at);
+  }
+  frame::Place on_member(int member, const Vector3d& at) const {
+    const frame::Member& of = structure.members[static_cast<std::size_t>(member)];
+    Vector3d p = of.axes.transpose() * (at - of.start);
+    p.x() = std::clamp(p.x(), 0.0, of.beam.length().value());
+    return {member, p};
+  }
+
+  /// All six held; the first three along, the others about the axes.
+  std::array<double, 6> held() const {
+    const double k = stiffer * along_, turning = stiffer * about_;
+    return {k, k, k, turning, turning, turning};
+  }
+
+  static Matrix3d axes_with(const Vector3d& x) {
+    Matrix3d axes;
+    axes.col(0) = x;
+    axes.col(1) = x.unitOrthogonal();
+    axes.col(2) = x.cross(axes.col(1));
+    return axes;
+  }
+
+  /// Not where forces move it.
+  bool add_joint(std::size_t i) {
+    const spatial::Joint& of = mechanism_->joints[i];
+    if (spatial::is_forced(of)) return false;
+    const int body = static_cast<int>(i);
+    const Vector3d at = spatial::position_of(*state_, {body, of.point});
+    frame::Joint& joint = structure.joints.emplace_back();
+    joint.name = of.name;
+    joint.a = place_on(of.parent, at);
+    joint.b = place_on(body, at);
+    joint.axes = axes_with(spatial::in_world(*state_, of.parent, of.axis));
+    joint.stiffness = held();
+    if (of.kind != spatial::JointKind::fixed && !spatial::is_driven(of))
+      joint.stiffness[of.kind == spatial::JointKind::revolute ? 3 : 0] = 0.0;
+    for (const spatial::TorsionSpring& spring : mechanism_->torsion_springs)
+      if (spring.joint == body && !spatial::is_driven(of)) joint.stiffness[3] += spring.stiffness;
+    return true;
+  }
+
+  void add_closing(std::size_t k) {
+    using Kind = spatial::ClosingKind;
+    const spatial::ClosingJoint& of = mechanism_->closing[k];
+    const Vector3d at = spatial::position_of(*state_, of.b);
+    if (of.kind == Kind::distance) {
+      const Vector3d from = spatial::position_of(*state_, of.a);
+      const double tension =
+          -(at - from).normalized().dot(wrenches()[mechanism_->joints.size() + k].force);
+      add_rod(of.name, of.a.body, of.b.body, from, at, stiff_bar((at - from).norm()), tension);
+      return;
+    }
+    frame::Joint& joint = structure.joints.emplace_back();
+    joint.name = of.name;
+    joint.a = place_on(of.a.body, at);
+    joint.b = place_on(of.b.body, at);
+    joint.axes = axes_with(spatial::in_world(*state_, of.a.body, of.axis));
+    joint.stiffness = held();
+    const auto free = [&](std::initializer_list<std::size_t> ways) {
+      for (const std::size_t way : ways) joint.stiffness[way] = 0.0;
+    };
+    switch (of.kind) {
+      case Kind::fixed: break;
+      case Kind::revolute: free({3}); break;
+      case Kind::prismatic: free({0}); break;
+      case Kind::cylindrical: free({0, 3}); break;
+      case Kind::universal: {
+        const Vector3d other = spatial::in_world(*state_, of.b.body, of.other);
+        joint.axes.col(1) = other;
+        joint.axes.col(2) = joint.axes.col(0).cross(other);
+        free({3, 4});
+        break;
+      }
+      case Kind::spherical: free({3, 4, 5}); break;
+      case Kind::planar: free({1, 2, 3}); break;
+      case Kind::slot: free({0, 3, 4, 5}); break;
+      case Kind::distance: break;
+    }
+  }
+
+  /// A bar between two places on bodies that turns freely at both but about its own axis at one.
+  void add_rod(const std::string& name, int a, int b, const Vector3d& from, const Vector3d& to,
+               double stiffness, double tension) {
+    const int bar = add_bar(from, to, stiffness);
+    const Matrix3d axes = structure.members.back().axes;
+    BeamLoads loads;
+    const double length = (to - from).norm();
+    loads.points.resize(2);
+    loads.points[0].force.x() = -tension;
+    loads.points[1].force.x() = tension;
+    loads.points[1].s = si<Length>(length);
+    loads.lines = unloaded_lines(structure.members.back().beam);
+    loaded.members.back().cut = cut_forces_of(loads);
+    const auto end = [&](int body, const Vector3d& at, bool turns) {
+      frame::Joint& joint = structure.joints.emplace_back();
+      joint.name = name;
+      joint.a = place_on(body, at);
+      joint.b = on_member(bar, at);
+      joint.axes = axes;
+      joint.stiffness = held();
+      joint.stiffness[4] = joint.stiffness[5] = 0.0;
+      if (turns) joint.stiffness[3] = 0.0;
+    };
+    end(a, from, false);
+    end(b, to, true);
+  }
+
+  void add_spring(const spatial::Spring& spring) {
+    const Vector3d from = spatial::position_of(*state_, spring.a),
+                   to = spatial::position_of(*state_, spring.b);
+    const double tension = -(to - from).normalized().dot(spatial::force_of(spring, *state_));
+    // Slack cables and stops that are not touched hold nothing, nor do dampers.
+    if (tension == 0.0 || !(spring.stiffness > 0.0)) return;
+    add_rod(spring.name, spring.a.body, spring.b.body, from, to, spring.stiffness, tension);
+  }
+
+  const std::vector<spatial::Wrench>& wrenches() {
+    if (wrenches_.empty()) chain_->joint_wrenches(*state_, wrenches_);
+    return wrenches_;
+  }
+
+  const Project* project_;
+  const spatial::Chain* chain_;
+  const spatial::Mechanism* mechanism_;
+  const spatial::State* state_;
+  int own_ = spatial::ground;
+  double along_ = 0.0, about_ = 0.0;  ///< largest E A/L, E I/L of the beam [N/m, N m]
+  std::vector<int> member_of_;        ///< of each body
+  std::deque<EvenBeam> bodies_;
+  std::vector<spatial::Wrench> wrenches_;
+};
+
+}  // namespace
+
+std::optional<double> critical_factor_in_space(const Project& project, const spatial::Chain& chain,
+                                               Time time, const CutForceDiagram& diagram,
+                                               double most) {
+  constexpr int parts = 8;
+  try {
+    const spatial::State state = chain.at(time.value());
+    StoppedFrame frame(project, chain, state);
+    if (!frame.make(diagram)) return {};
+    const frame::Statics statics(frame.structure, parts);
+    return statics.critical_factor(statics.axial_forces(frame.loaded), most);
+  } catch (const AnalysisError&) {
+    return {};  // it is free to move, or a torsion constant is not known
+  }
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,160 @@
+// The buckling of mechanisms in space that are stopped: against closed forms of columns.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "boxbeam/beam/cut_force_diagram.hpp"
+#include "boxbeam/verification/front_end.hpp"
+#include "boxbeam/verification/verify.hpp"
+#include "catch.hpp"
+
+namespace stopped_in_space_test {
+
+using namespace boxbeam;
+
+namespace {
+
+constexpr double E = 210e9, L = 4.0, P = 100e3;
+/// Of the box 200 x 300, flanges 20, webs 12, about its vertical axis, the weaker one.
+const double I_z = (0.3 * std::pow(0.2, 3) - 0.26 * std::pow(0.176, 3)) / 12.0;
+
+/// A boom of 4 m along x, held at its heel by `joints`, pressed along its axis at its tip.
+std::string boom(const std::string& joints, const char* along = "[-1, 0, 0]",
+                 const std::string& more = "") {
+  return R"([case]
+name = "boom"
+kind = "spatial"
+
+[mechanism]
+gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
+
+[bodies.arm]
+points = { heel = ["0 m", "0 m", "0 m"], lug = ["2 m", "0 m", "0 m"], tip = ["4 m", "0 m", "0 m"] }
+)" + joints +
+         fmt::format(R"(
+[forces.load]
+point = "arm.tip"
+direction = {}
+kind = "force"
+law = {{ kind = "harmonic", mean = "{} N", amplitude = "0.1 N", frequency = "1 Hz" }}
+)",
+                     along, P) +
+         R"(
+[sections.arm]
+kind = "box"
+width = "200 mm"
+height = "300 mm"
+flange = "20 mm"
+web = "12 mm"
+
+[beam]
+body = "arm"
+start = "heel"
+axis = "x"
+z = "z"
+density = "7850 kg/m^3"
+
+[[beam.segments]]
+length = "4 m"
+from = "arm"
+to = "arm"
+
+[material]
+steel = "S355"
+
+[strength]
+required = 1.0
+)" + more;
+}
+
+const std::string clamp = R"(
+[joints.heel]
+kind = "fixed"
+connect = ["ground", "arm.heel"]
+at = ["0 m", "0 m", "0 m"]
+)";
+
+/// It luffs about y, held in that plane by a strut to a place below the heel.
+const std::string luffing = R"(
+[joints.heel]
+kind = "revolute"
+connect = ["ground", "arm.heel"]
+at = ["0 m", "0 m", "0 m"]
+axis = "-y"
+start = "0 deg"
+
+[joints.strut]
+kind = "distance"
+connect = ["ground", "arm.lug"]
+at = ["0 m", "0 m", "-2 m"]
+)";
+
+/// At so many times P it buckles.
+std::optional<double> critical(const std::string& text) {
+  const Project project = parse_project("boom.toml", text);
+  const std::deque<SituationRun> runs = run_situations(project);
+  const SituationRun& run = runs.front();
+  return run.motion->critical_factor_at(run.loads.time_of(0), run.loads.diagram(0), 1e4);
+}
+
+}  // namespace
+
+TEST_CASE("a boom that is clamped buckles as a cantilever about its weaker axis", "[stability]") {
+  const auto factor = critical(boom(clamp));
+  REQUIRE(factor);
+  CHECK(*factor * P == Approx(std::pow(std::numbers::pi / (2.0 * L), 2) * E * I_z).epsilon(0.01));
+}
+
+TEST_CASE(
+    "a boom that a strut holds in the plane in which it luffs buckles across it as a cantilever",
+    "[stability]") {
+  // The force along the boom leaves the strut without one; the hinge about y clamps it about z.
+  const auto factor = critical(boom(luffing));
+  REQUIRE(factor);
+  const double N_cr = std::pow(std::numbers::pi / (2.0 * L), 2) * E * I_z;
+  CHECK(*factor * P == Approx(N_cr).epsilon(0.01));
+
+  const Verification of = verify(parse_project("boom.toml", boom(luffing)));
+  REQUIRE(of.model.second_order.across);
+  CHECK(of.model.second_order.across->part == Approx(P / N_cr).epsilon(0.01));
+  CHECK_FALSE(of.model.second_order.across->assumed);
+}
+
+TEST_CASE("a boom that is pulled does not buckle, nor is one looked at whose holds the case says",
+          "[stability]") {
+  CHECK(*critical(boom(clamp, "[1, 0, 0]")) == 1e4);
+  const std::string held =
+      "[[beam.restraints]]\nstation = \"0 m\"\nholds = [\"along y\", \"along z\"]\n"
+      "[[beam.restraints]]\nstation = \"4 m\"\nholds = [\"along y\", \"along z\"]\n";
+  const Verification of = verify(parse_project("boom.toml", boom(luffing, "[-1, 0, 0]", held)));
+  CHECK(of.model.second_order.across->part ==
+        Approx(P / (std::pow(std::numbers::pi / L, 2) * E * I_z)).epsilon(0.01));
+}
+
+TEST_CASE("a strut that is pressed tilts with what it carries", "[stability]") {
+  // Pushed down at its tip the boom hangs on a strut at its end, which stands upright on a ball: it
+  // keeps its plane by the hinge alone, against which the strut of length h leans: across, a
+  // cantilever of stiffness 3 E I_z/L^3 that N/h of the strut takes away, where nothing presses it.
+  const double h = 2.0;
+  const auto factor = critical(boom(R"(
+[joints.heel]
+kind = "revolute"
+connect = ["ground", "arm.heel"]
+at = ["0 m", "0 m", "0 m"]
+axis = "-y"
+start = "0 deg"
+
+[joints.strut]
+kind = "distance"
+connect = ["ground", "arm.tip"]
+at = ["4 m", "0 m", "-2 m"]
+)",
+                                    "[0, 0, -1]"));
+  REQUIRE(factor);
+  CHECK(*factor * P == Approx(h * 3.0 * E * I_z / (L * L * L)).epsilon(0.01));
+}
+
+}  // namespace stopped_in_space_test
