@@ -10,7 +10,7 @@
 #include <numbers>
 #include <optional>
 
-#include "beam_holds.hpp"
+#include "beam_alone.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/section/normal_stress.hpp"
@@ -32,150 +32,15 @@ namespace boxbeam {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
-constexpr std::size_t spread = 48;  ///< instants looked at
-constexpr std::size_t peaks = 3;    ///< and of largest compression and bending
 
-/// The loads of one plane as those of the plane of motion.
-BeamLoads in_plane(BeamLoads loads, Plane plane) {
-  if (plane == Plane::z) return loads;
-  for (PointLoad& load : loads.points) {
-    load.force = {load.force.x(), 0.0, load.force.y()};
-    load.moment = {0.0, -load.moment.z(), 0.0};
-  }
-  for (LineLoad& line : loads.lines) {
-    line.force[2] = line.force[1];
-    line.couple[1] = -1.0 * line.couple[2];
-  }
-  return loads;
-}
-
-/// How a beam is held at an instant, in both planes.
 constexpr const char* held_by_mechanism = "held as its mechanism holds it";
 
+/// How a beam is held at an instant, in both planes.
 struct Held {
   MakePosture in_plane, across;
   BeamHolds alone;
   bool whole = false;  ///< in the plane by its mechanism
 };
-
-/// The beam by itself in a plane, made anew only where it is held in another way.
-class BeamAlone {
- public:
-  BeamAlone(const Project& project, Plane plane) : project_(&project), plane_(plane) {}
-
-  MakePosture under(const BeamLoads& loads, const std::vector<Hold>& holds) {
-    if (!mechanism_ || holds != holds_) {
-      mechanism_ = beam_alone(*project_, plane_, holds);
-      holds_ = holds;
-    }
-    return [beam = &project_->beam, mechanism = *mechanism_, loads = in_plane(loads, plane_)](
-               double factor) { return loaded_beam(mechanism, *beam, loads, factor); };
-  }
-
- private:
-  const Project* project_;
-  Plane plane_;
-  std::vector<Hold> holds_;
-  std::optional<flexible::Mechanism> mechanism_;
-};
-
-/// Whether a beam stands under so many times its loads; at the load that buckles it does not.
-bool stands_under(const MakePosture& make, double factor) {
-  try {
-    return stands(make(factor));
-  } catch (const AnalysisError&) {
-    return false;
-  }
-}
-
-/// N/N_cr, where it is above `known`.
-double part_of_critical(const MakePosture& make, double known) {
-  constexpr double least = 1e-4;
-  double stable = 1.0 / std::max(known, least);
-  if (stands_under(make, stable)) return known;
-  double buckled = stable;
-  stable *= 0.5;
-  while (!stands_under(make, stable) && stable > 1e-6) {
-    buckled = stable;
-    stable *= 0.5;
-  }
-  constexpr double close = 1e-5;
-  while (buckled - stable > close * buckled) {
-    const double middle = 0.5 * (stable + buckled);
-    (stands_under(make, middle) ? stable : buckled) = middle;
-  }
-  return 2.0 / (stable + buckled);
-}
-
-/// Largest compression along the beam [N].
-double compression_of(const CutForceDiagram& diagram) {
-  double most = 0.0;
-  for (const CutForcePiece& piece : diagram.pieces) {
-    const double length = piece.length.value();
-    for (const double part : {0.0, 0.5, 1.0}) most = std::max(most, -piece.N(part * length));
-  }
-  return most;
-}
-
-/// Whether anything presses or pulls along the beam, by the size of what bends it.
-bool bears_axial_force(const CutForceDiagram& diagram) {
-  constexpr double round_off = 1e-12;
-  double axial = 0.0, across = 0.0;
-  for (const CutForcePiece& piece : diagram.pieces) {
-    const double length = piece.length.value();
-    for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-      axial = std::max(axial, std::abs(piece.N(part * length)));
-      across = std::max(
-          {across, std::abs(piece.V_y(part * length)), std::abs(piece.V_z(part * length))});
-    }
-  }
-  return axial > round_off * across;
-}
-
-/// Largest size of M_y and M_z along the beam [N m].
-std::array<double, 2> bending_of(const CutForceDiagram& diagram) {
-  std::array<double, 2> most{};
-  for (const CutForcePiece& piece : diagram.pieces) {
-    const double length = piece.length.value();
-    for (const double part : {0.0, 0.5, 1.0}) {
-      most[0] = std::max(most[0], std::abs(piece.M_y(part * length)));
-      most[1] = std::max(most[1], std::abs(piece.M_z(part * length)));
-    }
-  }
-  return most;
-}
-
-/// Instants spread over the time, and those of largest compression and bending. The most compressed
-/// first: of the others it is then mostly enough to know that they are not nearer to buckling.
-std::vector<std::size_t> instants_of(const LoadHistory& history) {
-  struct Instant {
-    std::size_t index;
-    double compression;
-    std::array<double, 2> bending;
-    bool wanted;
-  };
-  const std::size_t step = std::max<std::size_t>(1, history.instants() / spread);
-  std::vector<Instant> all;
-  for (std::size_t i = 0; i < history.instants(); ++i) {
-    const CutForceDiagram diagram = history.diagram(i);
-    all.push_back({i, compression_of(diagram), bending_of(diagram), i % step == 0});
-  }
-  const auto want_most = [&](const auto& size) {
-    const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(peaks, all.size()));
-    std::stable_sort(all.begin(), all.end(),
-                     [&](const Instant& a, const Instant& b) { return size(a) > size(b); });
-    std::for_each(all.begin(), end, [](Instant& of) { of.wanted = true; });
-  };
-  want_most([](const Instant& of) { return of.bending[0]; });
-  want_most([](const Instant& of) { return of.bending[1]; });
-  std::sort(all.begin(), all.end(),
-            [](const Instant& a, const Instant& b) { return a.index < b.index; });
-  want_most([](const Instant& of) { return of.compression; });
-  std::vector<std::size_t> instants;
-  for (const Instant& of : all)
-    if (of.wanted) instants.push_back(of.index);
-  return instants;
-}
 
 /// Stress per N, M_y and M_z at a point, less N/A.
 using ExcessPoint = std::array<double, 3>;
@@ -599,27 +464,6 @@ DesignedSecondOrder estimate_designed_second_order(const Project& project,
   return {estimating.result(), std::move(beyond_once)};
 }
 
-double pressed_part_in(const Project& project, const SituationRun& run) {
-  BeamAlone alone(project, Plane::z), sideways(project, Plane::y);
-  double part = 0.0;
-  for (const std::size_t i : instants_of(run.loads)) {
-    const Time time = run.loads.time_of(i);
-    const BeamLoads loads = run.loads.loads_at(time);
-    if (compression_of(cut_forces_of(loads)) <= 0.0) continue;
-    const auto holds = holds_of(project, run.motion->supports(loads));
-    MakePosture make = run.motion->stopped(time, loads);
-    if (!make) make = alone.under(loads, holds.along_z.at);
-    part = part_of_critical(make, part);
-    if (!project.in_space) continue;
-    part = part_of_critical(sideways.under(loads, holds.along_y.at), part);
-    if (holds.along_z.said || holds.along_y.said) continue;
-    constexpr double most = 1e3;
-    const auto whole = run.motion->critical_factor_at(time, cut_forces_of(loads), most);
-    if (whole) part = std::max(part, 1.0 / *whole);
-  }
-  return part;
-}
-
 double second_order_growth_at(const SecondOrderEstimate& of, Length s, bool of_range) {
   if (!of.change) return unbounded;
   double most = 0.0;
@@ -633,53 +477,6 @@ double second_order_growth_at(const SecondOrderEstimate& of, Length s, bool of_r
     if (before || behind) look(of.growth[k]);
   }
   return of_range ? most : std::max(most, of.sway);
-}
-
-std::vector<std::string> assumed_holds_of(const SecondOrderEstimate& of, bool in_space) {
-  std::vector<std::string> texts;
-  const auto say = [&](const char* way, const char* key, const auto& load, double least,
-                       const char* part) {
-    if (!load.assumed || load.part <= least) return;
-    texts.push_back(
-        fmt::format("{} the beam is {}, by which {} = {:.3g}; [[beam.restraints]] "
-                    "with holds = [\"{}\"] say otherwise",
-                    way, load.held, part, load.part, key));
-  };
-  say(in_space ? "along z" : "in the plane of motion", "along z", of.in_plane, no_buckling_below,
-      "N/N_cr");
-  if (of.across)
-    say(in_space ? "along y" : "across the plane of motion", "along y", *of.across,
-        no_buckling_below, "N/N_cr");
-  if (of.twisting)
-    say("against twisting", "turning over", *of.twisting, no_buckling_below, "N/N_cr");
-  if (of.lateral)
-    say("against turning over", "turning over", *of.lateral, no_turning_over_below, "M/M_cr");
-  return texts;
-}
-
-std::string lateral_text(const LateralLoad& of) {
-  // Of a beam that nothing turns over nobody has asked how it is held.
-  if (!(of.part > 0.0)) return "lateral torsional buckling: nothing turns the beam over";
-  return fmt::format(
-      "lateral torsional buckling: M/M_cr = {:.3g} at most, the beam {}, forces at the edge where "
-      "they turn it over",
-      of.part, of.held);
-}
-
-std::string second_order_text(const SecondOrderEstimate& of) {
-  constexpr double none = 1e-9;
-  if (of.in_plane.part < none && of.change && *of.change < none) {
-    return "second order changes nothing, for the beam bears no axial force";
-  }
-  std::string text = of.change ? fmt::format("second order is estimated to change it by {}",
-                                             percent_text(*of.change))
-                               : std::string("the beam buckles");
-  if (of.in_plane.part > 0.0) {
-    text += fmt::format(", N/N_cr = {:.3g} at most in the plane", of.in_plane.part);
-  }
-  if (of.across && of.across->part > 0.0)
-    text += fmt::format(", {:.3g} across it", of.across->part);
-  return text;
 }
 
 }  // namespace boxbeam
