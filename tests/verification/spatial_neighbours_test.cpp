@@ -85,6 +85,7 @@ const std::string distance = R"(
 kind = "distance"
 connect = ["ground", "arm.lug"]
 at = ["0 m", "0 m", "-2 m"]
+length = "2.8284271247461903 m"
 )";
 
 const std::string linked_rod = R"(
@@ -137,7 +138,8 @@ TEST_CASE("space: a spring is a rod whose length changes") {
   const std::string driven =
       "\n[drivers.still]\njoint = \"heel\"\nkind = \"hold\"\nvalue = \"0 deg\"\n";
   const std::string rod =
-      "\n[[rods]]\nname = \"strut\"\nlink = \"strut\"\nsection = \"tube\"\nbuckling_length = "
+      "\n[[rods]]\nname = \"strut\"\nlink = \"strut\"\nsection = \"tube\"\ncurve = "
+      "\"a\"\nbuckling_length = "
       "\"2.85 m\"\n";
   const Project project = read(strutted(spring + driven, rod));
   const NeighbourChecks checks = check_rods(project, run_situations(project));
@@ -145,8 +147,9 @@ TEST_CASE("space: a spring is a rod whose length changes") {
   const double force = 9e6 * (2.83 - std::sqrt(8.0));
   CHECK(of(checks, Criterion::buckling).check.acting.value() == Approx(force).epsilon(1e-9));
   try {
-    read(strutted(spring + driven,
-                  "\n[[rods]]\nname = \"strut\"\nlink = \"strut\"\nsection = \"tube\"\n"));
+    read(strutted(
+        spring + driven,
+        "\n[[rods]]\nname = \"strut\"\nlink = \"strut\"\nsection = \"tube\"\ncurve = \"a\"\n"));
     FAIL("its length is not known");
   } catch (const InputError& error) {
     CHECK_THAT(error.what(), Catch::Contains("the length of the rod changes"));
@@ -221,7 +224,8 @@ free_length = "1 m"
 )",
                                       axis);
   const std::string checked =
-      "\n[[rods]]\nname = \"bar\"\nfrom = \"bar.a\"\nto = \"bar.b\"\nsection = \"tube\"\n";
+      "\n[[rods]]\nname = \"bar\"\nfrom = \"bar.a\"\nto = \"bar.b\"\nsection = \"tube\"\ncurve = "
+      "\"a\"\n";
   const Project project = read(strutted(distance + rod, checked));
   const NeighbourChecks checks = check_rods(project, run_situations(project));
   CHECK(of(checks, Criterion::rod).check.acting.value() ==
@@ -249,6 +253,7 @@ start = "45 deg"
 [joints.head]
 kind = "spherical"
 connect = ["arm.lug", "bar.b"]
+closes = true
 
 {})",
                        weight);
@@ -276,7 +281,8 @@ connect = ["arm.lug", "bar.b"]
 TEST_CASE("space: the plates of a pin in fatigue are those of the same mechanism in the plane") {
   const std::string lugs =
       "\n[[pins.lugs]]\nplate = \"inner\"\nwidth = \"200 mm\"\nend = \"90 mm\"\n"
-      "\n[fatigue]\ncategory = 71\ncycles = 1e6\n";
+      "\n[fatigue]\ncategory = 71\ncycles = 1e6\nloading = \"spectrum\"\ngamma_Mf = 1.0\nrequired "
+      "= 1.0\n";
   const Project project = read(strutted(distance, pin_in("heel") + lugs));
   const NeighbourChecks checks = check_lugs(project, run_situations(project));
   // The hinge's force is proportional to the load: its range is two thirds of its largest.

@@ -90,6 +90,7 @@ start = "0 deg"
 kind = "distance"
 connect = ["ground", "arm.lug"]
 at = ["0 m", "0 m", "-2 m"]
+length = "2.8284271247461903 m"
 )";
 
 /// At so many times P it buckles.
@@ -151,6 +152,7 @@ start = "0 deg"
 kind = "distance"
 connect = ["ground", "arm.tip"]
 at = ["4 m", "0 m", "-2 m"]
+length = "2 m"
 )",
                                     "[0, 0, -1]"));
   REQUIRE(factor);
