@@ -145,7 +145,7 @@ double pressed_part_in(const Project& project, const SituationRun& run) {
     if (holds.along_z.said || holds.along_y.said) continue;
     constexpr double most = 1e3;
     const auto whole = run.motion->critical_factor_at(time, cut_forces_of(loads), most);
-    if (whole) part = std::max(part, 1.0 / *whole);
+    if (whole && *whole < most) part = std::max(part, 1.0 / *whole);
   }
   return part;
 }

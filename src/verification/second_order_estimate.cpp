@@ -33,6 +33,10 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
+/// Less than this part of the compression that buckles a cantilever as long as the beam, of its
+/// least stiffness, counts nowhere.
+constexpr double hardly_pressed = 0.01;
+
 constexpr const char* held_by_mechanism = "held as its mechanism holds it";
 
 /// How a beam is held at an instant, in both planes.
@@ -110,7 +114,8 @@ class Estimating {
   void look_at(const SituationRun& run) {
     const double factor = design_factor_of(*project_, *run.situation);
     BothCompared compared, across;
-    for (const std::size_t i : instants_of(run.loads)) {
+    const std::vector<std::size_t> instants = instants_of(run.loads);
+    for (const std::size_t i : instants) {
       const Time time = run.loads.time_of(i);
       const BeamLoads loads = run.loads.loads_at(time);
       const Held held = held_at(run, time, loads);
@@ -126,7 +131,11 @@ class Estimating {
       };
       const BeamHolds& alone = held.alone;
       const bool axial = bears_axial_force(diagram);
-      const auto whole = axial ? part_of_whole(run, time, diagram, alone, factor) : std::nullopt;
+      const bool counts = axial && factor * compression_of(diagram) > hardly_pressed * cantilever_;
+      // What else is pressed is looked at once.
+      const auto whole = counts || i == instants.front()
+                             ? part_of_whole(run, time, diagram, alone, factor)
+                             : std::nullopt;
       if (held.whole)
         raise(result_.in_plane, held.in_plane, held_by_mechanism, false);
       else if (axial)
@@ -352,17 +361,16 @@ class Estimating {
     raise_to(vibrating, result_.growth);
   }
 
-  /// N/N_cr of the whole mechanism in space, where the case does not say how the beam is held. Not
-  /// where N is so little beside that of a cantilever of the beam's least stiffness that it counts
-  /// nowhere.
+  /// N/N_cr of the whole mechanism in space, where the case does not say how the beam is held; zero
+  /// of one that is hardly pressed.
   std::optional<double> part_of_whole(const SituationRun& run, Time time,
                                       const CutForceDiagram& diagram, const BeamHolds& alone,
                                       double factor) const {
-    constexpr double nowhere = 0.01;
     if (!project_->in_space || alone.along_z.said || alone.along_y.said) return {};
-    if (!(factor * compression_of(diagram) > nowhere * cantilever_)) return {};
-    const auto critical = run.motion->critical_factor_at(time, diagram, factor / nowhere);
+    const double most = factor / hardly_pressed;
+    const auto critical = run.motion->critical_factor_at(time, diagram, most);
     if (!critical) return {};
+    if (*critical >= most) return 0.0;
     return factor / *critical;
   }
 
