@@ -760,7 +760,8 @@ class Search {
                  pin_utilisation(sampled_[r].load_factor * reaction.force.norm(), pin), pin.name);
           }
         }
-        for (const RodInput& rod : project_.rods) {
+        for (const RodInput& input : project_.rods) {
+          const auto& rod = std::get<PlanarRod>(input.place);
           const double angle = state.q[3 * rod.from.body + 2];
           const Eigen::Vector2d way = rod.to.p - rod.from.p;
           const Eigen::Vector2d along(
@@ -776,7 +777,7 @@ class Search {
           }
           for (const double push : {push_from, push_to}) {
             const Criterion criterion = push > 0.0 ? Criterion::buckling : Criterion::rod;
-            note(criterion, rod_utilisation(sampled_[r].load_factor * push, rod), rod.name);
+            note(criterion, rod_utilisation(sampled_[r].load_factor * push, input), input.name);
           }
         }
       }
