@@ -86,6 +86,11 @@ std::string said_of(const Project& project, const SituationRun& run,
   for (std::size_t i = 0; i < course.full.size(); ++i)
     acting = std::max(acting, course.full[i] * course.share[i]);
   if (acting < counts * full) {
+    if (motion.freedom.undriven > 0)
+      return fmt::format(
+          "forces move it with at most {:.3g} mm/s (creep {:.3g} mm/s), at most "
+          "{:.2g} of {:.3g} kN act, and it does not stick",
+          1e3 * course.fastest, 1e3 * contact.law.creep, 1e-3 * acting, 1e-3 * full);
     if (course.fastest < 1e-3 * contact.law.creep)
       return fmt::format("it stands, and up to {:.3g} kN in either sense are not looked at",
                          1e-3 * full);

@@ -57,15 +57,17 @@ double period_of(const std::vector<double>& omegas) {
   return common ? *common : full_turn / *std::min_element(omegas.begin(), omegas.end());
 }
 
-/// What lies behind the time looked at, "" where nothing is known of it.
-std::string behind(const std::vector<DriverUse>& functions, double begin, double length) {
+/// What lies behind the time looked at, "" where nothing is known of it. `turns`: whether a whole
+/// turn at a constant rate is meant to be looked at, as ranges of stress do.
+std::string behind(const std::vector<DriverUse>& functions, double begin, double length,
+                   bool turns) {
   const double end = begin + length;
   std::vector<double> all;
   bool repeats = true;
   for (const DriverUse& of : functions) {
     const DriverTiming timing = timing_of(*of.driver, of.turning);
     repeats = repeats && timing.repeats;
-    if (is_turn(of)) continue;
+    if (is_turn(of) && !turns) continue;
     if (!timing.omegas.empty()) {
       const double period = period_of(timing.omegas);
       if (never_changes(*of.driver, begin, begin + period)) continue;
@@ -125,7 +127,7 @@ std::vector<NotJudged> unseen_time_of(const Project& project,
     const std::string what = run.situation->name.empty()
                                  ? "the motion"
                                  : fmt::format("the motion of {}", run.situation->name);
-    const std::string later = behind(functions, begin, length);
+    const std::string later = behind(functions, begin, length, project.fatigue.asked);
     if (!later.empty()) return {{Criterion::yield, what, later + " ([motion] duration)"}};
     if (begin > 0.0 && !only_repeats(project, run, functions))
       return {

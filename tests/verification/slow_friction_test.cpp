@@ -93,6 +93,25 @@ TEST_CASE("friction that a given creep velocity takes away is said") {
              !Catch::Contains("dry friction"));
 }
 
+TEST_CASE("a contact that forces move more slowly than it would stick says so") {
+  // By hand: 0.5 of 0.9 kN balance the push at v = 10 mm/s (5/9)/sqrt(1 - (5/9)^2) = 6.68 mm/s.
+  const auto pushed = [](const char* size) {
+    std::string text = post(swaying("1 Hz"), "size = \"3 kN\"\n").text;
+    const std::size_t from = text.find("[drivers.d]"), to = text.find("[forces.P]");
+    return parse_project(
+        "post.toml", text.replace(from, to - from,
+                                  fmt::format("[motion]\nduration = \"5 ms\"\n[forces.Q]\nkind "
+                                              "= \"force\"\npoint = \"beam.B\"\ndirection = \"0 "
+                                              "deg\"\nsize = \"{}\"\n",
+                                              size)));
+  };
+  CHECK_THAT(
+      line_of(pushed("0.5 kN")),
+      Catch::Contains("forces move it with at most 6.68 mm/s (creep 10 mm/s), at most 0.5 of "
+                      "0.9 kN act, and it does not stick"));
+  CHECK_THAT(line_of(pushed("0.95 kN")), !Catch::Contains("dry friction"));
+}
+
 TEST_CASE("friction of a contact that stands is said where it may count") {
   const std::string moved =
       "kind = \"smooth step\"\nfrom = \"0 m\"\nto = \"1 mm\"\nbegin = \"0 s\"\nend = \"1 s\"\n";

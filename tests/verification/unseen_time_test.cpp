@@ -109,6 +109,37 @@ TEST_CASE("a rate and a polynomial that still grow at the last instant say so") 
   }
 }
 
+TEST_CASE("a part of a turn has not all ranges of it") {
+  // An arm of 3 m that turns about one end once a second: its weight bends it to both sides.
+  const auto line_of = [](const char* duration, const char* fatigue) {
+    const Project project = parse_project(
+        "turn.toml",
+        std::string("[case]\nname = \"turn\"\nkind = \"planar\"\n[mechanism]\ngravity = [\"0 "
+                    "m/s^2\", \"-9.81 m/s^2\"]\n[bodies.b]\npoints = { A = [\"0 m\", \"0 m\"], D "
+                    "= [\"3 m\", \"0 m\"] }\nsketch = { at = [\"0 m\", \"0 m\"], angle = \"0 "
+                    "deg\" }\n[joints.A]\nkind = \"pin\"\nconnect = [\"b.A\", \"ground\"]\nat = "
+                    "[\"0 m\", \"0 m\"]\n[drivers.turn]\npoint = \"b.D\"\ncoordinate = "
+                    "\"angle\"\nkind = \"constant rate\"\nstart = \"0 deg\"\nrate = \"360 "
+                    "deg/s\"\n[motion]\nduration = \"") +
+            duration +
+            "\"\n[sections.s]\nkind = \"box\"\nwidth = \"150 mm\"\nheight = \"150 mm\"\nflange = "
+            "\"8 mm\"\nweb = \"8 mm\"\n[beam]\nbody = \"b\"\ndensity = \"7850 kg/m^3\"\n"
+            "[[beam.segments]]\nlength = \"3 m\"\nsection = \"s\"\n[[beam.load_introductions]]\n"
+            "from = \"0 m\"\nto = \"3 m\"\ninto = \"webs\"\n[material]\nsteel = \"S355\"\n"
+            "[strength]\nrequired = 1.0\n" +
+            fatigue);
+    return verdict_text_of(project, verify(project)).line;
+  };
+  const char* const asked =
+      "[fatigue]\ncategory = 71\ncycles = 1e5\nloading = \"spectrum\"\ngamma_Mf = 1.0\nrequired = "
+      "1.0\n";
+  CHECK_THAT(line_of("0.4 s", asked),
+             Catch::Contains("0.4 s of the period of turn, 1 s, are looked at"));
+  CHECK_THAT(line_of("1 s", asked), !Catch::Contains("the motion:"));
+  // Of strength alone it may be all of a slewing.
+  CHECK_THAT(line_of("0.4 s", ""), !Catch::Contains("the period of"));
+}
+
 TEST_CASE("what happens while a motion settles is not looked at, and said") {
   const std::string step =
       "kind = \"smooth step\", from = \"0 kN\", to = \"10 kN\", begin = \"0 s\", end = \"2 s\"";

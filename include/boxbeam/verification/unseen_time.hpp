@@ -12,7 +12,8 @@ namespace boxbeam {
 /// - functions of time that repeat after more than the duration, one by itself or all together;
 /// - steps and tables that end behind it;
 /// - the time before `settle`, of a motion that does not only repeat.
-/// Nothing of a run that is closed, of recorded loads and of turns at a constant rate.
+/// Nothing of a run that is closed and of recorded loads, and of parts of a turn at a constant rate
+/// where fatigue is asked only.
 std::vector<NotJudged> unseen_time_of(const Project& project, const std::deque<SituationRun>& runs);
 
 /// Whether a function of time that has no end and does not repeat within the time of a run changes
