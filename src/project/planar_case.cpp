@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "boxbeam/mechanism/planar/creep.hpp"
+#include "boxbeam/mechanism/planar/forces.hpp"
 #include "front_end_reader.hpp"
 #include "several_beams.hpp"
 
@@ -64,6 +66,20 @@ void add_points_of_body(const Node& root, ProblemList& problems, Project& projec
   }
 }
 
+/// The joints with dry friction of which a case gives no creep velocity.
+std::vector<int> without_creep(const TableReader& root, const planar::Mechanism& mechanism) {
+  std::vector<int> found;
+  const Node* const joints = root.peek("joints");
+  if (joints == nullptr) return found;
+  for (const planar::FrictionContact& contact : planar::friction_contacts_of(mechanism)) {
+    if (contact.law.coulomb == 0.0) continue;
+    const Node* at = joints->find(mechanism.joints[static_cast<std::size_t>(contact.joint)].name);
+    if (at != nullptr) at = at->find("friction");
+    if (at != nullptr && at->find("creep") == nullptr) found.push_back(contact.joint);
+  }
+  return found;
+}
+
 class PlanarReader : public FrontEndReader {
  public:
   using FrontEndReader::FrontEndReader;
@@ -87,7 +103,7 @@ class PlanarReader : public FrontEndReader {
     }
     beam.finish();
     if (root.problems().empty()) {
-      project_->mechanism = placed(std::move(draft), project_->beam_body);
+      project_->mechanism = placed(root, std::move(draft), project_->beam_body);
       add_points_of_body(tree, root.problems(), *project_);
     } else {
       project_->mechanism = std::move(draft.mechanism);
@@ -110,7 +126,7 @@ class PlanarReader : public FrontEndReader {
   AnyMechanism changed_mechanism(TableReader& root) const override {
     MechanismDraft draft = read_mechanism(root, names_of_beams(beam_body_, others_), *tables_);
     if (!root.problems().empty()) return project_->mechanism;
-    return placed(std::move(draft), project_->beam_body);
+    return placed(root, std::move(draft), project_->beam_body);
   }
 
   void read_neighbours(TableReader& root) override {
@@ -125,13 +141,15 @@ class PlanarReader : public FrontEndReader {
         others_.begin());
   }
 
-  planar::Mechanism placed(MechanismDraft draft, int beam_body) const {
+  planar::Mechanism placed(const TableReader& root, MechanismDraft draft, int beam_body) const {
     give_mass(draft, project_->beam, beam_body);
     for (const OtherBeam& other : others_) {
       const int body = body_index(draft.mechanism, other.on);
       if (body >= 0) give_mass(draft, other.beam, body);
     }
-    return place_at_centres(std::move(draft));
+    planar::Mechanism mechanism = place_at_centres(std::move(draft));
+    planar::fit_creep(mechanism, without_creep(root, mechanism));
+    return mechanism;
   }
 
   std::string beam_body_;

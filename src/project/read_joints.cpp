@@ -66,8 +66,10 @@ planar::Friction read_friction(TableReader& joint) {
   }
   friction.viscous =
       table.not_negative({"viscous", "force per velocity"}, wanted::damping, friction.viscous);
-  friction.creep =
-      table.positive({"creep", "below it friction is smoothed"}, wanted::velocity, friction.creep);
+  friction.creep = table.positive({"creep",
+                                   "below it friction is smoothed; by default at most 2 % of the "
+                                   "largest velocity that drivers give it"},
+                                  wanted::velocity, friction.creep);
   friction.guide = table.not_negative(
       {"guide_length", "between the two contacts of a slider that carries a moment"},
       wanted::length, friction.guide);

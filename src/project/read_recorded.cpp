@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "boxbeam/mechanism/recorded/derivatives.hpp"
+#include "boxbeam/mechanism/recorded/motion_columns.hpp"
 #include "boxbeam/project/limits.hpp"
 #include "recorded_reader.hpp"
 
@@ -25,6 +27,12 @@ struct Term {
 };
 
 constexpr std::array force_words{"F_x", "F_y", "F_z", "M_x", "M_y", "M_z"};
+/// The columns of a motion, in the order in which their channels are kept.
+constexpr std::array sensor_words{"a_x",     "a_y",     "a_z",     "omega_x", "omega_y",
+                                  "omega_z", "alpha_x", "alpha_y", "alpha_z"};
+constexpr std::array sensor_units{"m/s^2", "rad/s", "rad/s^2"};
+constexpr std::array path_words{"x", "z", "angle"};
+constexpr std::array path_units{"m", "m", "rad"};
 constexpr std::array cut_words{"N", "V_y", "V_z", "T", "M_y", "M_z"};
 constexpr std::array force_meanings{
     "column of the force along the beam",     "column of the force across it, in space",
@@ -86,6 +94,8 @@ class RecordedLoadsReader {
                      "give the part that matters, or fewer samples a second");
     }
     const recorded::MotionChannels motion = motion_in(channels);
+    std::vector<recorded::ChannelSource> of_motion;
+    if (root_->problems().empty()) of_motion = sources_of_motion(channels);
     channels.values.resize(forces_);
     if (!root_->problems().empty()) {
       loads.acting.constant = {{}, unloaded_lines(*beam_)};
@@ -95,7 +105,10 @@ class RecordedLoadsReader {
     } else {
       put_together_loads(motion, channels, loads);
     }
-    if (root_->problems().empty()) note_sources(channels, loads);
+    if (root_->problems().empty()) {
+      note_sources(channels, loads);
+      for (recorded::ChannelSource& of : of_motion) loads.sources.push_back(std::move(of));
+    }
     loads.acting.channels = std::make_shared<const recorded::Channels>(std::move(channels));
     return loads;
   }
@@ -386,14 +399,13 @@ class RecordedLoadsReader {
       }
       path_gravity_ = gravity;
     }
-    constexpr std::array a{"a_x", "a_y", "a_z"}, omega{"omega_x", "omega_y", "omega_z"},
-        alpha{"alpha_x", "alpha_y", "alpha_z"};
     for (std::size_t k = 0; k < 3; ++k) {
-      take({a[k], "acceleration of the beam's start less gravity, as a sensor reads it"},
+      take({sensor_words[k], "acceleration of the beam's start less gravity, as a sensor reads it"},
            wanted::acceleration, sensor_[k]);
-      take({omega[k], "angular velocity, about the beam's axes"}, wanted::angular_velocity,
-           sensor_[3 + k]);
-      take({alpha[k], "angular acceleration"}, angular_acceleration, sensor_[6 + k]);
+      take({sensor_words[3 + k], "angular velocity, about the beam's axes"},
+           wanted::angular_velocity, sensor_[3 + k]);
+      take({sensor_words[6 + k], "angular acceleration; without it that of the angular velocity"},
+           angular_acceleration, sensor_[6 + k]);
     }
     in_space_ = in_space_ || sensor_[1] || sensor_[3] || sensor_[5] || sensor_[6] || sensor_[8];
     columns.finish();
@@ -419,6 +431,10 @@ class RecordedLoadsReader {
       motion.acceleration[k] = values_of(sensor_[k]);
       motion.omega[k] = values_of(sensor_[3 + k]);
       motion.alpha[k] = values_of(sensor_[6 + k]);
+      // A gyroscope reads the rate of turning alone.
+      const std::size_t known = motion.omega[k].size();
+      if (motion.alpha[k].empty() && known >= 2 && known == channels.times.size())
+        motion.alpha[k] = recorded::derivatives_of(channels.times, motion.omega[k]).first;
     }
     return motion;
   }
@@ -526,17 +542,37 @@ class RecordedLoadsReader {
                                   : spots_[term.place].name;
       source.what = term.what;
       source.has_moment = !term.moment.isZero(0.0);
-      if (term.channel) {
-        const std::vector<double>& values = channels.values[*term.channel];
-        const auto [low, high] = std::minmax_element(values.begin(), values.end());
-        source.column = files_.column(*term.channel);
-        source.file = files_.path(*term.channel);
-        source.low = *low * term.shown;
-        source.high = *high * term.shown;
-        source.unit = term.unit;
-      }
+      if (term.channel) add_column(channels, *term.channel, term.shown, term.unit, source);
       loads.sources.push_back(std::move(source));
     }
+  }
+
+  /// The column behind a channel, whose values count so many times for people.
+  void add_column(const recorded::Channels& channels, std::size_t channel, double shown,
+                  const std::string& unit, recorded::ChannelSource& source) const {
+    const std::vector<double>& values = channels.values[channel];
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    source.column = files_.column(channel);
+    source.file = files_.path(channel);
+    source.low = *low * shown;
+    source.high = *high * shown;
+    source.unit = unit;
+  }
+
+  std::vector<recorded::ChannelSource> sources_of_motion(const recorded::Channels& channels) const {
+    std::vector<recorded::ChannelSource> sources;
+    const auto note = [&](const std::optional<std::size_t>& channel, const char* what,
+                          const char* unit) {
+      if (!channel || channels.values[*channel].empty()) return;
+      recorded::ChannelSource& of = sources.emplace_back();
+      of.load = recorded::motion_of_beam;
+      of.what = what;
+      add_column(channels, *channel, 1.0, unit, of);
+    };
+    for (std::size_t k = 0; k < path_.size(); ++k) note(path_[k], path_words[k], path_units[k]);
+    for (std::size_t k = 0; k < sensor_.size(); ++k)
+      note(sensor_[k], sensor_words[k], sensor_units[k / 3]);
+    return sources;
   }
 
   TableReader* root_;

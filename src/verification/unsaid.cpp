@@ -9,6 +9,7 @@
 #include "boxbeam/project/plate_detail.hpp"
 #include "boxbeam/section/outline.hpp"
 #include "boxbeam/verification/front_end.hpp"
+#include "boxbeam/verification/unseen_time.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
 #include "fast_loads.hpp"
 
@@ -95,10 +96,10 @@ bool has_weld_at(const Project& project, Length s) {
 }
 
 /// Whether how it goes on after the time looked at is not known: forces move what carries the beam,
-/// or elastic links vibrate after a sudden start.
+/// elastic links vibrate after a sudden start, or a rate or a polynomial has not come to its end.
 bool goes_on(const Project& project, const SituationRun& run) {
   if (run.loads.closed() || run.loads.is_recorded()) return false;
-  if (run.situation->sudden_start) return true;
+  if (run.situation->sudden_start || changes_at_end(project, run)) return true;
   if (const auto* const space = std::get_if<spatial::Mechanism>(&project.mechanism))
     return std::any_of(space->joints.begin(), space->joints.end(), spatial::is_forced);
   return std::holds_alternative<planar::Mechanism>(project.mechanism) &&

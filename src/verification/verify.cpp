@@ -13,8 +13,11 @@
 #include "boxbeam/verification/model_gates.hpp"
 #include "boxbeam/verification/patch_checks.hpp"
 #include "boxbeam/verification/plausibility.hpp"
+#include "boxbeam/verification/recorded_notes.hpp"
+#include "boxbeam/verification/slow_friction.hpp"
 #include "boxbeam/verification/twisting.hpp"
 #include "boxbeam/verification/unsaid.hpp"
+#include "boxbeam/verification/unseen_time.hpp"
 #include "boxbeam/verification/warping_notes.hpp"
 #include "given_cuts.hpp"
 
@@ -187,6 +190,9 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
   append(std::move(patches.not_judged), not_judged);
   append(unsaid_joints_of(project), not_judged);
   append(unfinished_motion_of(project, runs, checks), not_judged);
+  append(unseen_time_of(project, runs), not_judged);
+  append(slow_friction_of(project, runs), not_judged);
+  append(not_judged_of_records(project), not_judged);
   append(unestimated_vibration_of(project, model, runs), not_judged);
   append(assumed_holds_not_judged(project, model.second_order), not_judged);
   append(std::move(given_cuts.not_judged), not_judged);

@@ -20,8 +20,9 @@ bool judged_in_fatigue(const std::vector<CheckResult>& checks);
 /// 1993-1-9:2005+AC:2009, table 8.3.
 std::vector<NotJudged> unsaid_joints_of(const Project& project);
 
-/// Uses that are largest at the last instant of a motion by forces or of a sudden start, and at
-/// least half as large as the largest of all: beyond it may be more.
+/// Uses that are largest at the last instant of a motion by forces, of a sudden start or of a rate
+/// or polynomial that still changes, and at least half as large as the largest of all: beyond it
+/// may be more.
 std::vector<NotJudged> unfinished_motion_of(const Project& project,
                                             const std::deque<SituationRun>& runs,
                                             const std::vector<CheckResult>& checks);

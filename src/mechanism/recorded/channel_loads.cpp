@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "boxbeam/mechanism/recorded/derivatives.hpp"
+
 namespace boxbeam::recorded {
 namespace {
 
@@ -143,26 +145,6 @@ BeamLoads loads_of_cuts(const TaperedBeam& beam, std::span<const double> station
   }
   return loads;
 }
-
-namespace {
-
-/// Rate and acceleration of a series at its instants, by the parabola through each and its
-/// neighbours; at the ends through the three that are there.
-std::pair<std::vector<double>, std::vector<double>> derivatives_of(
-    const std::vector<double>& times, const std::vector<double>& values) {
-  const std::size_t n = times.size();
-  std::vector<double> first(n), second(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t k = std::clamp<std::size_t>(i, 1, n - 2);
-    const double h = times[k] - times[k - 1], H = times[k + 1] - times[k];
-    const double before = (values[k] - values[k - 1]) / h, behind = (values[k + 1] - values[k]) / H;
-    second[i] = 2.0 * (behind - before) / (h + H);
-    first[i] = (H * before + h * behind) / (h + H) + second[i] * (times[i] - times[k]);
-  }
-  return {std::move(first), std::move(second)};
-}
-
-}  // namespace
 
 MotionChannels motion_of_path(const std::vector<double>& times, const std::vector<double>& x,
                               const std::vector<double>& z, const std::vector<double>& angle,

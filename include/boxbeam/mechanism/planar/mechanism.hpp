@@ -38,8 +38,10 @@ struct Pin {
 struct Friction {
   double coulomb = 0.0;  ///< mu
   double viscous = 0.0;  ///< c [N s/m]
-  double creep = 0.01;   ///< sliding velocity at which 71 % of the Coulomb part acts [m/s]
-  double guide = 0.0;    ///< l [m]; 0: the moment presses nowhere
+  /// Sliding velocity at which 71 % of the Coulomb part acts [m/s]; a case that gives none has less
+  /// where drivers move the contact slowly (`fit_creep`).
+  double creep = 0.01;
+  double guide = 0.0;  ///< l [m]; 0: the moment presses nowhere
 };
 
 /// A point of a body stays on a line of another (or of the ground) and the bodies keep their angle:

@@ -76,8 +76,7 @@ struct MotionChannels {
 };
 
 /// The same from the path of the beam's start and the turn of its axis in the plane of x and z,
-/// z upwards: a parabola through three neighbouring instants gives rate and acceleration, exact for
-/// a motion of the second degree, else wrong by h^2/12 of its fourth derivative.
+/// z upwards, by `derivatives_of`. Three instants at least.
 MotionChannels motion_of_path(const std::vector<double>& times, const std::vector<double>& x,
                               const std::vector<double>& z, const std::vector<double>& angle,
                               double gravity);

@@ -1,0 +1,70 @@
+#include "boxbeam/mechanism/planar/creep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/planar/forces.hpp"
+#include "boxbeam/mechanism/planar/motion.hpp"
+
+namespace boxbeam::planar {
+namespace {
+
+/// The friction of a joint, nullptr where it cannot have any.
+Friction* friction_of(Joint& joint) {
+  return std::visit(
+      [](auto& kind) -> Friction* {
+        if constexpr (requires { kind.friction; })
+          return &kind.friction;
+        else
+          return nullptr;
+      },
+      joint.kind);
+}
+
+/// Largest sliding velocity of each contact of a motion [m/s].
+std::vector<double> largest_velocities(const std::vector<FrictionContact>& contacts,
+                                       const Motion& motion) {
+  std::vector<double> largest(contacts.size(), 0.0);
+  for (std::size_t j = 0; j < contacts.size(); ++j) {
+    for (const State& state : motion.states) {
+      largest[j] =
+          std::max(largest[j], std::abs(sliding_velocity_of(contacts[j], state.q, state.v)));
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+void fit_creep(Mechanism& mechanism, const std::vector<int>& joints) {
+  constexpr double share = 0.02;
+  constexpr int most = 24576;  // instants of a motion
+  constexpr double instants_to_resolve = 20.0;
+  if (joints.empty()) return;
+  // Drivers decide how it moves: no force is asked for.
+  Mechanism moved = mechanism;
+  for (Joint& joint : moved.joints) {
+    if (Friction* const of = friction_of(joint)) of->coulomb = 0.0;
+  }
+  try {
+    const double waves = waves_of(time_span_of(moved), most);
+    if (StateSolver(moved).integrates()) return;
+    const Motion motion =
+        solve_motion(moved, std::clamp(static_cast<int>(std::ceil(8.0 * waves)), 96, most));
+    const std::vector<FrictionContact> contacts = friction_contacts_of(mechanism);
+    const std::vector<double> velocities = largest_velocities(contacts, motion);
+    for (std::size_t j = 0; j < contacts.size(); ++j) {
+      if (std::find(joints.begin(), joints.end(), contacts[j].joint) == joints.end()) continue;
+      if (velocities[j] == 0.0) continue;
+      Friction& of = *friction_of(mechanism.joints[static_cast<std::size_t>(contacts[j].joint)]);
+      of.creep =
+          std::min(of.creep, std::max(share, instants_to_resolve * waves / most) * velocities[j]);
+    }
+  } catch (const AnalysisError&) {
+    // Its verification says why it cannot be solved.
+  }
+}
+
+}  // namespace boxbeam::planar

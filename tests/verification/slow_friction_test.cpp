@@ -1,0 +1,140 @@
+// Dry friction of contacts that slide slowly, or stand.
+
+#include "boxbeam/verification/slow_friction.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "boxbeam/verification/verdict_text.hpp"
+#include "boxbeam/verification/verify.hpp"
+#include "catch.hpp"
+
+namespace slow_friction_test {
+
+using namespace boxbeam;
+
+namespace {
+
+/// A post of 2 m on a slider with mu = 0.3, pressed by a force at its tip and moved there along x
+/// by a driver, which bends it by what the slider rubs.
+Project post(const std::string& driver, const std::string& force, const std::string& creep = "",
+             const std::string& more = "") {
+  return parse_project(
+      "post.toml",
+      "[case]\nname = \"post\"\nkind = \"planar\"\n[mechanism]\ngravity = [\"0 m/s^2\", \"0 "
+      "m/s^2\"]\n[bodies.beam]\npoints = { A = [\"0 m\", \"0 m\"], C = [\"1 m\", \"0 m\"], B = "
+      "[\"2 m\", \"0 m\"] }\nsketch = { at = [\"0 m\", \"0 m\"], angle = \"90 deg\" }\n"
+      "[joints.A]\nkind = \"slider\"\npoint = \"beam.A\"\nthrough = [\"0 m\", \"0 m\"]\ndirection "
+      "= \"0 deg\"\nangle = \"90 deg\"\nfriction = { coefficient = 0.3" +
+          creep + " }\n[drivers.d]\npoint = \"beam.B\"\ncoordinate = \"x\"\n" + driver +
+          "[forces.P]\nkind = \"force\"\npoint = \"beam.B\"\ndirection = \"-90 deg\"\n" + force +
+          more +
+          "[sections.s]\nkind = \"box\"\nwidth = \"200 mm\"\nheight = \"200 mm\"\nflange = \"12 "
+          "mm\"\nweb = \"12 mm\"\n[beam]\nbody = \"beam\"\ndensity = \"78.5 kg/m^3\"\n"
+          "[[beam.segments]]\nlength = \"2 m\"\nsection = \"s\"\n[[beam.load_introductions]]\nfrom "
+          "= \"0 m\"\nto = \"2 m\"\ninto = \"webs\"\n[material]\nsteel = \"S355\"\n[strength]\n"
+          "required = 1.0\nshear_lag = false\n");
+}
+
+std::string swaying(const char* frequency) {
+  return fmt::format(
+      "kind = \"harmonic\"\nmean = \"0 m\"\namplitude = \"1 mm\"\nfrequency = \"{}\"\n", frequency);
+}
+
+const std::string pressed = "size = \"300 kN\"\n";
+
+/// Largest bending moment at the slider [N m].
+double moment_at_slider(const Project& project) {
+  const std::deque<SituationRun> runs = run_situations(project);
+  const StationHistory root(runs.front().loads, {Length{}, Side::behind});
+  double largest = 0.0;
+  for (const CutForces& cut : root.samples())
+    largest = std::max(largest, std::abs(cut.M_y.value()));
+  return largest;
+}
+
+std::string line_of(const Project& project) {
+  return verdict_text_of(project, verify(project)).line;
+}
+
+}  // namespace
+
+TEST_CASE("dry friction knows no velocity: a slow slider rubs as much as a fast one") {
+  // By hand: mu P L = 0.3 x 300 kN x 2 m = 180 kN m, at 1.26 mm/s as at 126 mm/s.
+  for (const char* frequency : {"0.2 Hz", "2 Hz", "20 Hz"}) {
+    CAPTURE(frequency);
+    CHECK(moment_at_slider(post(swaying(frequency), pressed)) == Approx(180e3).epsilon(5e-3));
+  }
+  const Project slow = post(swaying("0.2 Hz"), pressed);
+  CHECK_FALSE(verify(slow).verdict == Verdict::pass);
+  CHECK_THAT(line_of(slow), !Catch::Contains("dry friction"));
+}
+
+TEST_CASE("a creep velocity is at most a fiftieth of the fastest, where drivers say how fast") {
+  const auto creep_of = [](const Project& project) {
+    return std::get<planar::Slider>(planar_of(project).joints.front().kind).friction.creep;
+  };
+  // By hand: 2 pi f x 1 mm.
+  CHECK(creep_of(post(swaying("0.2 Hz"), pressed)) ==
+        Approx(0.02 * 2.0 * 3.14159265 * 0.2e-3).epsilon(1e-3));
+  CHECK(creep_of(post(swaying("200 Hz"), pressed)) == planar::Friction{}.creep);
+  CHECK(creep_of(post(swaying("0.2 Hz"), pressed, ", creep = \"10 mm/s\"")) == 0.01);
+}
+
+TEST_CASE("friction that a given creep velocity takes away is said") {
+  // By hand: 1.257 mm/s, of 90 kN 1.257/hypot(1.257, 10) = 0.125.
+  const std::string line = line_of(post(swaying("0.2 Hz"), pressed, ", creep = \"10 mm/s\""));
+  CHECK_THAT(line, Catch::Contains("dry friction of A: at most 11 of 90 kN act") &&
+                       Catch::Contains("at most 1.26 mm/s (creep 10 mm/s)"));
+  CHECK_THAT(line_of(post(swaying("0.2 Hz"), pressed, ", creep = \"0.1 mm/s\"")),
+             !Catch::Contains("dry friction"));
+}
+
+TEST_CASE("a contact that forces move more slowly than it would stick says so") {
+  // By hand: 0.5 of 0.9 kN balance the push at v = 10 mm/s (5/9)/sqrt(1 - (5/9)^2) = 6.68 mm/s.
+  const auto pushed = [](const char* size) {
+    std::string text = post(swaying("1 Hz"), "size = \"3 kN\"\n").text;
+    const std::size_t from = text.find("[drivers.d]"), to = text.find("[forces.P]");
+    return parse_project(
+        "post.toml", text.replace(from, to - from,
+                                  fmt::format("[motion]\nduration = \"5 ms\"\n[forces.Q]\nkind "
+                                              "= \"force\"\npoint = \"beam.B\"\ndirection = \"0 "
+                                              "deg\"\nsize = \"{}\"\n",
+                                              size)));
+  };
+  CHECK_THAT(
+      line_of(pushed("0.5 kN")),
+      Catch::Contains("forces move it with at most 6.68 mm/s (creep 10 mm/s), at most 0.5 of "
+                      "0.9 kN act, and it does not stick"));
+  CHECK_THAT(line_of(pushed("0.95 kN")), !Catch::Contains("dry friction"));
+}
+
+TEST_CASE("friction of a contact that stands is said where it may count") {
+  const std::string moved =
+      "kind = \"smooth step\"\nfrom = \"0 m\"\nto = \"1 mm\"\nbegin = \"0 s\"\nend = \"1 s\"\n";
+  const std::string lasting = "[motion]\nduration = \"10 s\"\n";
+  const auto growing = [](double from, double to) {
+    return fmt::format(
+        "law = {{ kind = \"smooth step\", from = \"{} kN\", to = \"{} kN\", begin = \"4 s\", end "
+        "= \"6 s\" }}\n",
+        from, to);
+  };
+  // It is pressed most while it stands: 0.3 x 300 kN.
+  CHECK_THAT(line_of(post(moved, growing(100.0, 300.0), "", lasting)),
+             Catch::Contains("dry friction of A: at most 30 of 90 kN act"));
+  // It stands as much pressed as it slid, and another force bends it most then.
+  const std::string push =
+      "[forces.Q]\nkind = \"force\"\npoint = \"beam.C\"\ndirection = \"0 "
+      "deg\"\n" +
+      growing(0.0, 200.0);
+  CHECK_THAT(line_of(post(moved, "size = \"100 kN\"\n", "", push + lasting)),
+             Catch::Contains("while it stands up to 30 kN in either sense"));
+  // It bears no more then than before: sliding was worse.
+  CHECK_THAT(line_of(post(moved, "size = \"100 kN\"\n", "", lasting)),
+             !Catch::Contains("dry friction"));
+}
+
+}  // namespace slow_friction_test
