@@ -37,6 +37,7 @@ struct PathForce {
   Length s;
   Force size;
   std::string why;
+  bool said = false;  ///< in the verdict line, where it does not block
 };
 
 /// What is not judged of slender paths.
@@ -129,11 +130,12 @@ class PatchRun {
 
   void note_on_path(const Patch& patch) {
     if (patch.is_none()) return;
-    const auto of = search_->unjudged_on_path(patch);
+    const double load_factor = run_->situation->load_factor;
+    const auto of = search_->unjudged_on_path(patch, project_->strength.required * load_factor);
     if (!of) return;
-    const Force size = run_->situation->load_factor * abs(patch.force);
+    const Force size = load_factor * abs(patch.force);
     PathForce& most = on_paths_->forces[{patch.name, of->open, of->blocks}];
-    if (size > most.size) most = {patch.s, size, of->why};
+    if (size > most.size) most = {patch.s, size, of->why, of->said};
   }
 
   /// All forces along y that come in at a place.
@@ -353,14 +355,21 @@ CheckResult check_of(const Project& project, const PatchSearch& search, WorstPat
 Gate gate_of(const Project& project, const WorstPatch& worst) {
   const PatchBasis& basis = worst.borne.basis;
   const std::size_t segment = segment_at(project.beam, {worst.patch.s, Side::both});
+  const std::vector<Diaphragm>& all = project.beam.diaphragms;
+  const bool stands = std::any_of(all.begin(), all.end(), [&](const Diaphragm& of) {
+    return abs(of.s - worst.patch.s) <= 1e-6 * project.beam.length();
+  });
   return {project.beam.segments[segment].name, plate_text(project, worst.borne),
           fmt::format(
               "at s = {} m it takes {:.4g} kN of \"{}\" and {} {:.4g} kN under an edge "
-              "(stiff length 0, EN 1993-1-5, clause 6): [[beam.diaphragms]] take it{}",
+              "(stiff length 0, EN 1993-1-5, clause 6): {} take it{}",
               to_text(Station{worst.patch.s, Side::both}),
               1e-3 * (basis.load_factor * basis.share * basis.force).value(), worst.patch.name,
               worst.borne.part == Borne::Part::plate ? "bears" : "its seam bears",
               1e-3 * basis.resistance.value(),
+              stands ? "thicker [[beam.diaphragms]], for the one there is not rigid (EN 1993-1-5, "
+                       "9.3.3(3)) or twists (9.2.1(8)),"
+                     : "[[beam.diaphragms]]",
               worst.patch.at_high ? "" : ", or [[beam.load_introductions]] say how it comes in"),
           true};
 }
@@ -409,10 +418,25 @@ void note_unsaid(const Project& project, const WorstPatch& worst,
     most = UnsaidWelds{worst.patch.s, worst.patch.name, throat};
 }
 
-void add_gates(const Project& project, const OnPaths& of, std::vector<Gate>& gates) {
-  for (const auto& [key, force] : of.forces) {
-    const auto& [name, open, blocks] = key;
-    gates.push_back(gate_of(project, name, open, blocks, force));
+void add_gates(const Project& project, const OnPaths& of, PatchChecks& found) {
+  std::vector<Gate>& gates = found.gates;
+  const std::pair<const std::tuple<std::string, bool, bool>, PathForce>* said = nullptr;
+  for (const auto& named : of.forces) {
+    const auto& [name, open, blocks] = named.first;
+    if (blocks || !named.second.said)
+      gates.push_back(gate_of(project, name, open, blocks, named.second));
+    else if (said == nullptr || named.second.size > said->second.size)
+      said = &named;
+  }
+  // Of those of the verdict line the largest one: it is to be read.
+  if (said != nullptr) {
+    const PathForce& force = said->second;
+    found.not_judged.push_back(
+        {Criterion::patch_loading,
+         fmt::format("walls of a path at s = {} m", to_text(Station{force.s, Side::both})),
+         fmt::format("how its diaphragm leads \"{}\", {:.4g} kN, into them is not checked{}: {}",
+                     std::get<0>(said->first), 1e-3 * force.size.value(),
+                     project.fatigue.asked ? ", nor in fatigue" : "", force.why)});
   }
   if (of.torque.torque > Moment{}) {
     const std::size_t segment = segment_at(project.beam, {of.torque.s, Side::both});
@@ -463,7 +487,7 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
   for (const SituationRun& run : runs)
     PatchRun(project, search, run, worst, on_paths, notes, holes, counted ? &pressed : nullptr)
         .look();
-  add_gates(project, on_paths, found.gates);
+  add_gates(project, on_paths, found);
   // A use this small is none, as stress is (`no_stress_at`).
   constexpr double no_use = 1e-6;
   std::set<std::string> sideways, slotted;

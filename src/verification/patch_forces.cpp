@@ -122,9 +122,9 @@ std::optional<Length> PatchSearch::webs_apart_at(const Station& station, bool al
   }
   const auto path = judged_path_at(*project_, *zones_, station);
   if (!path) return std::nullopt;
-  const std::vector<PathWeb> webs = webs_of_path(*path, along_z, true).webs;
-  if (webs.size() != 2) return std::nullopt;
-  return Length(webs.front().place - webs.back().place);
+  const PathWebs of = webs_of_path(*path, along_z, true);
+  if (of.webs.size() != 2) return std::nullopt;
+  return of.apart();
 }
 
 bool PatchSearch::lacks_diaphragm(Length s) {

@@ -58,7 +58,9 @@ std::optional<Flanges> flanges_across(const Patch& patch, const Borne& way) {
     return of;
   }
   if (!way.basis.path) return std::nullopt;
-  for (const bool onto_high : {true, false}) {
+  // Last the flange by which it comes in: of walls that lean their places are there.
+  const bool loaded = patch.force < Force{};
+  for (const bool onto_high : {!loaded, loaded}) {
     const PathWebs webs = webs_of_path(way.basis.path->path(), patch.along_z, onto_high);
     if (webs.webs.size() != 2) return std::nullopt;
     const PathWeb &first = webs.webs.front(), &last = webs.webs.back();

@@ -9,6 +9,7 @@
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/verification/judged_section.hpp"
 #include "boxbeam/verification/slender_path.hpp"
+#include "patched_path.hpp"
 #include "plate_panels.hpp"
 
 namespace boxbeam {
@@ -300,9 +301,13 @@ const PatchSearch::JudgedSection& PatchSearch::judged_at(const Station& station)
   if (judged_.size() >= most) judged_.clear();
   JudgedSection of;
   const Section section = judged_section_at(*project_, station);
-  if (std::holds_alternative<ThinWalled>(section.outer) &&
-      path_obstacle(*project_, station).empty())
-    of.path = std::make_shared<EffectivePath>(*judged_path_at(*project_, *zones_, station));
+  if (std::holds_alternative<ThinWalled>(section.outer)) {
+    // What keeps slender plates from being judged says nothing of stout ones.
+    const bool judged =
+        !is_slender_path_at(*project_, station) || path_obstacle(*project_, station).empty();
+    auto path = judged ? judged_path_at(*project_, *zones_, station) : std::nullopt;
+    if (path) of.path = std::make_shared<EffectivePath>(*std::move(path));
+  }
   if (const auto walls = walls_at(station)) {
     of.box = std::make_shared<EffectiveBox>(*walls, lag_shares_at(*zones_, section, station));
     for (const BoxPlate plate : box_plates) {

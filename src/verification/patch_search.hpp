@@ -176,10 +176,12 @@ class PatchSearch {
   struct OnPath {
     bool open = false;   ///< without a diaphragm that takes it
     bool blocks = true;  ///< a wall would have to bear it
-    std::string why;
+    std::string why = {};
+    bool said = false;  ///< in the verdict line, where it does not block
   };
-  /// Nothing where what it does is judged, or nothing of it is a slender path.
-  std::optional<OnPath> unjudged_on_path(const Patch& patch);
+  /// Nothing where what it does is judged or hardly felt, or nothing of it is a path. `on_loads`:
+  /// the factor on loads and what is required, by which stout walls are used.
+  std::optional<OnPath> unjudged_on_path(const Patch& patch, double on_loads);
 
   /// On all loads, without the situation's own.
   double factor_of(const PatchBasis& basis) const;
@@ -245,9 +247,11 @@ class PatchSearch {
   Length weld_under_several(const Patch& patch, const BearingStiffener& by, double share,
                             Length flange, const std::array<Length, 2>& webs) const;
   /// Why what a path bears of a patch is not judged, "" where it is.
-  std::string path_obstacle_of(const Patch& patch, const PathWebs& of) const;
+  std::string path_obstacle_of(const Patch& patch, const PathWebs& of);
   /// Whether what stands on a flange of a path may do more than hardly bend it across.
-  bool bends_a_flange(const Patch& patch, const PathWebs& of) const;
+  bool bends_a_flange(const Patch& patch, const PathSection& path, const PathWebs& of) const;
+  std::optional<OnPath> unjudged_on_path_at(const Patch& patch, const Station& station,
+                                            double on_loads);
   /// A web where a diaphragm takes a patch, and why it is not judged as one, "" where it is: of a
   /// single web by plates on both sides of it that do not twist.
   BearingStiffener path_stiffener_of(const Patch& patch, const PathWebs& of, const PathWeb& web,

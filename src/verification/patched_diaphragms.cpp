@@ -14,19 +14,20 @@ namespace boxbeam {
 
 namespace {
 
-/// The same of two webs of a path, with a plate from the one to the other; beside one web flats are
-/// judged by `bearing_obstacle_of`.
+/// The same of two webs of a path, with a plate from the one to the other; beside a single web of a
+/// stout path flats that do not twist. Beside a slender one they are judged by
+/// `bearing_obstacle_of`.
 bool is_firm_in_path(const Project& project, const Diaphragm& of, bool along_z,
                      const Station& station) {
   const auto path = judged_path_at(project, {}, station);
   if (!path) return true;
-  const std::vector<PathWeb> webs = webs_of_path(*path, along_z, true).webs;
+  const PathWebs all = webs_of_path(*path, along_z, true);
+  const std::vector<PathWeb>& webs = all.webs;
+  if (webs.size() == 1 && all.obstacle.empty() && !is_slender_path_at(project, station))
+    return flats_obstacle(flats_beside(project, webs.front(), of, station)).empty();
   if (webs.size() != 2) return true;
-  const PathWeb &first = webs.front(), &last = webs.back();
-  const Length inside =
-      first.place - last.place - 0.5 * (first.bears.thickness + last.bears.thickness);
   return std::all_of(webs.begin(), webs.end(), [&](const PathWeb& web) {
-    return across_obstacle(stiffener_of(project, web.bears, inside, of, station), of,
+    return across_obstacle(stiffener_of(project, web.bears, all.inside(), of, station), of,
                            2.0 * web.bears.depth)
         .empty();
   });

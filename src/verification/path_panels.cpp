@@ -114,12 +114,9 @@ std::string bounds_obstacle(const Project& project, const Station& station, Leng
     if (!of.obstacle.empty()) return of.obstacle;
     if (of.webs.size() > 2) return fmt::format("{} walls share it", of.webs.size());
     if (of.webs.size() == 2) {
-      const PathWeb &first = of.webs.front(), &last = of.webs.back();
-      const Length inside =
-          first.place - last.place - 0.5 * (first.bears.thickness + last.bears.thickness);
       for (const PathWeb& web : of.webs) {
-        std::string why =
-            across_obstacle(stiffener_of(project, web.bears, inside, *at, station), *at, length);
+        std::string why = across_obstacle(
+            stiffener_of(project, web.bears, of.inside(), *at, station), *at, length);
         if (!why.empty()) return why;
       }
     }

@@ -73,7 +73,7 @@ PressedPlates::Stout stout_path(const Project& project, const PathSection& path,
     if (!bear.obstacle.empty()) of.hardly = std::min(of.hardly, Force(0.3 * none));
     if (bear.webs.size() == 1) of.share = 1.0;
     if (bear.webs.size() == 2)
-      of.apart = std::min(of.apart, Length(bear.webs.front().place - bear.webs.back().place));
+      of.apart = std::min(of.apart, bear.apart());
     for (const PathWeb& web : bear.webs) add_web(project, web.bears, {}, of);
   }
   return of;

@@ -218,6 +218,10 @@ class StationPath {
 
 }  // namespace
 
+bool is_slender_path_at(const Project& project, const Station& station) {
+  return is_slender(deciding_plates_at(project, station));
+}
+
 double shear_use_of(const ShearedWall& wall, const CutForces& cut) {
   return wall.force_of(cut) / wall.resists.resistance;
 }
