@@ -16,6 +16,7 @@
 #include "patch_search.hpp"
 #include "patched_holes.hpp"
 #include "patched_path.hpp"
+#include "tube_borders.hpp"
 
 namespace boxbeam {
 namespace {
@@ -450,8 +451,10 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
   PatchChecks found;
   check_hollow_forces(project, runs, found);
   const bool walls_said = !found.gates.empty() || !found.not_judged.empty();
+  check_tube_kinks(project, runs, zones, found);
   PatchSearch search(project, zones);
   std::vector<FlangeStep> steps = flange_steps_of(project);
+  for (FlangeStep& of : tube_steps_of(project)) steps.push_back(std::move(of));
   if (!search.has_something_to_do(runs) && steps.empty()) return found;
   std::map<BorneKey, WorstPatch> worst;
   OnPaths on_paths;
