@@ -299,8 +299,8 @@ void check_tube_kinks(const Project& project, const std::deque<SituationRun>& ru
     found.not_judged.push_back(
         {Criterion::patch_loading, "walls of round tubes that turn off",
          fmt::format(
-             "bent along the beam by {:.2g} of f_y at s = {} m, by which their checks do "
-             "not count it{}",
+             "bent along the beam by {:.2g} of f_y at s = {} m, which their checks do "
+             "not count{}",
              said->over_yield, to_text(Station{said->s, Side::both}),
              said->in_fatigue > 0.0
                  ? fmt::format(", nor in fatigue, where with it {:.2g} is used", said->in_fatigue)
