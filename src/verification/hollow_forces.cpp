@@ -4,14 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <string>
 
+#include "boxbeam/fatigue/sn_curve.hpp"
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/strength/patch_loading.hpp"
+#include "boxbeam/strength/shear_buckling.hpp"
 #include "boxbeam/verification/judged_section.hpp"
 #include "force_kinds.hpp"
+#include "patch_notes.hpp"
 
 namespace boxbeam {
 namespace {
@@ -20,6 +25,10 @@ namespace {
 constexpr double least_plate = 4.0, widest_plate = 5.0 / (1.0 - 0.81);
 /// Up to this part of what is borne at least nothing is said.
 constexpr double hardly_pressed = 0.1;
+/// The largest moment of a ring that shear flow holds under a line load q, over q r: 3/(4 pi).
+constexpr double bent_ring = 0.2387;
+/// The same of a strip clamped at both webs under one in its middle, over q b.
+constexpr double bent_strip_middle = 0.125;
 
 /// What the walls of a section bear of a force across it.
 struct Bears {
@@ -28,7 +37,20 @@ struct Bears {
   Force least, most;
   Length depth;       ///< of the section
   bool said = false;  ///< whether a profile inside shares it
+  Stress yield_strength;
+  Length lever = {};  ///< of the moment that a load along the beam makes across the wall, m/q
 };
+
+/// The widest hollow of a polygon.
+Length widest_hollow_of(const Polygon& of) {
+  Length widest;
+  for (const std::vector<SectionPlace>& hollow : of.hollows) {
+    for (const SectionPlace& a : hollow)
+      for (const SectionPlace& b : hollow)
+        widest = std::max({widest, Length(a.y - b.y), Length(a.z - b.z)});
+  }
+  return widest;
+}
 
 double away_from(const SectionPlace& from, const SectionPlace& to, const SectionPlace& place) {
   const double y = (to.y - from.y).value(), z = (to.z - from.z).value();
@@ -81,12 +103,15 @@ std::optional<Bears> bears_at(const Project& project, const Station& station) {
   of.round = std::holds_alternative<RoundTube>(section.outer);
   of.depth = std::max(extent.z_high - extent.z_low, extent.y_high - extent.y_low);
   of.said = section.inner.has_value();
+  of.yield_strength = yield;
   if (of.round) {
+    of.lever = 0.5 * bent_ring * (of.depth - *wall);
     const Force per = *wall * *wall * yield;
     of.least = least_plate * per;
     of.most = widest_plate * per;
     return of;
   }
+  of.lever = bent_strip_middle * widest_hollow_of(std::get<Polygon>(section.outer));
   PatchedWeb web;
   web.depth = of.depth - 2.0 * *wall;
   web.thickness = web.flange_thickness = *wall;
@@ -108,6 +133,7 @@ class HollowForces {
     for (std::size_t i = 0; i < run.loads.instants(); ++i) {
       const BeamLoads loads = run.loads.loads_at(run.loads.time_of(i));
       for (const PointLoad& of : loads.points) look_at(loads, of, run.situation->load_factor);
+      for (const LineLoad& of : loads.lines) look_at(of, run);
     }
   }
 
@@ -133,10 +159,21 @@ class HollowForces {
       const std::size_t segment = segment_at(project_->beam, {of->s, Side::both});
       found.gates.push_back(
           {project_->beam.segments[segment].name, "",
-           fmt::format("{} at s = {} m: {}; [[beam.diaphragms]] say what takes it", what, place,
-                       why),
+           fmt::format("{} at s = {} m: {}; {}", what, place, why,
+                       of->by_plate ? fmt::format("the diaphragm there bears {:.4g} kN, by its "
+                                                  "plate in shear and its fillets",
+                                                  1e-3 * of->by_plate->value())
+                                    : "[[beam.diaphragms]] say what takes it"),
            true});
     }
+    add_lines_to(found);
+    if (edge_.use > 1.0)
+      found.not_judged.push_back(
+          {Criterion::patch_loading,
+           fmt::format("edge of the diaphragm at s = {} m", to_text(Station{edge_.s, Side::both})),
+           fmt::format("\"{}\" presses it by {:.3g} of its strength over 2 t and as much as "
+                       "[[beam.load_introductions]] say its pad is long",
+                       edge_.name, edge_.use)});
   }
 
  private:
@@ -146,7 +183,107 @@ class HollowForces {
     Force force;
     std::string name;
     Bears bears;
+    std::optional<Force> by_plate = {};  ///< of a diaphragm there that does not bear it
   };
+  /// A load along the beam, over what the wall bears across itself.
+  struct WorstLine {
+    double use = 0.0;
+    Length s;
+    double q = 0.0;      ///< [N/m]
+    double range = 0.0;  ///< of the stress across the wall at every cycle [Pa]
+    Bears bears;
+    bool again = false;  ///< in cycles that no detail bears
+  };
+  struct PressedEdge {
+    double use = 0.0;
+    Length s;
+    std::string name;
+  };
+
+  void add_lines_to(PatchChecks& found) const {
+    for (const WorstLine* of : {&stopping_line_, &said_line_}) {
+      if (of->use == 0.0) continue;
+      const std::string what =
+          fmt::format("{} at s = {} m", of->bears.round ? "round tube" : "polygon with a hollow",
+                      to_text(Station{of->s, Side::both}));
+      const std::string why = fmt::format(
+          "how a wall of {:.4g} mm is bent across itself by {:.4g} kN/m along the beam, by about "
+          "{:.2g} of its strength (m = {} over t^2 f_y/4), is not judged{}",
+          1e3 * of->bears.wall.value(), 1e-3 * of->q, of->use,
+          of->bears.round ? "0.239 q r" : "q b/8",
+          of->range > 0.0
+              ? fmt::format(", nor its stress anew by {:.3g} MPa at every cycle", 1e-6 * of->range)
+              : "");
+      if (of == &said_line_)
+        found.not_judged.push_back({Criterion::patch_loading, what, why});
+      else
+        found.gates.push_back(
+            {project_->beam.segments[segment_at(project_->beam, {of->s, Side::both})].name, "",
+             what + ": " + why, true});
+    }
+  }
+
+  /// The strength of plain plates, category 160, over the cycles that a situation has a part in as
+  /// a whole; nothing where it has none.
+  std::optional<double> best_range_of(const Situation& situation) const {
+    if (!project_->fatigue.asked) return std::nullopt;
+    const std::size_t index = index_of(*project_, situation);
+    double cycles = 0.0;
+    for (const Situation& of : project_->situations) {
+      const auto& parts = of.between;
+      if (&of != &situation && std::find(parts.begin(), parts.end(), index) == parts.end())
+        continue;
+      double here = of.cycles;
+      for (const SpectrumLevel& level : of.spectrum)
+        if (level.share < 1.0) here -= level.cycles;
+      cycles = std::max(cycles, here);
+    }
+    if (!(cycles > 0.0)) return std::nullopt;
+    const FatigueDemand& demand = project_->fatigue.demand;
+    return strength_at(en_1993_1_9_direct(160.0), cycles, demand.loading).value() /
+           (demand.gamma_Mf * demand.gamma_Ff * project_->fatigue.required);
+  }
+
+  /// Weight and inertia act within the wall, which is on the safe side.
+  void look_at(const LineLoad& line, const SituationRun& run) {
+    const auto stands = [](const std::array<Polynomial<1>, 2>& of) {
+      return of[0].c[0] != 0.0 || of[0].c[1] != 0.0 || of[1].c[0] != 0.0 || of[1].c[1] != 0.0;
+    };
+    if (!stands(line.outside[0]) && !stands(line.outside[1])) return;
+    for (const double part : {0.0, 0.5, 1.0}) {
+      const double x = part * line.length.value();
+      const Length s = line.start + si<Length>(x);
+      const auto bears = bears_near({s, part < 1.0 ? Side::behind : Side::before});
+      if (!bears || bears->said || is_led_in(s, bears->depth)) continue;
+      std::array<double, 2> q{};
+      for (const std::size_t axis : {0U, 1U})
+        q[axis] = std::max(line.outside[axis][0](x), line.outside[axis][1](x));
+      keep_line(s, *bears, std::hypot(q[0], q[1]), *run.situation);
+    }
+  }
+
+  void keep_line(Length s, const Bears& bears, double q, const Situation& situation) {
+    const double t = bears.wall.value(), m = q * bears.lever.value();
+    const StrengthDemand& strength = project_->strength;
+    const double use = strength.required * strength.gamma_M0 * situation.load_factor * 4.0 * m /
+                       (t * t * bears.yield_strength.value());
+    const auto best = best_range_of(situation);
+    const double range = best ? 6.0 * m / (t * t) : 0.0;
+    const bool felt = range > hardly_changes.value();
+    if (!(use > hardly_pressed) && !felt) return;
+    const bool again = best && range > *best;
+    WorstLine& worst = use > 1.0 || again ? stopping_line_ : said_line_;
+    if (use > worst.use) worst = {use, s, q, felt ? range : 0.0, bears, again};
+  }
+
+  /// Whether bosses or plates lead in what stands there.
+  bool is_led_in(Length s, Length depth) const {
+    const auto& all = project_->beam.introductions;
+    const Length near = 1e-6 * std::max(project_->beam.length(), depth);
+    return std::any_of(all.begin(), all.end(), [&](const LoadIntroduction& of) {
+      return !of.stiff_length && s >= of.from - near && s <= of.to + near;
+    });
+  }
 
   void look_at(const BeamLoads& loads, const PointLoad& load, double load_factor) {
     const Length end = project_->beam.length(), s = std::clamp(load.s, Length{}, end);
@@ -173,24 +310,55 @@ class HollowForces {
 
   void keep(const PointLoad& load, Length s, const Bears& bears, Force force) {
     if (!(force > hardly_pressed * bears.least)) return;
-    const bool stops = force > bears.most && !bears.said && !is_taken(s, bears.depth);
+    std::optional<Force> by_plate;
+    bool stops = force > bears.most && !bears.said && !is_led_in(s, bears.depth);
+    if (stops) {
+      for (const Diaphragm& of : project_->beam.diaphragms) {
+        if (abs(of.s - s) > 1e-6 * std::max(project_->beam.length(), bears.depth)) continue;
+        const Force borne = borne_by(of, bears);
+        stops = stops && force > borne;
+        by_plate = std::max(by_plate.value_or(Force{}), borne);
+        look_at_edge(of, bears, force, load);
+      }
+    }
     Worst& worst = stops ? blocking_ : said_;
     const double use = force / bears.least;
     if (use <= worst.use) return;
     worst = {use, s, force, load.name.empty() ? "a force" : std::string(load.name), bears};
+    worst.by_plate = by_plate;
   }
 
-  /// Whether a diaphragm or a boss stands there, or goes round the place.
-  bool is_taken(Length s, Length depth) const {
-    const TaperedBeam& beam = project_->beam;
-    constexpr double same_place = 1e-6;
-    const Length near = same_place * std::max(beam.length(), depth);
-    return std::any_of(beam.diaphragms.begin(), beam.diaphragms.end(),
-                       [&](const Diaphragm& of) { return abs(of.s - s) <= near; }) ||
-           std::any_of(beam.introductions.begin(), beam.introductions.end(),
-                       [&](const LoadIntroduction& of) {
-                         return !of.stiff_length && s >= of.from - near && s <= of.to + near;
-                       });
+  /// What a diaphragm leads from a wall into both sides of the section: by its plate in shear, with
+  /// half of it on either side of its opening, and by its fillets along that, of round tubes as
+  /// their shear flow F/(pi r) is at most. Source: EN 1993-1-5:2006, clause 5; EN 1993-1-8:2005,
+  /// 4.5.3.2.
+  Force borne_by(const Diaphragm& of, const Bears& bears) const {
+    const PlateOf plate = weakest_to_weld(plates_around(*project_, of.s, of.thickness));
+    const auto strength = yield_strength_of(*plate.material, plate.thickness);
+    const auto tensile = tensile_strength_of(*plate.material, plate.thickness);
+    if (!strength || !tensile) return {};
+    ShearPanel panel;
+    panel.depth = bears.depth - 2.0 * bears.wall;
+    panel.length = panel.depth;
+    panel.thickness = of.thickness;
+    panel.yield_strength = *strength;
+    const double left = std::max(0.0, 1.0 - (of.opening / panel.depth).value());
+    const Force by_plate =
+        2.0 * left * shear_resistance_of(panel, project_->strength.gamma_M1).resistance;
+    if (!(of.throat > Length{})) return by_plate;
+    StiffenerWeld weld;
+    weld.throat = of.throat;
+    weld.length = bears.round ? Length(0.5 * std::numbers::pi * panel.depth) : panel.depth;
+    weld.strength = {*tensile, plate.material->beta_w, project_->strength.gamma_M2};
+    return std::min(by_plate, Force(2.0 * stiffener_weld_resistance_of(weld)));
+  }
+
+  void look_at_edge(const Diaphragm& of, const Bears& bears, Force force, const PointLoad& load) {
+    Length pressed = 2.0 * bears.wall;
+    for (const LoadIntroduction& by : project_->beam.introductions)
+      if (by.stiff_length && of.s >= by.from && of.s <= by.to) pressed += *by.stiff_length;
+    const double use = (force / (pressed * of.thickness * bears.yield_strength)).value();
+    if (use > edge_.use) edge_ = {use, of.s, std::string(load.name)};
   }
 
   const std::optional<Bears>& bears_near(const Station& station) {
@@ -207,6 +375,8 @@ class HollowForces {
   ForceKinds kinds_;
   std::map<std::pair<double, Side>, std::optional<Bears>> bears_;
   Worst said_, blocking_;
+  WorstLine said_line_, stopping_line_;
+  PressedEdge edge_;
 };
 
 }  // namespace

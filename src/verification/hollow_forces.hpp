@@ -17,10 +17,15 @@ namespace boxbeam {
 ///     polygon        from a tenth of F_Rd on, above it no verdict: two webs as thick as its
 ///                    thinnest wall and as deep as it is, under an edge (stiff length 0)
 ///
-/// Where a diaphragm stands, a boss leads the force in ([[beam.load_introductions]], into =
+/// Where a diaphragm bears it, a boss leads the force in ([[beam.load_introductions]], into =
 /// "webs"), or a profile inside shares it, it is only said. What a clamp at an end brings comes
-/// into the whole section. Sources: EN 1993-1-8:2005, table 7.3, without k_p; EN 1993-1-5:2006,
-/// clause 6.
+/// into the whole section. Loads q along the beam that stand on it from outside bend the wall,
+///
+///     m = 3/(4 pi) q r  in a ring that shear flow holds,  q b/8  across a hollow b wide
+///
+/// over t^2 f_y/4 likewise; in fatigue by 6 m/t^2 at every cycle, above category 160 without a
+/// verdict. Sources: EN 1993-1-8:2005, table 7.3, without k_p; EN 1993-1-5:2006, clauses 5 and 6;
+/// Roark's Formulas for Stress and Strain, circular rings under tangential shear.
 void check_hollow_forces(const Project& project, const std::deque<SituationRun>& runs,
                          PatchChecks& found);
 

@@ -12,6 +12,7 @@
 #include "boxbeam/strength/effective_path.hpp"
 #include "patch_notes.hpp"
 #include "patch_search.hpp"
+#include "plate_steps.hpp"
 
 namespace boxbeam {
 namespace {
@@ -446,6 +447,22 @@ std::vector<FlangeStep> flange_steps_of(const Project& project) {
         if (next.first != nullptr) step.by = si<Length>(next.second);
       }
     }
+  }
+  return steps;
+}
+
+std::vector<PlateStep> plate_steps_at(const Project& project, std::size_t segment) {
+  // What rounding of units makes is no step.
+  constexpr double least = 1e-6;
+  std::vector<PlateStep> steps;
+  const std::vector<FlatPlate> behind = plates_at(project, segment + 1, false);
+  for (const FlatPlate& of : plates_at(project, segment, true)) {
+    const auto next = going_on(of, behind);
+    if (!goes_on(of, next) || std::abs(of.thickness - next.first->thickness) <= least) continue;
+    const bool in_path =
+        std::holds_alternative<ThinWalled>(project.beam.segments[segment].to.outer);
+    steps.push_back({of.name, !of.across_z(), in_path, si<Length>(of.thickness),
+                     si<Length>(next.first->thickness)});
   }
   return steps;
 }

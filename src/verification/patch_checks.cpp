@@ -12,10 +12,13 @@
 #include "boxbeam/verification/distorted_stretch.hpp"
 #include "boxbeam/verification/front_end.hpp"
 #include "hollow_forces.hpp"
+#include "nested_profiles.hpp"
 #include "patch_notes.hpp"
 #include "patch_search.hpp"
 #include "patched_holes.hpp"
 #include "patched_path.hpp"
+#include "pressed_solids.hpp"
+#include "tube_borders.hpp"
 
 namespace boxbeam {
 namespace {
@@ -474,8 +477,12 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
   PatchChecks found;
   check_hollow_forces(project, runs, found);
   const bool walls_said = !found.gates.empty() || !found.not_judged.empty();
+  check_tube_kinks(project, runs, zones, found);
+  check_pressed_solids(project, runs, found);
+  check_nested_profiles(project, runs, zones, found);
   PatchSearch search(project, zones);
   std::vector<FlangeStep> steps = flange_steps_of(project);
+  for (FlangeStep& of : tube_steps_of(project)) steps.push_back(std::move(of));
   if (!search.has_something_to_do(runs) && steps.empty()) return found;
   std::map<BorneKey, WorstPatch> worst;
   OnPaths on_paths;

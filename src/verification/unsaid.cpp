@@ -12,6 +12,7 @@
 #include "boxbeam/verification/unseen_time.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
 #include "fast_loads.hpp"
+#include "plate_steps.hpp"
 
 namespace boxbeam {
 namespace {
@@ -37,7 +38,7 @@ struct PlatesOf {
   std::vector<PlateThickness> operator()(const RoundTube& tube) const {
     return {{"wall", tube.wall, DetailPlace::fibres}};
   }
-  /// Full sections have no plate that is joined, walls of paths no names.
+  /// Full sections have no plate that is joined; walls of paths are found by where they lie.
   template <class Other>
   std::vector<PlateThickness> operator()(const Other&) const {
     return {};
@@ -73,9 +74,31 @@ bool is_judged_by(const Project& project, Length s, DetailPlace on, const BeamDe
   return !held && is_so_weak(project.fatigue.beam);
 }
 
+std::string text_of_step(const std::string& name, Length from, Length to) {
+  return fmt::format("{}, {:.4g} and {:.4g} mm", name, 1e3 * from.value(), 1e3 * to.value());
+}
+
+/// The same where walls of paths go on, or profiles of unlike kinds: by where plates lie.
+std::string step_of_plates_at(const Project& project, std::size_t segment) {
+  const Length s = project.beam.segments[segment].end();
+  for (const PlateStep& of : plate_steps_at(project, segment)) {
+    const BeamDetail splice = splice_of(of.from, of.to);
+    const auto judged = [&](DetailPlace on) { return is_judged_by(project, s, on, splice); };
+    // Walls of paths are fibres, and webs besides.
+    const bool fibre = !of.web || of.in_path;
+    if ((fibre && judged(DetailPlace::fibres)) || (of.web && judged(DetailPlace::webs))) continue;
+    return text_of_step(of.name, of.from, of.to);
+  }
+  return "";
+}
+
 /// "top flange, 20 and 40 mm", of the first plate whose thickness steps unsaid; "" where none does.
-std::string step_at(const Project& project, const Segment& behind, const Segment& ahead) {
-  if (behind.to.outer.index() != ahead.from.outer.index()) return "";
+std::string step_at(const Project& project, std::size_t segment) {
+  const Segment &behind = project.beam.segments[segment],
+                &ahead = project.beam.segments[segment + 1];
+  if (behind.to.outer.index() != ahead.from.outer.index() ||
+      std::holds_alternative<ThinWalled>(behind.to.outer))
+    return step_of_plates_at(project, segment);
   const std::vector<PlateThickness> from = std::visit(PlatesOf{}, behind.to.outer);
   const std::vector<PlateThickness> to = std::visit(PlatesOf{}, ahead.from.outer);
   // What rounding of units makes is no step.
@@ -83,8 +106,7 @@ std::string step_at(const Project& project, const Segment& behind, const Segment
   for (std::size_t i = 0; i < from.size(); ++i) {
     if (abs(from[i].of - to[i].of) <= least) continue;
     if (is_judged_by(project, ahead.start, from[i].on, splice_of(from[i].of, to[i].of))) continue;
-    return fmt::format("{}, {:.4g} and {:.4g} mm", from[i].name, 1e3 * from[i].of.value(),
-                       1e3 * to[i].of.value());
+    return text_of_step(from[i].name, from[i].of, to[i].of);
   }
   return "";
 }
@@ -140,7 +162,7 @@ std::vector<NotJudged> unsaid_joints_of(const Project& project) {
   if (!project.fatigue.asked || !project.given_stresses.empty()) return unsaid;
   for (std::size_t i = 1; i < segments.size(); ++i) {
     const Length s = segments[i].start;
-    const std::string step = step_at(project, segments[i - 1], segments[i]);
+    const std::string step = step_at(project, i - 1);
     if (step.empty() || has_weld_at(project, s)) continue;
     unsaid.push_back({Criterion::fatigue,
                       fmt::format("joint at s = {:.6g} m in fatigue", s.value()),

@@ -65,6 +65,55 @@ TEST_CASE("where a diaphragm stands in a round tube it is only said") {
   CHECK(says(of, "round tube at s = 0.5 m"));
 }
 
+// By hand: 384 x 1 x 355/sqrt(3) = 79 kN a side before the plate buckles, of 450 kN.
+TEST_CASE("a diaphragm of a round tube must bear what it takes") {
+  const auto under_plate = [](double thickness) {
+    return beam(tube, 1.0, 900.0, 1,
+                fmt::format("[[beam.diaphragms]]\nstation = \"0.5 m\"\nthickness = \"{} "
+                            "mm\"\nthroat = \"3 mm\"\n",
+                            thickness));
+  };
+  CHECK(stops(under_plate(1.0), "the diaphragm there bears"));
+  // Fillets: 2 x pi/2 x 384 mm x 2 x 3 mm x 435/sqrt(3) MPa = 1.82 MN, on 3.1 MN of the plate.
+  CHECK_FALSE(stops(under_plate(20.0), "the diaphragm there bears"));
+}
+
+namespace {
+
+/// A cantilever of 1 m under a load along it [kN/m].
+Verification cantilever(const std::string& section, double q, const std::string& more = "") {
+  return verify(parse_project(
+      "a.toml",
+      "[case]\nname = \"a\"\nkind = \"static\"\n[frame]\ngravity = [\"0 m/s^2\", \"0 "
+      "m/s^2\"]\n[sections.s]\n" +
+          section +
+          fmt::format("[beam]\ndensity = \"7850 kg/m^3\"\n[[beam.segments]]\nlength = \"1 "
+                      "m\"\nsection = \"s\"\n[supports.a]\nkind = \"fixed\"\nat = \"0 "
+                      "m\"\n[loads.q]\nkind = \"line\"\nforce_per_length = [\"0 kN/m\", \"{} "
+                      "kN/m\"]\n",
+                      -q) +
+          more +
+          "[material]\nsteel = \"S355\"\nfy_source = \"EN 1993-1-1\"\n[strength]\nrequired = "
+          "1.0\n"));
+}
+
+}  // namespace
+
+// By hand: m = 3/(4 pi) q r, r = 196 mm: 14.0 kN under 300 kN/m on t^2 f_y/4 = 5.68 kN, 2.5; under
+// 60 kN/m 6 m/t^2 = 263 MPa, above 160/1.35.
+TEST_CASE("a load along a round tube bends its wall across") {
+  CHECK(stops(cantilever(tube, 300.0), "by about 2.5 of its strength"));
+  CHECK_FALSE(stops(cantilever(tube, 60.0), "across itself"));
+  CHECK(says(cantilever(tube, 60.0), "by about 0.49 of its strength"));
+  CHECK_FALSE(says(cantilever(tube, 10.0), "across itself"));
+  const std::string again =
+      "[[situations]]\nname = \"off\"\nloads = { }\n[[situations]]\nname = \"on\"\nloads = { q = "
+      "1.0 }\n[[situations]]\nname = \"change\"\nbetween = [\"off\", \"on\"]\ncycles = 2e6\n"
+      "[fatigue]\nloading = \"spectrum\"\ncategory = 112\ngamma_Ff = 1.0\ngamma_Mf = "
+      "1.35\nrequired = 1.0\n";
+  CHECK(stops(cantilever(tube, 60.0, again), "263 MPa at every cycle"));
+}
+
 // An invariant: written as a box, too, it has no verdict.
 TEST_CASE("a hollow polygon is stopped where the same box is") {
   const std::string polygon =

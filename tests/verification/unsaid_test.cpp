@@ -74,6 +74,50 @@ TEST_CASE("the joint of plates that step in thickness is said where no detail li
   CHECK(said_with(seams, 2.0, 2.0, 36.0));
 }
 
+namespace {
+
+/// What is said of the joint of the same beam of other sections; "" where nothing is.
+std::string joint_between(const std::string& behind, const std::string& ahead) {
+  std::string text = stepped(20.0, 20.0, "");
+  const std::size_t from = text.find("[sections.a]"), to = text.find("[beam]");
+  text.replace(from, to - from, "[sections.a]\n" + behind + "[sections.b]\n" + ahead);
+  const std::vector<NotJudged> said = unsaid_joints_of(parse_project("unsaid.toml", text));
+  return said.empty() ? "" : said.front().what + ": " + said.front().reason;
+}
+
+/// The box of `stepped` as a path, in line with the middle of its webs.
+std::string path(double flange) {
+  const double z = 300.0 - 0.5 * flange;
+  return fmt::format(
+      "kind = \"thin-walled\"\nnodes = {{ tl = [\"194 mm\", \"{0} mm\"], tr = [\"-194 mm\", \"{0} "
+      "mm\"], bl = [\"194 mm\", \"-{0} mm\"], br = [\"-194 mm\", \"-{0} mm\"] }}\nwalls = [\n{{ "
+      "from = \"tl\", to = \"tr\", thickness = \"{1} mm\" }},\n{{ from = \"bl\", to = \"br\", "
+      "thickness = \"{1} mm\" }},\n{{ from = \"tl\", to = \"bl\", thickness = \"12 mm\" }},\n{{ "
+      "from = \"tr\", to = \"br\", thickness = \"12 mm\" }}\n]\n",
+      z, flange);
+}
+
+}  // namespace
+
+// Invariants: the box of the first test, said there, as a path; and as a tube beside a box.
+TEST_CASE("the joint of plates of paths and of unlike profiles is said, too") {
+  CHECK_THAT(
+      joint_between(path(40.0), path(20.0)),
+      Catch::Contains("joint at s = 2 m in fatigue") && Catch::Contains("wall 1, 40 and 20 mm"));
+  CHECK(joint_between(path(20.0), path(20.0)).empty());
+  const auto box = [](double wall) {
+    return fmt::format(
+        "kind = \"box\"\nwidth = \"400 mm\"\nheight = \"600 mm\"\nflange = \"{0} mm\"\nweb = "
+        "\"{0} mm\"\n",
+        wall);
+  };
+  const std::string tube =
+      "kind = \"rectangular tube\"\nwidth = \"400 mm\"\nheight = \"600 mm\"\nwall = \"12 "
+      "mm\"\nouter_radius = \"0 mm\"\n";
+  CHECK_THAT(joint_between(box(20.0), tube), Catch::Contains("top flange, 20 and 12 mm"));
+  CHECK(joint_between(box(12.0), tube).empty());
+}
+
 TEST_CASE("a motion by forces that ends while its use grows says so") {
   // It falls 0.1 m and is stopped: half of the stop's wave lasts pi sqrt(m/k) = 23 ms, behind 0.14
   // s of the fall.

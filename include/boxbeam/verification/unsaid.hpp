@@ -16,8 +16,8 @@ bool judged_in_fatigue(const std::vector<CheckResult>& checks);
 /// asked, the case has no weld around the profile there and judges those plates by no detail of
 /// that place (no longer than the section is deep), nor by one as weak as a splice without
 /// transition whose faces are flush on one side: row 8.3/17 with e = (t_2
-/// - t_1)/2. Profiles of unlike kinds are joined by what the case says of [[welds]]. Source: EN
-/// 1993-1-9:2005+AC:2009, table 8.3.
+/// - t_1)/2. Walls of paths, and plates of profiles of unlike kinds, go on where the next ones lie.
+/// Source: EN 1993-1-9:2005+AC:2009, table 8.3.
 std::vector<NotJudged> unsaid_joints_of(const Project& project);
 
 /// Uses that are largest at the last instant of a motion by forces, of a sudden start or of a rate
