@@ -88,8 +88,9 @@ void check_dynamics(TableReader& root, const Project& project) {
                  "[newton_chain]",
                  "name its steps, its ends and the driving mass; see sections/sledge-rig/rig.toml");
   }
-  if (project.dynamics == Dynamics::rigorous && project.beam_body == planar::ground &&
-      root.has("beam")) {
+  // Other kinds than those in the plane have no beam without a body, nor a chain to go over to.
+  if (rigid_in_plane && project.dynamics == Dynamics::rigorous &&
+      project.beam_body == planar::ground && root.has("beam")) {
     root.problem("beam",
                  "rigorous loads need the beam to be one body, whose mass comes from its "
                  "sections; this [beam] has no \"body\"",

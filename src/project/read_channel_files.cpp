@@ -7,6 +7,7 @@
 
 #include "boxbeam/project/limits.hpp"
 #include "recorded_reader.hpp"
+#include "signals/file_unit.hpp"
 #include "text_file.hpp"
 
 namespace boxbeam::readers {
@@ -18,54 +19,8 @@ std::vector<std::string> format_words() {
   return words;
 }
 
-/// What cannot be read further: two instants, so that the rest has something to look at.
-recorded::Channels nothing(std::size_t channels) {
-  return {{0.0, 1.0}, std::vector<std::vector<double>>(channels, {0.0, 0.0})};
-}
-
 bool same(const std::optional<WantedDimension>& a, const std::optional<WantedDimension>& b) {
   return a.has_value() == b.has_value() && (!a || a->exponents == b->exponents);
-}
-
-/// Whether all have the same instants.
-bool of_one_time(const std::vector<SignalTable>& all) {
-  const SignalTime& one = all.front().time;
-  return std::all_of(all.begin(), all.end(), [&](const SignalTable& table) {
-    const SignalTime& other = table.time;
-    return other.count == one.count && other.instants == one.instants &&
-           (!one.instants.empty() || (other.start == one.start && other.step == one.step));
-  });
-}
-
-/// Of a long record instants evenly taken, its ends, and those at which a channel is largest or
-/// smallest.
-recorded::Channels some_instants_of(recorded::Record of) {
-  constexpr std::size_t evenly = 1000;
-  const auto record = std::make_shared<const recorded::Record>(std::move(of));
-  const std::size_t n = record->instants();
-  std::vector<std::size_t> instants{n - 1};
-  for (std::size_t i = 0; i < evenly; ++i) instants.push_back(i * (n - 1) / evenly);
-  for (std::size_t k = 0; k < record->channels(); ++k) {
-    std::size_t low = 0, high = 0;
-    double lowest = record->value(k, 0), highest = lowest;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double value = record->value(k, i);
-      if (value < lowest) {
-        lowest = value;
-        low = i;
-      }
-      if (value > highest) {
-        highest = value;
-        high = i;
-      }
-    }
-    instants.push_back(low);
-    instants.push_back(high);
-  }
-  recorded::Channels channels = recorded::at_instants(record, std::move(instants));
-  channels.outer =
-      std::make_shared<const recorded::OuterInstants>(recorded::outer_instants_of(*record));
-  return channels;
 }
 
 }  // namespace
@@ -74,7 +29,7 @@ ChannelFiles::ChannelFiles(TableReader& root, const TimeTables& tables) {
   for (auto& [name, table] :
        root.table({"files", "of measurements or other programs, by a name"}, false)
            .named_tables()) {
-    File file{name, {}, {}, {}, {}, table};
+    File file{name, {}, {}, {}, {}, {}, Beyond::unsaid, table};
     TableReader& of = file.table;
     file.written = of.text({"path", "from the folder of the case"});
     file.source.path = tables.resolved(file.written);
@@ -93,8 +48,38 @@ ChannelFiles::ChannelFiles(TableReader& root, const TimeTables& tables) {
     if (of.has_quantity({"moment_unit", "of moments without unit, \"1 kN m\""}, wanted::moment))
       file.moment_unit =
           of.positive({"moment_unit", "of moments without unit, \"1 kN m\""}, wanted::moment);
+    const Key units{"units",
+                    "what one of a column is, by its name, where the file gives no unit or one "
+                    "that is not known: { Fz = \"9.81 kN\" }"};
+    if (of.has(units)) read_units(of.table(units), file);
+    const Key beyond{"beyond",
+                     "what its columns are before its first and after its last instant, where "
+                     "another file is longer: their first and last values, or nothing; where not "
+                     "said, files that differ by more than a step are refused"};
+    const std::vector<std::string> words{"held", "zero"};
+    if (of.has_choice(beyond, words))
+      file.beyond = of.choice(beyond, words) == 0 ? Beyond::held : Beyond::zero;
     of.finish();
     files_.push_back(std::move(file));
+  }
+}
+
+void ChannelFiles::read_units(TableReader units, File& file) const {
+  units.accept_all();
+  for (const Node::Member& member : units.members("one of a column, \"9.81 kN\"")) {
+    const auto one = member.value.kind == Node::Kind::text
+                         ? parse_quantity(member.value.text)
+                         : std::variant<ParsedQuantity, std::string>("it is no text");
+    const auto* const quantity = std::get_if<ParsedQuantity>(&one);
+    if (quantity != nullptr && quantity->value > 0.0) {
+      file.units.emplace(member.key, *quantity);
+      continue;
+    }
+    units.problem(
+        member.key,
+        fmt::format("what one of \"{}\" is cannot be read: {}", member.key,
+                    quantity != nullptr ? "it is not above zero" : std::get<std::string>(one)),
+        fmt::format("write for example {} = \"1 kN\"", member.key));
   }
 }
 
@@ -120,12 +105,7 @@ std::size_t ChannelFiles::channel_of(TableReader& table, const Key& key, std::si
     const Wanted& of = wanted_[i];
     if (of.file == file && of.signal.name == name && same(of.signal.dimension, dimension)) return i;
   }
-  std::optional<double> scale;
-  if (dimension) {
-    const bool couple = dimension->exponents == wanted::moment.exponents;
-    scale = couple ? files_[file].moment_unit : files_[file].force_unit;
-  }
-  wanted_.push_back({file, {name, dimension, scale}, table, std::string(key.name)});
+  wanted_.push_back({file, {name, dimension, {}}, table, std::string(key.name)});
   return wanted_.size() - 1;
 }
 
@@ -139,20 +119,22 @@ std::string ChannelFiles::description() const {
     add(format ? std::optional(word_of(*format)) : std::nullopt);
     add(file.source.time_step);
     add(file.source.time_unit);
+    add(file.force_unit);
+    add(file.moment_unit);
+    for (const auto& [name, one] : file.units) text += fmt::format("{} {} ", name, one.value);
+    text += fmt::format("{} ", static_cast<int>(file.beyond));
     text += file.source.path + '\n';
   }
   for (const Wanted& of : wanted_) {
     text += fmt::format("{} ", of.file);
     add(of.signal.dimension ? std::optional(of.signal.dimension->name) : std::nullopt);
-    add(of.signal.scale);
     text += of.signal.name + '\n';
   }
   return text;
 }
 
 recorded::Channels ChannelFiles::read(TableReader& root, TimeTables& tables) const {
-  if (!root.problems().empty() || root.problems().recorder != nullptr)
-    return nothing(wanted_.size());
+  if (!root.problems().empty() || root.problems().recorder != nullptr) return without_values();
   std::string made_of = description();
   if (const auto known = tables.files().channels(made_of)) {
     for (std::size_t f = 0; f < files_.size(); ++f)
@@ -172,17 +154,12 @@ bool ChannelFiles::is_wanted(std::size_t file) const {
 }
 
 recorded::Channels ChannelFiles::read_files(TableReader& root, TimeTables& tables) const {
-  std::vector<SignalTable> all;
+  std::vector<Read> all;
   for (std::size_t f = 0; f < files_.size(); ++f) {
-    std::vector<const Wanted*> of_file;
+    if (!is_wanted(f)) continue;
     std::vector<WantedSignal> signals;
-    for (const Wanted& of : wanted_) {
-      if (of.file != f) continue;
-      of_file.push_back(&of);
-      signals.push_back(of.signal);
-    }
-    all.emplace_back();
-    if (signals.empty()) continue;
+    for (const Wanted& of : wanted_)
+      if (of.file == f) signals.push_back(of.signal);
     const FileText absent = look_for_regular_file(files_[f].source.path);
     if (absent.trouble != FileText::Trouble::none) {
       TableReader table = files_[f].table;
@@ -199,17 +176,9 @@ recorded::Channels ChannelFiles::read_files(TableReader& root, TimeTables& table
     std::future<void> hashed = std::async(compact ? std::launch::async : std::launch::deferred,
                                           [&, f] { tables.add_signals(files_[f].written); });
     if (!compact) hashed.get();
-    // The unit that the case gives is for columns to which the file gives none that is known.
-    for (WantedSignal& of : signals) {
-      const std::optional<double> scale = std::exchange(of.scale, std::nullopt);
-      if (!choose_signals(head, {of}).troubles.empty()) of.scale = scale;
-    }
-    const ChosenSignals chosen = choose_signals(head, signals);
-    for (const ChosenSignals::Trouble& trouble : chosen.troubles) {
-      TableReader table = of_file[trouble.wanted]->table;
-      table.problem(of_file[trouble.wanted]->key, trouble.message, trouble.hint);
-    }
-    if (!chosen.troubles.empty()) continue;
+    const std::size_t before = root.problems().size();
+    choose(f, head, signals);
+    if (root.problems().size() != before) continue;
     if (head.rows.value_or(0) > limits::most_recorded) {
       root.problem("files",
                    fmt::format("{} has {} rows, {} can be verified", files_[f].written, *head.rows,
@@ -217,112 +186,60 @@ recorded::Channels ChannelFiles::read_files(TableReader& root, TimeTables& table
                    "give the part that matters, or fewer samples a second");
       continue;
     }
-    all.back() = read_signal_file(files_[f].source, signals, compact);
+    all.push_back({f, read_signal_file(files_[f].source, signals, compact)});
     if (compact) hashed.get();
-    if (all.back().time.count < 2) {
+    if (all.back().table.time.count < 2) {
       TableReader table = files_[f].table;
       table.problem("path", fmt::format("{} has one instant only", files_[f].written),
                     "loads over time have two at least; what does not change is a constant load");
     }
   }
-  if (!root.problems().empty()) return nothing(wanted_.size());
+  if (!root.problems().empty()) return without_values();
   return on_one_time(root, std::move(all));
 }
 
-recorded::Channels ChannelFiles::on_one_time(TableReader& root,
-                                             std::vector<SignalTable> all) const {
-  std::erase_if(all, [](const SignalTable& table) { return table.columns.empty(); });
-  if (all.empty()) return {{0.0, 1.0}, {}};
-  recorded::Channels channels;
-  const auto first = [](const SignalTable& of) { return of.time[0]; };
-  const auto last = [](const SignalTable& of) { return of.time[of.time.count - 1]; };
-  double from = first(all.front()), to = last(all.front());
-  std::size_t samples = 0;
-  for (const SignalTable& of : all) {
-    from = std::max(from, first(of));
-    to = std::min(to, last(of));
-    samples += of.time.count;
+std::optional<double> ChannelFiles::unit_of(const Wanted& of, const SignalHead& head) const {
+  const File& file = files_[of.file];
+  if (!of.signal.dimension) return {};
+  const auto own = file.units.find(of.signal.name);
+  if (own != file.units.end()) {
+    if (is_of(own->second.exponents, *of.signal.dimension)) return own->second.value;
+    TableReader table = file.table;
+    table.problem("units",
+                  fmt::format("one of \"{}\" is {}, but it is to be {}", of.signal.name,
+                              name_of(own->second.exponents), of.signal.dimension->name),
+                  fmt::format("write {} = {}", of.signal.name, of.signal.dimension->example));
+    return {};
   }
-  if (!(from < to) || samples > limits::most_recorded) {
-    root.problem("files",
-                 from < to ? fmt::format("the files have {} instants in all, {} can be verified",
-                                         samples, limits::most_recorded)
-                           : fmt::format("the files have no time in common: one of them begins at "
-                                         "{:.6g} s, one ends at {:.6g} s",
-                                         from, to),
-                 from < to ? "give the part that matters, or fewer samples a second"
-                           : "shift the time of one of them");
-    return nothing(wanted_.size());
-  }
-  if (samples > limits::most_samples && of_one_time(all)) return long_channels(std::move(all));
-  channels.times.reserve(samples);
-  for (const SignalTable& of : all) {
-    for (std::size_t i = 0; i < of.time.count; ++i) {
-      if (of.time[i] >= from && of.time[i] <= to) channels.times.push_back(of.time[i]);
-    }
-  }
-  std::sort(channels.times.begin(), channels.times.end());
-  // Clocks that agree but for rounding tell the same instants.
-  const double close = 1e-9 * (to - from) / static_cast<double>(channels.times.size());
-  const auto is_same = [&](double a, double b) { return b - a <= close; };
-  channels.times.erase(std::unique(channels.times.begin(), channels.times.end(), is_same),
-                       channels.times.end());
-  std::size_t table = 0;
-  std::vector<std::pair<const SignalTable*, std::size_t>> columns(wanted_.size());
-  for (std::size_t f = 0; f < files_.size(); ++f) {
-    std::size_t column = 0;
-    for (std::size_t w = 0; w < wanted_.size(); ++w) {
-      if (wanted_[w].file == f) columns[w] = {&all[table], column++};
-    }
-    if (column > 0) ++table;
-  }
-  const bool is_long = channels.times.size() > limits::most_samples;
-  std::vector<recorded::RecordColumn> long_columns;
-  std::vector<double> values;
-  for (const auto& [of, index] : columns) {
-    const SignalColumn& column = of->columns[index];
-    values.clear();
-    values.reserve(channels.times.size());
-    std::size_t at = 0;
-    for (const double time : channels.times) {
-      while (at + 2 < of->time.count && of->time[at + 1] <= time) ++at;
-      const double a = of->time[at], b = of->time[at + 1];
-      const double part = std::clamp((time - a) / (b - a), 0.0, 1.0);
-      values.push_back(std::lerp(column[at], column[at + 1], part));
-    }
-    if (!is_long) {
-      channels.values.push_back(values);
-      continue;
-    }
-    SignalColumn compact(true, true);
-    compact.append(values);
-    const double offset = compact.offset();
-    long_columns.push_back({compact.release(), offset});
-  }
-  if (!is_long) return channels;
-  return some_instants_of(
-      recorded::Record(0.0, 0.0, std::move(channels.times), std::move(long_columns)));
+  // The unit that holds for all columns is for those to which the file gives none: what it calls
+  // by another is something else.
+  for (const SignalChannel& channel : head.channels)
+    if (channel.name == of.signal.name && !channel.unit.empty()) return {};
+  const bool couple = of.signal.dimension->exponents == wanted::moment.exponents;
+  return couple ? file.moment_unit : file.force_unit;
 }
 
-recorded::Channels ChannelFiles::long_channels(std::vector<SignalTable> all) const {
-  std::vector<recorded::RecordColumn> columns;
-  std::size_t table = 0;
-  std::vector<std::pair<std::size_t, std::size_t>> of(wanted_.size());
-  for (std::size_t f = 0; f < files_.size(); ++f) {
-    std::size_t column = 0;
-    for (std::size_t w = 0; w < wanted_.size(); ++w) {
-      if (wanted_[w].file == f) of[w] = {table, column++};
-    }
-    if (column > 0) ++table;
+void ChannelFiles::choose(std::size_t file, const SignalHead& head,
+                          std::vector<WantedSignal>& signals) const {
+  std::vector<const Wanted*> of_file;
+  for (const Wanted& of : wanted_)
+    if (of.file == file) of_file.push_back(&of);
+  for (std::size_t i = 0; i < signals.size(); ++i) signals[i].scale = unit_of(*of_file[i], head);
+  for (const ChosenSignals::Trouble& trouble : choose_signals(head, signals).troubles) {
+    const Wanted& of = *of_file[trouble.wanted];
+    const auto channel =
+        std::find_if(head.channels.begin(), head.channels.end(),
+                     [&](const SignalChannel& at) { return at.name == of.signal.name; });
+    const bool unknown = of.signal.dimension && channel != head.channels.end() &&
+                         !of.signal.scale && !channel->unit.empty() &&
+                         std::holds_alternative<std::string>(parse_file_unit(channel->unit));
+    TableReader table = of.table;
+    table.problem(of.key, trouble.message,
+                  unknown
+                      ? fmt::format("say what one of it is, in [files.{}]: units = {{ {} = {} }}",
+                                    files_[file].name, of.signal.name, of.signal.dimension->example)
+                      : trouble.hint);
   }
-  for (const auto& [in, index] : of) {
-    SignalColumn& column = all[in].columns[index];
-    const double offset = column.offset();
-    columns.push_back({column.release(), offset});
-  }
-  SignalTime& time = all.front().time;
-  return some_instants_of(
-      recorded::Record(time.start, time.step, std::move(time.instants), std::move(columns)));
 }
 
 }  // namespace boxbeam::readers

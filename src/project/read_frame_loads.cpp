@@ -194,11 +194,13 @@ frame::Wheels read_wheels(TableReader& table, const Structure& structure) {
   }
   const double length = length_of(member);
   action.from = table.quantity({"from",
-                                "station of the first wheel at the start; where all stand on "
-                                "the member where not said"},
-                               wanted::length, last);
-  action.to = table.quantity({"to", "and at the end; that of the member where not said"},
-                             wanted::length, length);
+                                "station of the first wheel at the start; where not said that of "
+                                "the member, onto which they come one after the other"},
+                               wanted::length, 0.0);
+  action.to = table.quantity({"to",
+                              "and at the end; where not said beyond that of the member, which "
+                              "they leave one after the other"},
+                             wanted::length, length + last);
   action.speed =
       table.positive({"speed", "at which they pass; it says only when"}, wanted::velocity, 1.0);
   if (!structure.plane) {

@@ -321,6 +321,10 @@ bool vibrates(const Project&, const Verification& verification) {
   return verification.pictures.elastic && !verification.pictures.elastic->over_period.at.empty();
 }
 
+bool shows_its_start(const Project&, const Verification& verification) {
+  return verification.pictures.elastic && !verification.pictures.elastic->after_start.at.empty();
+}
+
 constexpr FigureKind kinds[] = {
     {"sketch", FigurePlace::opening, false, has_posture, sketch_caption, nullptr, plot::sketch},
     {"use", FigurePlace::opening, false, is_checked_along, use_caption, nullptr,
@@ -345,7 +349,7 @@ constexpr FigureKind kinds[] = {
      plot::frequency_response},
     {"joint-forces", FigurePlace::vibration, false, vibrates, joint_forces_caption,
      plot::joint_forces},
-    {"sudden-start", FigurePlace::vibration, false, vibrates, sudden_start_caption,
+    {"sudden-start", FigurePlace::vibration, false, shows_its_start, sudden_start_caption,
      plot::sudden_start},
 };
 

@@ -168,6 +168,7 @@ class FrameText : public FrontEndText {
   void add_remarks(std::vector<std::string>& remarks) const override {
     const Structure& of = frame_of(*project_);
     add_left_out_weight(remarks);
+    add_short_ways(remarks);
     const Situation& first = project_->situations.front();
     if (project_->situations.size() == 1 && first.name.empty()) {
       remarks.emplace_back(
@@ -209,6 +210,30 @@ class FrameText : public FrontEndText {
     remarks.push_back(fmt::format(
         "the frame's own weight is left out of situation {}: no load case in its \"loads\" has it",
         fmt::join(without, ", ")));
+  }
+
+  /// Wheels that do not run over the whole member, as the case asks.
+  void add_short_ways(std::vector<std::string>& remarks) const {
+    const Structure& of = frame_of(*project_);
+    for (const frame::LoadCase& in : of.cases) {
+      for (const frame::Action& action : in.actions) {
+        const auto* const wheels = std::get_if<frame::Wheels>(&action.kind);
+        if (wheels == nullptr) continue;
+        const frame::Member& member = member_at(of, wheels->member);
+        const double length = member.beam.length().value();
+        double least = length, most = 0.0;  // that every wheel reaches
+        for (const frame::Wheels::Wheel& wheel : wheels->wheels) {
+          most = std::max(most, wheels->from - wheel.behind);
+          least = std::min(least, wheels->to - wheel.behind);
+        }
+        const double near = 1e-9 * length;
+        if (most <= near && least >= length - near) continue;
+        remarks.push_back(fmt::format(
+            "wheels {}: as the case asks, not every wheel runs from 0 to {} m of {}; every one of "
+            "them passes {} to {} m",
+            action.name, plain(length), member.name, plain(most), plain(least)));
+      }
+    }
   }
 
   std::vector<Block> blocks(const Verification& verification) const override {

@@ -112,15 +112,16 @@ JointLines lines_over_period(const FlexibleMotion& motion) {
   return lines;
 }
 
+/// Without instants where the start is not resolved: what is not asked for hinders no verdict.
 JointLines lines_after_start(const flexible::ModalModel& model) {
   const flexible::Mechanism& mechanism = *model.structure->mechanism;
   JointLines lines = named_lines(mechanism);
   constexpr double most_steps = 4000.0;  // drawn; it ends sooner
-  StartSpan span = start_span_of(model);
-  const double shown = std::min(1.0, most_steps / static_cast<double>(span.steps));
-  span.length *= shown;
-  span.steps = static_cast<std::size_t>(std::lround(shown * static_cast<double>(span.steps)));
-  const flexible::SuddenStart start = flexible::sudden_start_of(model, span.length, span.steps);
+  const StartSpan span = start_span_of(model);
+  if (!span.is_resolved) return lines;
+  const double shown = std::min(1.0, most_steps / span.steps);
+  const flexible::SuddenStart start = flexible::sudden_start_of(
+      model, shown * span.length, static_cast<std::size_t>(std::lround(shown * span.steps)));
   lines.at = start.times;
   for (std::size_t j = 0; j < lines.names.size(); ++j) {
     for (const Eigen::Vector3d& force : start.joints[j]) {

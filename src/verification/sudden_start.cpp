@@ -67,18 +67,7 @@ StartSpan start_span_of(const flexible::ModalModel& model) {
   double steps = steps_over(periods / drive);
   if (!(steps <= most_steps))
     steps = std::max(std::min(steps, most_steps), steps_over(fewest_periods / drive));
-  if (steps <= most_steps) return {steps / rate, static_cast<std::size_t>(steps)};
-  throw AnalysisError(
-      {fmt::format(
-           "a sudden start at {:.6g} Hz has its peak after as long as {:.4g} s, which takes "
-           "more steps than can be looked at where modes up to {:.4g} Hz vibrate: more "
-           "damping, or a frequency farther from that of a mode, makes it shorter",
-           drive, steps / rate, fastest),
-       "mechanism",
-       {},
-       {},
-       {},
-       {}});
+  return {steps / rate, steps, fastest, steps <= most_steps};
 }
 
 LoadHistory loads_after_start(const Project& project, const Situation& situation,
@@ -114,7 +103,20 @@ LoadHistory loads_after_start(const Project& project, const Situation& situation
   auto loads = std::make_shared<const flexible::StartLoads>(
       *structure, project.beam_body, project.beam, flexible::SuddenStartModes(modal));
   const StartSpan start = start_span_of(modal);
-  const LoadSpan span{Time{}, si<Time>(start.length), start.steps, false};
+  if (!start.is_resolved) {
+    throw AnalysisError(
+        {fmt::format(
+             "a sudden start at {:.6g} Hz has its peak after as long as {:.4g} s, which takes "
+             "more steps than can be looked at where modes up to {:.4g} Hz vibrate: more "
+             "damping, or a frequency farther from that of a mode, makes it shorter",
+             of->frequency, start.length, start.fastest),
+         "mechanism",
+         {},
+         {},
+         {},
+         {}});
+  }
+  const LoadSpan span{Time{}, si<Time>(start.length), static_cast<std::size_t>(start.steps), false};
   return {span, [of, structure, loads](Time time) { return loads->at(time.value()); }};
 }
 

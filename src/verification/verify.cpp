@@ -20,6 +20,7 @@
 #include "boxbeam/verification/unseen_time.hpp"
 #include "boxbeam/verification/warping_notes.hpp"
 #include "given_cuts.hpp"
+#include "lifted_supports.hpp"
 
 namespace boxbeam {
 namespace {
@@ -200,6 +201,7 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
   if (project.given_stresses.empty()) append(axial_forces_not_judged(project, runs), not_judged);
 
   std::vector<MotionSummary> motions = motion_summaries_of(project, runs);
+  append(lifted_supports_of(project, motions), not_judged);
   std::vector<CriticalInstant> instants = critical_instants_of(project, beam.stations, checks);
   Pictures pictures = pictures_of(project, runs, model.chosen, checks, instants, motions, figures);
   std::optional<ChainComparison> chain = chain_comparison_of(project, runs, instants);

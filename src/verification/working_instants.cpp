@@ -14,6 +14,7 @@
 #include "boxbeam/verification/stress_points.hpp"
 #include "boxbeam/verification/worst_place.hpp"
 #include "mixed_stress.hpp"
+#include "pressing_sums.hpp"
 
 namespace boxbeam {
 namespace {
@@ -238,6 +239,49 @@ std::vector<std::size_t> extreme_instants_of(const recorded::Record& record,
   return instants;
 }
 
+/// The instants at which sums are lowest and highest while what is against them is so.
+std::vector<std::size_t> opposed_instants_of(const recorded::Record& record,
+                                             const std::vector<PressingSum>& sums) {
+  const std::size_t K = record.channels(), n = record.instants();
+  std::vector<Extremes> all(sums.size());
+  const auto factors_of = [](const Eigen::VectorXd& sum, double constant) {
+    std::vector<double> factors{constant};
+    factors.insert(factors.end(), sum.begin(), sum.end());
+    return factors;
+  };
+  const auto look = [&](std::size_t from, std::size_t to) {
+    std::vector<double> values(K * at_once), mixed(at_once), against(at_once);
+    for (std::size_t at = 0; at < n; at += at_once) {
+      const std::size_t count = std::min(at_once, n - at);
+      for (std::size_t k = 0; k < K; ++k)
+        record.copy(k, at, std::span<double>(values.data() + k * at_once, count));
+      for (std::size_t j = from; j < to; ++j) {
+        mix_stress(factors_of(sums[j].of, 0.0), values.data(), at_once, {mixed.data(), count});
+        mix_stress(factors_of(*sums[j].against, sums[j].constant), values.data(), at_once,
+                   {against.data(), count});
+        for (std::size_t i = 0; i < count; ++i)
+          if (!(mixed[i] * against[i] < 0.0) || std::abs(against[i]) <= sums[j].least)
+            mixed[i] = 0.0;
+        all[j].look_at({mixed.data(), count}, at);
+      }
+    }
+  };
+  // Each sum by one thread alone: the same however many there are.
+  const std::size_t threads = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 8);
+  const std::size_t share = (sums.size() + threads - 1) / threads;
+  {
+    std::vector<std::jthread> running;
+    for (std::size_t from = 0; from < sums.size(); from += share)
+      running.emplace_back(look, from, std::min(sums.size(), from + share));
+  }
+  std::vector<std::size_t> instants;
+  for (const Extremes& of : all) {
+    instants.push_back(of.low);
+    instants.push_back(of.high);
+  }
+  return instants;
+}
+
 }  // namespace
 
 std::shared_ptr<const recorded::Channels> working_instants(const Project& project,
@@ -277,8 +321,17 @@ std::shared_ptr<const recorded::Channels> working_instants(const Project& projec
     }
     for (Eigen::Index c = 0; c < 6; ++c) sums.add(rows.row(c).transpose());
   }
+  std::vector<PressingSum> opposed;
+  for (PressingSum& sum : pressing_sums_of(project, loads, units)) {
+    if (sum.against)
+      opposed.push_back(std::move(sum));
+    else
+      sums.add(sum.of);
+  }
 
   std::vector<std::size_t> instants = extreme_instants_of(*channels.record, outer, sums.sums);
+  for (const std::size_t instant : opposed_instants_of(*channels.record, opposed))
+    instants.push_back(instant);
   // Those that the channels have already, by their times.
   const recorded::Record& record = *channels.record;
   for (const double time : channels.times) {

@@ -10,7 +10,8 @@ namespace boxbeam {
 /// smallest: at the ends and in the middle of every stretch between places of the beam and loads,
 /// for each cut force, at each point of the section for direct and shear stress and the parts of
 /// the equivalent stress, for what buckling plates are used by, the bending of the whole
-/// beam, and what acts at each place. Beside those that the channels have already.
+/// beam, what acts at each place, and what webs get of forces near each other
+/// (`pressing_sums_of`). Beside those that the channels have already.
 std::shared_ptr<const recorded::Channels> working_instants(const Project& project,
                                                            const recorded::ChannelLoads& loads);
 

@@ -259,6 +259,25 @@ TEST_CASE("two wheels: largest moment R (L/2 - a/4)^2/L under the first", "[fram
   CHECK(reactions[1].high[1] == Approx(R * (L - 0.5 * a) / L).epsilon(1e-9));
 }
 
+TEST_CASE("wheels far apart run on and off: the largest moment is that of one alone, P L/4",
+          "[frame]") {
+  constexpr double P = 350e3, L = 6.0;
+  const auto moment = [](const std::string& apart, const std::string& way) {
+    return largest_moment(
+        verify(parse("[frame]\ngravity = [\"0 m/s^2\", \"0 m/s^2\"]\n" + beam("6 m") + ends +
+                     "[loads.trolley]\nkind = \"wheels\"\n" + way +
+                     "wheels = [{ force = [\"0 kN\", \"-350 kN\"] }, { behind = \"" + apart +
+                     "\", force = [\"0 kN\", \"-350 kN\"] }]\n")));
+  };
+  CHECK(moment("5 m", "") == Approx(P * L / 4.0).epsilon(1e-4));
+  CHECK(moment("5 m", "from = \"0 m\"\nto = \"11 m\"\n") == Approx(P * L / 4.0).epsilon(1e-4));
+  // Farther apart than the beam is long.
+  CHECK(moment("7 m", "") == Approx(P * L / 4.0).epsilon(1e-4));
+  // As long as both stand on the beam, which is asked for: one over a support, the other 1 m from
+  // the other one.
+  CHECK(moment("5 m", "from = \"5 m\"\nto = \"6 m\"\n") == Approx(P * 1.0 * 5.0 / L).epsilon(1e-4));
+}
+
 TEST_CASE("the search is as close as it says where wheels stand at the ends of their way",
           "[frame]") {
   const Verification of =
