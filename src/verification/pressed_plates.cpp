@@ -72,8 +72,7 @@ PressedPlates::Stout stout_path(const Project& project, const PathSection& path,
     // Where it is not known what walls along it bear, all is looked at that is not far below it.
     if (!bear.obstacle.empty()) of.hardly = std::min(of.hardly, Force(0.3 * none));
     if (bear.webs.size() == 1) of.share = 1.0;
-    if (bear.webs.size() == 2)
-      of.apart = std::min(of.apart, bear.apart());
+    if (bear.webs.size() == 2) of.apart = std::min(of.apart, bear.apart());
     for (const PathWeb& web : bear.webs) add_web(project, web.bears, {}, of);
   }
   return of;
