@@ -413,7 +413,7 @@ MUTATIONS = [
          ("lug-beside", "(c - d_0 / 3.0)", "c",
           "EN 1993-1-8, table 3.9: d_0/3 beside the hole bears nothing", "lug_test lug_checks_test")),
     *_in("src/project", "read_channel_files.cpp",
-         ("kept-scale", "add(of.signal.scale);", "",
+         ("kept-scale", "add(file.force_unit);", "",
           "channels that are kept are those of their units", "case_source_test")),
     *_in("src/verification", "lateral_estimate.cpp",
          ("load-height", "-force[axis] * reach.low[axis], -force[axis] * reach.high[axis]", "0.0",
