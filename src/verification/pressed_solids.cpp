@@ -20,7 +20,7 @@ namespace {
 
 /// Up to this part of its strength nothing is said of a strip, and up to this part of the depth of
 /// a plate nothing of how long a bearing is.
-constexpr double hardly_pressed = 0.1, short_bearing = 0.1;
+constexpr double hardly_bent_strip = 0.1, short_bearing = 0.1;
 
 /// A solid plate, as a web of forces along an axis. SI.
 struct SolidWeb {
@@ -171,7 +171,7 @@ class PressedSolids {
         if (force == 0.0) continue;
         const PressedStrip strip{d, e, web->thickness, web->yield_strength};
         const double use = use_of(strip, scale_ * force, 0.0);
-        if (!(use > hardly_pressed)) continue;
+        if (!(use > hardly_bent_strip)) continue;
         const double n = scale_ * stress_at_edge(diagram, at, along_z, high) / web->yield_strength;
         keep(at, {use, use_of(strip, scale_ * force, n), false, again_, name});
       }

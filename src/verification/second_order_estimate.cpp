@@ -35,7 +35,7 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 /// Less than this part of the compression that buckles a cantilever as long as the beam, of its
 /// least stiffness, counts nowhere.
-constexpr double hardly_pressed = 0.01;
+constexpr double hardly_compressed = 0.01;
 
 constexpr const char* held_by_mechanism = "held as its mechanism holds it";
 
@@ -131,7 +131,8 @@ class Estimating {
       };
       const BeamHolds& alone = held.alone;
       const bool axial = bears_axial_force(diagram);
-      const bool counts = axial && factor * compression_of(diagram) > hardly_pressed * cantilever_;
+      const bool counts =
+          axial && factor * compression_of(diagram) > hardly_compressed * cantilever_;
       // What else is pressed is looked at once.
       const auto whole = counts || i == instants.front()
                              ? part_of_whole(run, time, diagram, alone, factor)
@@ -367,7 +368,7 @@ class Estimating {
                                       const CutForceDiagram& diagram, const BeamHolds& alone,
                                       double factor) const {
     if (!project_->in_space || alone.along_z.said || alone.along_y.said) return {};
-    const double most = factor / hardly_pressed;
+    const double most = factor / hardly_compressed;
     const auto critical = run.motion->critical_factor_at(time, diagram, most);
     if (!critical) return {};
     if (*critical >= most) return 0.0;
