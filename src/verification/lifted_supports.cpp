@@ -14,17 +14,17 @@ namespace boxbeam {
 namespace {
 
 /// How a support holds a frame.
-enum class Holding { otherwise, roller, pin };
+enum class UpwardsHold { otherwise, roller, pin };
 
 /// A fork holds about the member's axis beside that.
-Holding holding_of(const frame::Joint& joint, bool plane) {
+UpwardsHold holding_of(const frame::Joint& joint, bool plane) {
   const auto held = [&](std::size_t from) {
     return std::count_if(joint.stiffness.begin() + static_cast<std::ptrdiff_t>(from),
                          joint.stiffness.begin() + static_cast<std::ptrdiff_t>(from + 3),
                          [](double k) { return k > 0.0; });
   };
-  if (held(3) > (plane ? 0 : 1)) return Holding::otherwise;
-  return held(0) == 1 ? Holding::roller : Holding::pin;
+  if (held(3) > (plane ? 0 : 1)) return UpwardsHold::otherwise;
+  return held(0) == 1 ? UpwardsHold::roller : UpwardsHold::pin;
 }
 
 /// The axis of the world nearest to what is upwards, and its sense there.
@@ -76,16 +76,16 @@ std::vector<NotJudged> lifted_supports_of(const Project& project,
   const bool on_rollers =
       std::any_of(frame->joints.begin(), frame->joints.end(), [&](const frame::Joint& joint) {
         return joint.b.member == frame::ground &&
-               holding_of(joint, frame->plane) == Holding::roller;
+               holding_of(joint, frame->plane) == UpwardsHold::roller;
       });
   std::vector<std::string> lifted;
   for (const frame::Joint& joint : frame->joints) {
     const auto of = pulls_and_pushes.find(joint.name);
     if (of == pulls_and_pushes.end() || of->second[0] <= least) continue;
-    const Holding holding = holding_of(joint, frame->plane);
+    const UpwardsHold holding = holding_of(joint, frame->plane);
     // A hinge that only ever pulls, or of a frame without rollers, is made for it.
-    const bool lies = holding == Holding::pin && on_rollers && of->second[1] > least;
-    if (lies || holding == Holding::roller)
+    const bool lies = holding == UpwardsHold::pin && on_rollers && of->second[1] > least;
+    if (lies || holding == UpwardsHold::roller)
       lifted.push_back(fmt::format("{} by {:.4g} kN", joint.name, 1e-3 * of->second[0]));
   }
   if (lifted.empty()) return {};
