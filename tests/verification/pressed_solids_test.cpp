@@ -6,8 +6,8 @@
 
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
+#include "src/verification/pressed_solids.hpp"
 #include "support/pressed_beams.hpp"
-#include "verification/pressed_solids.hpp"
 
 namespace pressed_solids_test {
 

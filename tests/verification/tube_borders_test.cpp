@@ -1,6 +1,6 @@
 // Borders of round tubes: hand numbers, the closed form of a shell under a ring load.
 
-#include "verification/tube_borders.hpp"
+#include "src/verification/tube_borders.hpp"
 
 #include <fmt/format.h>
 
