@@ -40,7 +40,7 @@ Verification nested(const char* force) {
 // By hand: M = 520 x 1.2 = 624 kN m at 2.8 m; I = 300 x 400^3/12 - 280 x 380^3/12 = 319.7e6 mm^4:
 // 390 MPa on 355, 1.10. Under 500 kN 456 kN m: 0.80.
 TEST_CASE("what ties nested profiles stands in the line where the outer one alone fails") {
-  CHECK(says(nested("-700 kN"), "the outer one alone is used by 1.1 at s = 2.8"));
+  CHECK(says(nested("-700 kN"), "the outer alone is used by 1.1 at s = 2.8"));
   CHECK_FALSE(says(nested("-500 kN"), "what ties"));
 }
 
