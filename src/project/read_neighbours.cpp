@@ -100,6 +100,8 @@ LugInput read_lug(TableReader table, const PinInput& pin) {
 /// Whether a joint in space turns about the pin in it, and whether it keeps an axis for it.
 bool turns_about_pin(const spatial::Mechanism& mechanism, int joint) {
   const auto index = static_cast<std::size_t>(joint);
+  // Where there is no joint that has been said already.
+  if (index >= mechanism.joints.size() + mechanism.closing.size()) return true;
   if (index < mechanism.joints.size())
     return mechanism.joints[index].kind == spatial::JointKind::revolute;
   const spatial::ClosingKind kind = mechanism.closing[index - mechanism.joints.size()].kind;
