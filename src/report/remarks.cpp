@@ -359,8 +359,9 @@ std::string shape_text(const Project& project) {
   if (std::any_of(segments.begin(), segments.end(), is_open)) {
     text += text.empty() ? "" : ", ";
     text +=
-        "whether open sections keep their shape where forces act (in the plane these act on the "
-        "axis; others are a case in space)";
+        "whether open sections keep their shape where forces act (a case in the plane has these on "
+        "the axis, about which they turn a section whose shear centre is beside it; others are a "
+        "case in space)";
   }
   return text;
 }

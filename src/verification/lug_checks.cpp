@@ -192,6 +192,15 @@ class LugLife {
   std::vector<Frame> frames_;
 };
 
+bool bears_force(const Project& project, const NeighbourRuns& runs, const PinInput& pin) {
+  const double nothing = negligible_force(runs);
+  return std::any_of(runs.begin(), runs.end(), [&](const auto& run) {
+    const Extreme most =
+        run->largest(project, [&](double time) { return run->force_in(pin.joint, time); });
+    return most.value > nothing;
+  });
+}
+
 }  // namespace
 
 std::string name_of(const PinInput& pin, const LugInput& lug) {
@@ -202,18 +211,15 @@ double share_of(const LugInput& lug) { return lug.inner ? 1.0 : 0.5; }
 
 NeighbourChecks check_lugs(const Project& project, const std::deque<SituationRun>& solved) {
   NeighbourChecks checks;
-  const bool any = std::any_of(project.pins.begin(), project.pins.end(),
-                               [](const PinInput& pin) { return !pin.lugs.empty(); });
-  if (!project.fatigue.asked) return checks;
-  for (const PinInput& pin : project.pins) {
-    if (pin.lugs.empty())
-      checks.not_judged.push_back({Criterion::lug_fatigue, "fatigue of the plates of " + pin.name,
-                                   "[[pins.lugs]] are not given"});
-  }
-  if (!any) return checks;
+  if (!project.fatigue.asked || project.pins.empty()) return checks;
   const NeighbourRuns runs = neighbour_loads_of(project, solved);
   for (const PinInput& pin : project.pins) {
-    if (pin.lugs.empty()) continue;
+    if (pin.lugs.empty()) {
+      if (bears_force(project, runs, pin))
+        checks.not_judged.push_back({Criterion::lug_fatigue, "fatigue of the plates of " + pin.name,
+                                     "[[pins.lugs]] are not given"});
+      continue;
+    }
     check_unique(runs, pin.joint, "pin " + pin.name);
     for (const LugInput& lug : pin.lugs) {
       LugLife life(project, runs, pin, lug);
