@@ -288,9 +288,17 @@ RodLink read_link(TableReader& table, const spatial::Mechanism& mechanism, RodIn
 }
 
 void read_place(TableReader& table, const Project& project, RodInput& rod) {
-  if (!project.in_space)
+  if (!project.in_space) {
     rod.place = read_rod_ends<PlanarRod>(table, planar_of(project), rod);
-  else if (table.has(link_key()))
+    return;
+  }
+  const bool one = table.says_one_of({{{"from", "to"}}, {{link_key().name}}});
+  const bool linked = table.has(link_key());
+  if (linked && !one)
+    table.problem(link_key().name,
+                  "a rod is a link or lies between two points of a body, and not both",
+                  "remove \"link\", or \"from\" and \"to\"");
+  if (linked)
     rod.place = read_link(table, spatial_of(project), rod);
   else
     rod.place = read_rod_ends<SpatialRod>(table, spatial_of(project), rod);

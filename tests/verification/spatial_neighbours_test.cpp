@@ -154,6 +154,12 @@ TEST_CASE("space: a spring is a rod whose length changes") {
   } catch (const InputError& error) {
     CHECK_THAT(error.what(), Catch::Contains("the length of the rod changes"));
   }
+  try {
+    read(strutted(spring + driven, rod + "from = \"arm.heel\"\nto = \"arm.lug\"\n"));
+    FAIL("it is two things");
+  } catch (const InputError& error) {
+    CHECK_THAT(error.what(), Catch::Contains("a rod is a link or lies between two points"));
+  }
 }
 
 TEST_CASE("space: a pin bears what its joint does across it") {
