@@ -292,7 +292,7 @@ void read_place(TableReader& table, const Project& project, RodInput& rod) {
     rod.place = read_rod_ends<PlanarRod>(table, planar_of(project), rod);
     return;
   }
-  const bool one = table.says_one_of({{{"from", "to"}}, {{link_key().name}}});
+  const bool one = table.says_one_of({{{"from", "to"}}, {{"link"}}});
   const bool linked = table.has(link_key());
   if (linked && !one)
     table.problem(link_key().name,
