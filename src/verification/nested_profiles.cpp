@@ -124,8 +124,7 @@ void check_nested_profiles(const Project& project, const std::deque<SituationRun
   }
   if (!(worst.use > 1.0)) return;
   found.not_judged.push_back(
-      {worst.in_fatigue ? Criterion::fatigue : Criterion::yield,
-       "what ties the inner profile",
+      {worst.in_fatigue ? Criterion::fatigue : Criterion::yield, "what ties the inner profile",
        fmt::format("the outer alone is used by {:.3g}{} at s = {} m", worst.use,
                    worst.in_fatigue ? " in fatigue" : "", to_text(worst.station))});
 }
