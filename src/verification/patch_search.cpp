@@ -472,18 +472,22 @@ void PatchSearch::bear_by_reduced_stresses(const std::shared_ptr<const ReducedPl
   basis.bears = ReducedWeb{web, plate, onto_high, stress};
 }
 
-PatchedWeb PatchSearch::web_of(const JudgedSection& judged, BoxPlate plate, BoxPlate by,
-                               const Patch& patch) {
-  const FourWalls& walls = judged.box->box();
-  const BoxWall& wall = walls.of(plate);
-  const BoxWall& flange = walls.of(by);
+PatchedWeb web_onto(const FourWalls& walls, BoxPlate wall, BoxPlate onto) {
+  const BoxWall& of = walls.of(wall);
+  const BoxWall& flange = walls.of(onto);
   PatchedWeb web;
-  web.depth = wall.clear();
-  web.thickness = wall.thickness;
-  web.yield_strength = wall.yield_strength;
+  web.depth = of.clear();
+  web.thickness = of.thickness;
+  web.yield_strength = of.yield_strength;
   web.flange_thickness = flange.thickness;
   web.flange_inside = 0.5 * flange.clear();
   web.flange_strength = flange.yield_strength;
+  return web;
+}
+
+PatchedWeb PatchSearch::web_of(const JudgedSection& judged, BoxPlate plate, BoxPlate by,
+                               const Patch& patch) {
+  PatchedWeb web = web_onto(judged.box->box(), plate, by);
   web.length = judged.panels[static_cast<std::size_t>(plate)];
   return web_under(web, patch);
 }

@@ -80,6 +80,9 @@ constexpr std::array<BoxPlate, 2> webs_along(bool along_z) {
 /// The flanges of a patch: the one that it pushes onto first, then the one that it may pull at.
 std::array<BoxPlate, 2> flanges_of(const Patch& patch);
 
+/// A wall of four as a web of forces onto another one, far from an end and under no force yet.
+PatchedWeb web_onto(const FourWalls& walls, BoxPlate wall, BoxPlate onto);
+
 /// Whether one flange of a web may spread less than another.
 bool bears_less(const PatchedWeb& one, const PatchedWeb& other);
 

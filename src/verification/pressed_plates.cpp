@@ -42,23 +42,14 @@ void add_web(const Project& project, const PatchedWeb& web, Length throat,
 
 PressedPlates::Stout stout_walls(const Project& project, const Section& section,
                                  const FourWalls& walls, bool along_z) {
-  using enum BoxPlate;
-  const std::array webs =
-      along_z ? std::array{left_web, right_web} : std::array{top_flange, bottom_flange};
-  const std::array flanges =
-      along_z ? std::array{top_flange, bottom_flange} : std::array{left_web, right_web};
+  const std::array webs = webs_along(along_z);
   const auto* const welded = std::get_if<Box>(&section.outer);
   PressedPlates::Stout of;
   of.apart = walls.of(webs[0]).middle - walls.of(webs[1]).middle;
   for (const BoxPlate plate : webs) {
-    for (const BoxPlate by : flanges) {
-      PatchedWeb web;
-      web.depth = walls.of(plate).clear();
-      web.thickness = walls.of(plate).thickness;
-      web.yield_strength = walls.of(plate).yield_strength;
-      web.flange_thickness = walls.of(by).thickness;
-      web.flange_strength = walls.of(by).yield_strength;
-      add_web(project, web, welded == nullptr ? Length{} : welded->seam_throat, of);
+    for (const BoxPlate by : webs_along(!along_z)) {
+      add_web(project, web_onto(walls, plate, by),
+              welded == nullptr ? Length{} : welded->seam_throat, of);
     }
   }
   return of;

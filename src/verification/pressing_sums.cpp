@@ -13,6 +13,7 @@
 #include "boxbeam/strength/effective_path.hpp"
 #include "boxbeam/verification/judged_section.hpp"
 #include "boxbeam/verification/slender_path.hpp"
+#include "patch_search.hpp"
 #include "patched_path.hpp"
 #include "plate_panels.hpp"
 
@@ -70,23 +71,13 @@ double resistance_of(PatchedWeb web, Length stiff_length, double gamma_M1) {
 
 Bearing box_bearing(const Project& project, const Station& station, const FourWalls& walls,
                     bool along_z, Length stiff_length) {
-  using enum BoxPlate;
-  const std::array webs =
-      along_z ? std::array{left_web, right_web} : std::array{top_flange, bottom_flange};
-  const std::array flanges =
-      along_z ? std::array{top_flange, bottom_flange} : std::array{left_web, right_web};
+  const std::array webs = webs_along(along_z);
   Bearing of;
   of.high = walls.of(webs[0]).middle.value();
   of.low = walls.of(webs[1]).middle.value();
   for (const BoxPlate plate : webs) {
-    for (const BoxPlate by : flanges) {
-      PatchedWeb web;
-      web.depth = walls.of(plate).clear();
-      web.thickness = walls.of(plate).thickness;
-      web.yield_strength = walls.of(plate).yield_strength;
-      web.flange_thickness = walls.of(by).thickness;
-      web.flange_inside = 0.5 * walls.of(by).clear();
-      web.flange_strength = walls.of(by).yield_strength;
+    for (const BoxPlate by : webs_along(!along_z)) {
+      const PatchedWeb web = web_onto(walls, plate, by);
       const double bears = resistance_of(web, stiff_length, project.strength.gamma_M1);
       of.add(web, bears);
     }
