@@ -173,6 +173,12 @@ struct Cubic {
 
   Eigen::Vector2d at(double u) const { return c[0] + u * (c[1] + u * (c[2] + u * c[3])); }
 
+  /// Whether it stays in one plane, as in a mechanism of the plane.
+  bool bends_one_way() const {
+    return std::all_of(c.begin(), c.end(), [](const auto& of) { return of.x() == 0.0; }) ||
+           std::all_of(c.begin(), c.end(), [](const auto& of) { return of.y() == 0.0; });
+  }
+
   /// d(|w|^2/2)/du.
   double outwards(double u) const { return at(u).dot(c[1] + u * (2.0 * c[2] + 3.0 * u * c[3])); }
 
@@ -226,6 +232,7 @@ LargestDeflection largest_of(const DeflectedLine& line) {
     look(0.0);
     look(1.0);
     where_one_turns(cubic, look);
+    if (cubic.bends_one_way()) continue;
     constexpr int parts = 4;
     for (int i = 0; i < parts; ++i)
       where_both_turn(cubic, static_cast<double>(i) / parts, (i + 1.0) / parts, look);

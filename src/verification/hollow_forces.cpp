@@ -219,7 +219,7 @@ class HollowForces {
       else
         found.gates.push_back(
             {project_->beam.segments[segment_at(project_->beam, {of->s, Side::both})].name, "",
-             what + ": " + why, true});
+             fmt::format("{}: {}", what, why), true});
     }
   }
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <deque>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "boxbeam/verification/situation_run.hpp"
@@ -22,7 +22,10 @@ struct TorqueSource {
   std::string_view name = {};  ///< of a couple's joint or force
   std::size_t part = 0;        ///< of that
 
-  auto operator<=>(const TorqueSource&) const = default;
+  friend bool operator==(const TorqueSource&, const TorqueSource&) = default;
+  friend bool operator<(const TorqueSource& a, const TorqueSource& b) {
+    return std::tie(a.kind, a.name, a.part) < std::tie(b.kind, b.name, b.part);
+  }
 };
 
 /// A torque that comes in at one place from one source.
