@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -87,23 +86,6 @@ void add(const NodeStiffness<Scalar>& of, NodeStiffness<Scalar>& sum) {
   sum.ww += of.ww;
   sum.wp += of.wp;
   sum.pp += of.pp;
-}
-
-/// Of a symmetric matrix: those of a tridiagonal one, which are as many as its negative pivots.
-/// Source: Givens (1954); Parlett, The Symmetric Eigenvalue Problem, 3.3 and 7.3.
-std::size_t negative_eigenvalues_of(const Eigen::MatrixXd& matrix) {
-  const Eigen::Tridiagonalization<Eigen::MatrixXd> tridiagonal(matrix);
-  const Eigen::VectorXd diagonal = tridiagonal.diagonal(), beside = tridiagonal.subDiagonal();
-  const double least = std::numeric_limits<double>::min();
-  std::size_t negative = 0;
-  double pivot = diagonal[0];
-  for (Eigen::Index i = 0;;) {
-    if (pivot < 0.0) ++negative;
-    // Zero is taken for the least there is, as if the matrix were moved by that.
-    if (std::abs(pivot) < least) pivot = least;
-    if (++i == diagonal.size()) return negative;
-    pivot = diagonal[i] - beside[i - 1] / pivot * beside[i - 1];
-  }
 }
 
 /// What the nodes themselves do in a motion: (square M - K_g) q.
@@ -361,18 +343,21 @@ void DynamicStiffness<Scalar>::factor_border() {
     }
   }
   const Eigen::MatrixXd rows = border_.cwiseAbs().transpose();
-  for (int pass = 0; pass < 8; ++pass) {
+  bool even = false;
+  for (int pass = 0; pass < 8 && !even; ++pass) {
+    even = true;
     for (Eigen::Index i = 0; i < size; ++i) {
-      const double largest = (rows.col(i).array() * scale_[i] * scale_.array()).maxCoeff();
-      if (largest > 0.0) scale_[i] /= std::sqrt(largest);
+      const double largest = scale_[i] * rows.col(i).cwiseProduct(scale_).maxCoeff();
+      if (!(largest > 0.0)) continue;
+      scale_[i] /= std::sqrt(largest);
+      even = even && 0.25 < largest && largest < 4.0;
     }
   }
   border_ = scale_.asDiagonal() * border_ * scale_.asDiagonal();
   // Full pivoting costs ten times as much and decides only where pivots are small.
   constexpr double clearly_regular = 1e-8;
-  partial_lu_.compute(border_);
-  const auto clear = partial_lu_.matrixLU().diagonal().cwiseAbs();
-  fully_pivoted_ = size > 0 && !(clear.minCoeff() > clearly_regular * clear.maxCoeff());
+  factor_.compute(border_);
+  fully_pivoted_ = size > 0 && !(factor_.condition() > clearly_regular);
   if (!fully_pivoted_) return;
   lu_.compute(border_);
   const auto pivots = lu_.matrixLU().diagonal().cwiseAbs();
@@ -561,7 +546,7 @@ Deformation<Scalar> DynamicStiffness<Scalar>::solve_once(const LinkColumns<Scala
   const auto scaled = scale_.template cast<Scalar>();
   const auto solved = [&](const Vector& of) -> Vector {
     if (fully_pivoted_) return lu_.solve(of);
-    return partial_lu_.solve(of);
+    return factor_.solve(of);
   };
   Vector unknown = solved(scaled.cwiseProduct(right));
   // One step of refinement, against what pivots of very different size lose.
@@ -590,12 +575,11 @@ template <class Scalar>
 std::size_t DynamicStiffness<Scalar>::frequencies_below() const {
   if constexpr (std::is_same_v<Scalar, double>) {
     if (border_.rows() == 0) return 0;
-    const std::size_t negative = negative_eigenvalues_of(border_);
     // Every force of a joint brings a negative one of its own, but one that pushes its ends apart
     // across its line.
     const auto holding = std::count_if(rows_.begin(), rows_.end(),
                                        [](const Row& row) { return row.flexibility >= 0.0; });
-    return gathered_below_ + negative - static_cast<std::size_t>(holding);
+    return gathered_below_ + factor_.negative() - static_cast<std::size_t>(holding);
   } else {
     assert(false);
     return 0;

@@ -9,6 +9,7 @@
 
 #include "boxbeam/mechanism/flexible/link_stiffness.hpp"
 #include "boxbeam/mechanism/flexible/structure.hpp"
+#include "boxbeam/mechanism/flexible/symmetric_factor.hpp"
 
 namespace boxbeam::flexible {
 
@@ -114,7 +115,7 @@ class DynamicStiffness {
   std::vector<Row> rows_;
   Matrix border_;          ///< scaled
   Eigen::VectorXd scale_;  ///< of unknowns and equations of the border
-  Eigen::PartialPivLU<Matrix> partial_lu_;
+  SymmetricFactor<Scalar> factor_;
   Eigen::FullPivLU<Matrix> lu_;  ///< in its place where `fully_pivoted_`
   bool fully_pivoted_ = false;
   std::size_t gathered_below_ = 0;  ///< negative pivots within links
