@@ -44,7 +44,7 @@ std::optional<Warping> warping_of(const Profile& profile) {
     }
   }
   std::vector<Warping::Line> lines;
-  double area = 0.0, first = 0.0, second = 0.0;
+  double area = 0.0, first = 0.0, square = 0.0;
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   for (const Wall& wall : graph.walls) {
     const Eigen::Vector2d& node = graph.nodes[wall.from];
@@ -53,7 +53,7 @@ std::optional<Warping> warping_of(const Profile& profile) {
     const double dA = wall.thickness * length_of(wall);
     area += dA;
     first += 0.5 * (a + b) * dA;
-    second += (a * a + a * b + b * b) / 3.0 * dA;
+    square += (a * a + a * b + b * b) / 3.0 * dA;
     lines.push_back({wall.start, wall.end, a, b, wall.thickness});
     lowest = std::min({lowest, a, b});
     highest = std::max({highest, a, b});
@@ -63,7 +63,7 @@ std::optional<Warping> warping_of(const Profile& profile) {
     line.omega_from -= mean;
     line.omega_to -= mean;
   }
-  return Warping{second - first * mean, std::max(highest - mean, mean - lowest), std::move(lines)};
+  return Warping{square - first * mean, std::max(highest - mean, mean - lowest), std::move(lines)};
 }
 
 double omega_near(const Warping& of, const Eigen::Vector2d& place) {

@@ -8,6 +8,7 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/verification/model_ladder.hpp"
 #include "neighbour_parts.hpp"
 #include "patch_notes.hpp"
 
