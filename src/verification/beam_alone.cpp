@@ -9,8 +9,7 @@
 namespace boxbeam {
 namespace {
 
-constexpr std::size_t spread = 48;  ///< instants looked at
-constexpr std::size_t peaks = 3;    ///< and of largest compression and bending
+constexpr std::size_t peaks = 3;  ///< of largest compression and bending
 
 /// Whether a beam stands under so many times its loads; at the load that buckles it does not.
 bool stands_under(const MakePosture& make, double factor) {
@@ -99,7 +98,7 @@ bool bears_axial_force(const CutForceDiagram& diagram) {
   return axial > round_off * across;
 }
 
-std::vector<std::size_t> instants_of(const LoadHistory& history) {
+std::vector<std::size_t> instants_of(const LoadHistory& history, std::size_t spread) {
   struct Instant {
     std::size_t index;
     double compression;

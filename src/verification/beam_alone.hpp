@@ -37,8 +37,12 @@ double compression_of(const CutForceDiagram& diagram);
 /// Whether anything presses or pulls along the beam, by the size of what bends it.
 bool bears_axial_force(const CutForceDiagram& diagram);
 
+/// So many instants are looked at; of what second order hardly reaches, fewer are enough.
+constexpr std::size_t instants_in_all = 48, few_instants = 12;
+
 /// Instants spread over the time, and those of largest compression and bending. The most compressed
 /// first: of the others it is then mostly enough to know that they are not nearer to buckling.
-std::vector<std::size_t> instants_of(const LoadHistory& history);
+std::vector<std::size_t> instants_of(const LoadHistory& history,
+                                     std::size_t spread = instants_in_all);
 
 }  // namespace boxbeam

@@ -118,9 +118,10 @@ bool PressedWebs::acts(const Place& place, std::size_t force) const {
 double PressedWebs::stress_at(const Place& place, const std::vector<Pressing>& forces) const {
   double stress = 0.0;
   for (const Pressing& of : forces) {
-    if (!acts(place, of.force)) continue;
+    double own = 0.0;
     for (const PressedWeb& web : of.of(place.diaphragm))
-      if (place.is_of(web) && reaches(web, of.s, place.s)) stress += web.stress.value();
+      if (place.is_of(web) && reaches(web, of.s, place.s)) own += web.stress.value();
+    if (own != 0.0 && acts(place, of.force)) stress += own;
   }
   return stress;
 }
@@ -141,8 +142,8 @@ void PressedWebs::add_passages(const Place& place, const Instant& before, const 
     if (sources_[of.force].to - sources_[of.force].from <= near) continue;
     const auto same = std::find_if(behind.forces.begin(), behind.forces.end(),
                                    [&](const Pressing& at) { return at.force == of.force; });
-    if (!acts(place, of.force) || same == behind.forces.end()) continue;
-    if (std::abs(same->s - of.s) <= near) continue;
+    if (same == behind.forces.end() || std::abs(same->s - of.s) <= near) continue;
+    if (!acts(place, of.force)) continue;
     // The larger stress over all that it loads at either instant; where it comes in otherwise at
     // both, that of the nearer one. On a diaphragm it presses no web.
     const bool later = std::abs(same->s - place.s) < std::abs(of.s - place.s);

@@ -114,45 +114,12 @@ class Estimating {
   void look_at(const SituationRun& run) {
     const double factor = design_factor_of(*project_, *run.situation);
     BothCompared compared, across;
-    const std::vector<std::size_t> instants = instants_of(run.loads);
-    for (const std::size_t i : instants) {
-      const Time time = run.loads.time_of(i);
-      const BeamLoads loads = run.loads.loads_at(time);
-      const Held held = held_at(run, time, loads);
-      if (!held.whole) result_.whole = false;
-      const std::size_t situation = index_of(*project_, *run.situation);
-      const CutForceDiagram diagram = cut_forces_of(loads);
-      const auto raise = [&](BucklingLoad& load, const MakePosture& make, const std::string& words,
-                             bool assumed) {
-        const double part = factor * part_of_critical(make, load.part / factor);
-        // Of an instant whose part is not above the largest so far, no more than that is known.
-        constexpr double round_off = 1e-12;
-        if (part > load.part * (1.0 + round_off)) load = {part, time, situation, words, assumed};
-      };
-      const BeamHolds& alone = held.alone;
-      const bool axial = bears_axial_force(diagram);
-      const bool counts =
-          axial && factor * compression_of(diagram) > hardly_compressed * cantilever_;
-      // What else is pressed is looked at once.
-      const auto whole = counts || i == instants.front()
-                             ? part_of_whole(run, time, diagram, alone, factor)
-                             : std::nullopt;
-      if (held.whole)
-        raise(result_.in_plane, held.in_plane, held_by_mechanism, false);
-      else if (axial)
-        raise(result_.in_plane, held.in_plane, alone.along_z.words, !alone.along_z.said && !whole);
-      if (axial)
-        raise(*result_.across, held.across, alone.along_y.words, !alone.along_y.said && !whole);
-      if (whole) raise_by_whole({*whole, time, situation, held_by_mechanism, false}, factor);
-      look_sideways(diagram, loads, held, time, situation, factor);
-      result_.bending = std::max(result_.bending, factor * bending_of_yield(diagram));
-      if (result_.in_plane.part >= 1.0 || result_.across->part >= 1.0) {
-        result_.change.reset();
-        result_.growth.clear();
-        continue;
-      }
-      compare(held.in_plane, loads, factor, compared);
-      if (project_->in_space) compare(held.across, in_plane(loads, Plane::y), factor, across);
+    const std::vector<std::size_t> few = instants_of(run.loads, few_instants);
+    for (const std::size_t i : few) look_at(run, i, i == few.front(), factor, compared, across);
+    if (reaches_anything(compared, across)) {
+      for (const std::size_t i : instants_of(run.loads))
+        if (std::find(few.begin(), few.end(), i) == few.end())
+          look_at(run, i, false, factor, compared, across);
     }
     raise_bending(compared.design, factor);
     look_sideways_at_all(run, factor);
@@ -238,6 +205,58 @@ class Estimating {
     excess_.push_back(excess_points_of(section));
     last_ = std::move(section);
     last_segments_ = segments;
+  }
+
+  /// Of an instant. `first`: what else is pressed is looked at then, if never again.
+  void look_at(const SituationRun& run, std::size_t i, bool first, double factor,
+               BothCompared& compared, BothCompared& across) {
+    const Time time = run.loads.time_of(i);
+    const BeamLoads loads = run.loads.loads_at(time);
+    const Held held = held_at(run, time, loads);
+    if (!held.whole) result_.whole = false;
+    const std::size_t situation = index_of(*project_, *run.situation);
+    const CutForceDiagram diagram = cut_forces_of(loads);
+    const auto raise = [&](BucklingLoad& load, const MakePosture& make, const std::string& words,
+                           bool assumed) {
+      const double part = factor * part_of_critical(make, load.part / factor);
+      // Of an instant whose part is not above the largest so far, no more than that is known.
+      constexpr double round_off = 1e-12;
+      if (part > load.part * (1.0 + round_off)) load = {part, time, situation, words, assumed};
+    };
+    const BeamHolds& alone = held.alone;
+    const bool axial = bears_axial_force(diagram);
+    const bool counts = axial && factor * compression_of(diagram) > hardly_compressed * cantilever_;
+    // What else is pressed is looked at once.
+    const auto whole =
+        counts || first ? part_of_whole(run, time, diagram, alone, factor) : std::nullopt;
+    if (held.whole)
+      raise(result_.in_plane, held.in_plane, held_by_mechanism, false);
+    else if (axial)
+      raise(result_.in_plane, held.in_plane, alone.along_z.words, !alone.along_z.said && !whole);
+    if (axial)
+      raise(*result_.across, held.across, alone.along_y.words, !alone.along_y.said && !whole);
+    if (whole) raise_by_whole({*whole, time, situation, held_by_mechanism, false}, factor);
+    look_sideways(diagram, loads, held, time, situation, factor);
+    result_.bending = std::max(result_.bending, factor * bending_of_yield(diagram));
+    if (result_.in_plane.part >= 1.0 || result_.across->part >= 1.0) {
+      result_.change.reset();
+      result_.growth.clear();
+      return;
+    }
+    compare(held.in_plane, loads, factor, compared);
+    if (project_->in_space) compare(held.across, in_plane(loads, Plane::y), factor, across);
+  }
+
+  /// Whether instants between those looked at may matter. Of a tenth of what leaves a member alone
+  /// and of what is tolerated it is known that they do not: forces between peaks are smaller.
+  bool reaches_anything(const BothCompared& compared, const BothCompared& across) const {
+    constexpr double slight = 0.1;
+    const auto counts = [](double part) { return part > slight * no_buckling_below; };
+    const auto changes = [&](const Compared& of) {
+      return of.straight.rows() > 0 && of.relative() > slight * project_->model.tolerance;
+    };
+    return !result_.change || counts(result_.in_plane.part) || counts(result_.across->part) ||
+           result_.sway > 0.0 || changes(compared.design) || changes(across.design);
   }
 
   Held held_at(const SituationRun& run, Time time, const BeamLoads& loads) {

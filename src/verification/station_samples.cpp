@@ -87,12 +87,14 @@ double peak_near(const std::vector<double>& values, std::size_t i, double sign,
 }
 
 double largest_of(const std::vector<double>& values, const SampledInstants& instants) {
-  double largest = 0.0;
+  double largest = 0.0, before = values.back();
   const std::size_t n = values.size();
   for (std::size_t i = 0; i < n; ++i) {
-    const bool peak =
-        values[i] >= values[i > 0 ? i - 1 : n - 1] && values[i] >= values[i + 1 < n ? i + 1 : 0];
-    largest = std::max(largest, peak ? peak_near(values, i, 1.0, instants) : values[i]);
+    const double here = values[i];
+    const bool peak = here >= before && here >= values[i + 1 < n ? i + 1 : 0];
+    // None is above its neighbours that is not a peak.
+    if (peak) largest = std::max(largest, peak_near(values, i, 1.0, instants));
+    before = here;
   }
   return largest;
 }

@@ -1,5 +1,6 @@
 #include "boxbeam/verification/turning_samples.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -17,28 +18,35 @@ TurningSamples turning_samples_of(const std::vector<double>& values) {
 
 void find_turning_samples(const std::vector<double>& values, TurningSamples& found) {
   const std::size_t n = values.size();
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const double noise = noise_between(*low, *high);
+  const Eigen::Map<const Eigen::ArrayXd> all(values.data(), static_cast<Eigen::Index>(n));
+  const double low = all.minCoeff(), high = all.maxCoeff();
+  const double noise = noise_between(low, high);
   found.turns.clear();
-  found.highest = static_cast<std::size_t>(high - values.begin());
-  if (!(*high - *low > noise)) return;
+  found.highest = n - 1;
+  while (found.highest > 0 && values[found.highest] < high) --found.highest;
+  if (!(high - low > noise)) return;
 
   // From the highest sample once round.
   std::vector<TurningSample>& turns = found.turns;
   turns.push_back({found.highest, true});
   std::size_t candidate = found.highest;
-  bool falling = true;
-  for (std::size_t k = 1; k <= n; ++k) {
-    const std::size_t i = found.highest + k < n ? found.highest + k : found.highest + k - n;
-    const double towards = falling ? values[candidate] - values[i] : values[i] - values[candidate];
-    if (towards > 0.0) {
-      candidate = i;
-    } else if (towards < -noise) {
-      turns.push_back({candidate, !falling});
-      falling = !falling;
-      candidate = i;
+  double best = high, sense = -1.0;  // while they fall, 1 while they rise
+  const auto follow = [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) {
+      const double further = sense * (values[i] - best);
+      if (further > 0.0) {
+        candidate = i;
+        best = values[i];
+      } else if (further < -noise) {
+        turns.push_back({candidate, sense > 0.0});
+        sense = -sense;
+        candidate = i;
+        best = values[i];
+      }
     }
-  }
+  };
+  follow(found.highest + 1, n);
+  follow(0, found.highest + 1);
   // Once round they ascend but where it begins anew.
   const auto first = std::is_sorted_until(
       turns.begin(), turns.end(),

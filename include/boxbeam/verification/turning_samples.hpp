@@ -15,7 +15,7 @@ struct TurningSample {
 };
 
 struct TurningSamples {
-  std::size_t highest = 0;           ///< index of the first of the largest
+  std::size_t highest = 0;           ///< index of the last of the largest
   std::vector<TurningSample> turns;  ///< ascending; none where the values do not change
 };
 

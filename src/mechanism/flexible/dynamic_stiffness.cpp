@@ -355,7 +355,7 @@ void DynamicStiffness<Scalar>::factor_border() {
   }
   border_ = scale_.asDiagonal() * border_ * scale_.asDiagonal();
   // Full pivoting costs ten times as much and decides only where pivots are small.
-  constexpr double clearly_regular = 1e-8;
+  constexpr double clearly_regular = 1e-12;
   factor_.compute(border_);
   fully_pivoted_ = size > 0 && !(factor_.condition() > clearly_regular);
   if (!fully_pivoted_) return;
