@@ -261,28 +261,36 @@ std::vector<double> PressedWebs::places() const {
 
 template <class Look>
 void PressedWebs::for_all_at(const Place& place, const Look& look) const {
+  std::vector<bool> acting;
+  for (std::size_t i = 0; i < sources_.size(); ++i) acting.push_back(acts(place, i));
   for (const Run& run : runs_) {
     if (!run.counted) continue;
     for (const Instant& at : run.instants) {
       for (const Pressing& of : at.forces) {
+        if (!acting[of.force]) continue;
         const Source& source = sources_[of.force];
         for (const PressedWeb& web : of.of(place.diaphragm)) {
           const bool there = place.s >= source.from - web.before.value() &&
                              place.s <= source.to + web.behind.value();
-          if (place.is_of(web) && there && acts(place, of.force)) look(source, web);
+          if (place.is_of(web) && there) look(source, web);
         }
       }
     }
   }
 }
 
-void PressedWebs::name(const Place& place, CheckResult& result) const {
+bool PressedWebs::name(const Place& place, CheckResult& result) const {
   std::vector<std::string> names;
   const PressedWeb* most = nullptr;
+  bool turned = true;
+  const Source* last = nullptr;
   for_all_at(place, [&](const Source& source, const PressedWeb& web) {
+    if (most == nullptr || abs(web.stress) > abs(most->stress)) most = &web;
+    if (&source == last) return;
+    last = &source;
+    turned = turned && source.at_high.has_value();
     if (std::find(names.begin(), names.end(), source.name) == names.end())
       names.push_back(source.name);
-    if (most == nullptr || abs(web.stress) > abs(most->stress)) most = &web;
   });
   constexpr std::size_t few = 3;
   const std::string all = names.size() > few ? names.front() + " to " + names.back()
@@ -301,12 +309,13 @@ void PressedWebs::name(const Place& place, CheckResult& result) const {
                                                    : fmt::format("weld of {} and diaphragm", web),
                               all);
     check.id = id_of(check.criterion, check.station, check.point);
-    return;
+    return turned;
   }
   check.point = fmt::format("{}{} under {}", basis.throat > Length{} ? "seam of " : "", web, all);
   check.id = id_of(check.criterion, check.station, check.point);
   basis.loaded = most->before + most->behind;
   basis.force = abs(most->stress) * basis.thickness * basis.loaded;
+  return turned;
 }
 
 Turns PressedWebs::turns_at(const Place& place) const {
@@ -411,13 +420,8 @@ void PressedWebs::look(Place place, const std::vector<double>& places, bool any_
   }
   for (auto& [key, of] : worst) {
     place.s = of.check.station.s.value();
-    name(place, of);
-    bool turned = true;
-    for_all_at(place, [&](const Source& source, const PressedWeb&) {
-      turned = turned && source.at_high.has_value();
-    });
     // A kink comes in on an edge whatever the case says of its loads, but where a diaphragm is.
-    turned = turned && place.diaphragm == nullptr;
+    const bool turned = name(place, of) && place.diaphragm == nullptr;
     take(Found{std::move(of), key.first && !turned, key.second, turned});
   }
 }

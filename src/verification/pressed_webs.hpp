@@ -145,7 +145,8 @@ class PressedWebs {
   Turns turns_at(const Place& place) const;
   std::optional<CheckResult> check_at(const Place& place, Turns turns,
                                       bool unsaid_as_fillets) const;
-  void name(const Place& place, CheckResult& result) const;
+  /// Returns whether a kink turns all that presses there.
+  bool name(const Place& place, CheckResult& result) const;
 
   const Project* project_;
   PatchSearch* search_;

@@ -243,8 +243,8 @@ class Estimating {
       result_.growth.clear();
       return;
     }
-    compare(held.in_plane, loads, factor, compared);
-    if (project_->in_space) compare(held.across, in_plane(loads, Plane::y), factor, across);
+    compare(held.in_plane, held.whole, loads, factor, compared);
+    if (project_->in_space) compare(held.across, false, in_plane(loads, Plane::y), factor, across);
   }
 
   /// Whether instants between those looked at may matter. Of a tenth of what leaves a member alone
@@ -331,14 +331,18 @@ class Estimating {
   }
 
   /// The bent beam under its loads times one, and its axial force times the design factor.
-  void compare(const MakePosture& make, const BeamLoads& loads, double factor, BothCompared& both) {
-    const SecondOrder bent = second_order_of(make(factor));
-    result_.turn = std::max(result_.turn, factor * bent.turn);
+  void compare(const MakePosture& make, bool whole, const BeamLoads& loads, double factor,
+               BothCompared& both) {
     const Eigen::ArrayXd straight = fibre_stresses(cut_forces_of(loads), places_);
-    both.design.add(straight, fibre_stresses(cut_forces_of(bent.loads), places_));
-    if (factor == 1.0) return;
-    const SecondOrder bent_once = second_order_of(make(1.0));
-    both.once.add(straight, fibre_stresses(cut_forces_of(bent_once.loads), places_));
+    const bool unloaded = !whole && (straight == 0.0).all();
+    const auto bent_by = [&](double times) -> Eigen::ArrayXd {
+      if (unloaded) return straight;
+      const SecondOrder bent = second_order_of(make(times));
+      if (times == factor) result_.turn = std::max(result_.turn, factor * bent.turn);
+      return fibre_stresses(cut_forces_of(bent.loads), places_);
+    };
+    both.design.add(straight, bent_by(factor));
+    if (factor != 1.0) both.once.add(straight, bent_by(1.0));
   }
 
   /// By what was compared in the plane of motion.

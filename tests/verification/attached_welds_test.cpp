@@ -271,7 +271,8 @@ TEST_CASE("random beams, station by station: nothing is used more than what is f
       };
       const auto& hull = std::get<Box>(here.outer);
       const double half = 0.5 * hull.height.value();
-      const bool diaphragm = std::any_of(at.begin(), at.end(), [&](double of) { return of == s; });
+      const bool diaphragm =
+          std::any_of(at.begin(), at.end(), [&](double place) { return place == s; });
       for (const double z : {-half, half})
         for (const double y : {-0.15, 0.0, 0.15})
           most = std::max(most, stress(y, z) / (diaphragm ? 80.0 : own));

@@ -227,10 +227,10 @@ TEST_CASE("wheels on a girder: no instant between those looked at is worse", "[p
                           wheel, taper(5.0, "a", "b") + segment(4.0, "b")));
     const Verification of = verify(project);
     // A diaphragm takes it when it is near enough.
-    const auto in_web = [](const CheckResult& at) {
-      return at.check.criterion == Criterion::patch_loading &&
-             at.check.point.find("diaphragm") == std::string::npos &&
-             at.check.point.ends_with("under crab");
+    const auto in_web = [](const CheckResult& one) {
+      return one.check.criterion == Criterion::patch_loading &&
+             one.check.point.find("diaphragm") == std::string::npos &&
+             one.check.point.ends_with("under crab");
     };
     const auto crab = std::find_if(of.checks.begin(), of.checks.end(), in_web);
     REQUIRE(crab != of.checks.end());

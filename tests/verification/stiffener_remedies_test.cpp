@@ -361,8 +361,8 @@ TEST_CASE("welds of diaphragms count in fatigue where they are weaker", "[remedi
   CHECK(with.verdict == Verdict::pass);
   CHECK(with.checks.front().check.utilisation() == Approx(found->utilisation).epsilon(1e-9));
   const auto at_middle =
-      std::find_if(with.checks.begin(), with.checks.end(), [](const CheckResult& of) {
-        return of.check.criterion == Criterion::fatigue && of.check.station.s.value() == 0.7;
+      std::find_if(with.checks.begin(), with.checks.end(), [](const CheckResult& one) {
+        return one.check.criterion == Criterion::fatigue && one.check.station.s.value() == 0.7;
       });
   REQUIRE(at_middle != with.checks.end());
   CHECK(at_middle->basis->curves.front().reference.value() == Approx(71e6));
