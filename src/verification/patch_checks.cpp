@@ -8,256 +8,16 @@
 #include <set>
 #include <tuple>
 
-#include "boxbeam/numerics/extremum.hpp"
 #include "boxbeam/verification/distorted_stretch.hpp"
-#include "boxbeam/verification/front_end.hpp"
 #include "hollow_forces.hpp"
 #include "nested_profiles.hpp"
-#include "patch_notes.hpp"
-#include "patch_search.hpp"
-#include "patched_holes.hpp"
+#include "patch_run.hpp"
 #include "patched_path.hpp"
 #include "pressed_solids.hpp"
 #include "tube_borders.hpp"
 
 namespace boxbeam {
 namespace {
-
-/// Where a patch is used most.
-struct WorstPatch {
-  Patch patch;
-  Borne borne;
-  const SituationRun* run = nullptr;
-  Time time;
-  double use = 0.0;
-};
-
-/// A patch and what bears it.
-using BorneKey = std::pair<PatchKey, Borne::Part>;
-
-/// A force into a path that is not judged, where it is largest.
-struct PathForce {
-  Length s;
-  Force size;
-  std::string why;
-  bool said = false;  ///< in the verdict line, where it does not block
-};
-
-/// What is not judged of slender paths.
-struct OnPaths {
-  /// By the name of the force, whether a diaphragm is missing, and whether it blocks.
-  std::map<std::tuple<std::string, bool, bool>, PathForce> forces;
-  PatchSearch::PathTorque torque;
-};
-
-/// Looks at one run.
-class PatchRun {
- public:
-  PatchRun(const Project& project, PatchSearch& search, const SituationRun& run,
-           std::map<BorneKey, WorstPatch>& worst, OnPaths& on_paths, PatchNotes& notes,
-           PatchedHoles& holes, PressedWebs* pressed)
-      : project_(&project),
-        search_(&search),
-        run_(&run),
-        worst_(&worst),
-        on_paths_(&on_paths),
-        notes_(&notes),
-        holes_(&holes),
-        pressed_(pressed) {}
-
-  void look() {
-    const LoadHistory& history = run_->loads;
-    struct Highest {
-      double use;
-      std::size_t at;
-      double lowest;
-    };
-    std::map<BorneKey, Highest> highest;
-    std::vector<Length> before;
-    if (pressed_ != nullptr) pressed_->begin(*run_);
-    for (std::size_t i = 0; i < history.instants(); ++i) {
-      const Time time = history.time_of(i);
-      const BeamLoads loads = history.loads_at(time);
-      const CutForceDiagram& diagram = history.diagram(i);
-      const std::vector<Patch> patches = search_->patches_of(loads, diagram);
-      if (pressed_ != nullptr) pressed_->take(time, i > 0 && !history.begins_piece(i), patches);
-      note_torque(loads);
-      note_places(loads);
-      for (const auto& [key, use] : look_at(time, patches, diagram)) {
-        Highest& known = highest.try_emplace(key, Highest{use, i, use}).first->second;
-        known.lowest = std::min(known.lowest, use);
-        if (use > known.use) known = {use, i, known.lowest};
-      }
-      std::vector<Length> places = places_in(loads);
-      if (i > 0 && !history.is_recorded() && !history.begins_piece(i))
-        look_at_passages(history.time_of(i - 1), time, before, places);
-      before = std::move(places);
-    }
-    if (pressed_ != nullptr) pressed_->end(history.period());
-    // Of recorded loads the largest of what is convex in them stands at an instant.
-    if (history.is_recorded()) return;
-    // What does not change has its largest anywhere.
-    constexpr double constant = 1e-9;
-    for (const auto& [key, of] : highest)
-      if (of.use - of.lowest > constant * of.use) refine(key, of.at);
-  }
-
- private:
-  /// The use of each patch at an instant, or of one alone; the worst is kept.
-  std::map<BorneKey, double> look_at(Time time, const std::vector<Patch>& patches,
-                                     const CutForceDiagram& diagram,
-                                     const BorneKey* only = nullptr) {
-    std::map<BorneKey, double> uses;
-    notes_->take_instant(diagram, *run_->situation, only == nullptr);
-    for (const Patch& patch : patches) {
-      if (only != nullptr && BorneKey{patch.key(), only->second} != *only) continue;
-      note_on_path(patch);
-      std::vector<Borne> ways = search_->worst_of(patch, patches, diagram);
-      notes_->take(patch, ways, *run_->situation, only == nullptr);
-      for (Borne& borne : ways) {
-        const double load_factor = run_->situation->load_factor;
-        const double use =
-            project_->strength.required * load_factor / search_->factor_of(borne.basis);
-        if (borne.part == Borne::Part::plate) holes_->take(patch, borne.basis, load_factor, use);
-        const BorneKey key{patch.key(), borne.part};
-        double& most = uses[key];
-        most = std::max(most, use);
-        WorstPatch& worst = (*worst_)[key];
-        if (worst.run != nullptr && use <= worst.use) continue;
-        borne.basis.load_factor = load_factor;
-        worst = {patch, std::move(borne), run_, time, use};
-      }
-    }
-    return uses;
-  }
-
-  void note_on_path(const Patch& patch) {
-    if (patch.is_none()) return;
-    const double load_factor = run_->situation->load_factor;
-    const auto of = search_->unjudged_on_path(patch, project_->strength.required * load_factor);
-    if (!of) return;
-    const Force size = load_factor * abs(patch.force);
-    PathForce& most = on_paths_->forces[{patch.name, of->open, of->blocks}];
-    if (size > most.size) most = {patch.s, size, of->why, of->said};
-  }
-
-  /// All forces along y that come in at a place.
-  Force along_y_at(const BeamLoads& loads, Length s) const {
-    const Length near = 1e-6 * project_->beam.length();
-    Force along_y;
-    for (const PointLoad& load : loads.points)
-      if (abs(load.s - s) <= near) along_y += si<Force>(load.force.y());
-    return along_y;
-  }
-
-  /// Of what holds slender webs, and of moments that come in between the ends.
-  void note_places(const BeamLoads& loads) {
-    for (const double s : run_->motion->supports(loads)) {
-      const Length at = si<Length>(s);
-      if (search_->lacks_diaphragm(at)) notes_->take_bare_support(at, true);
-      if (search_->lacks_diaphragm_along_y(at, along_y_at(loads, at)))
-        notes_->take_bare_support(at, false);
-    }
-    for (const PointLoad& load : loads.points) {
-      const auto moment = search_->unjudged_moment_of(load);
-      if (!moment) continue;
-      const std::string name = load.name.empty() ? "a couple" : std::string(load.name);
-      const Moment size = run_->situation->load_factor * *moment;
-      if (search_->is_at_end(load.s))
-        notes_->take_led_on(name, load.s, size);
-      else
-        notes_->take_couple(name, load.s, size);
-    }
-  }
-
-  void note_torque(const BeamLoads& loads) {
-    const PatchSearch::PathTorque of = search_->torque_into_path(loads);
-    if (of.torque.value() > least_torque(*run_) && of.torque > on_paths_->torque.torque)
-      on_paths_->torque = of;
-  }
-
-  std::map<BorneKey, double> look_at(Time time, const BorneKey* only = nullptr) {
-    const BeamLoads loads = run_->loads.loads_at(time);
-    const CutForceDiagram diagram = cut_forces_of(loads);
-    note_torque(loads);
-    return look_at(time, search_->patches_of(loads, diagram), diagram, only);
-  }
-
-  static std::vector<Length> places_in(const BeamLoads& loads) {
-    std::vector<Length> places;
-    for (const PointLoad& load : loads.points) places.push_back(load.s);
-    return places;
-  }
-
-  /// Both sides of every passage of a load over a place where what bears it changes.
-  void look_at_passages(Time from, Time to, const std::vector<Length>& before,
-                        const std::vector<Length>& behind) {
-    if (before.size() != behind.size()) return;
-    for (std::size_t k = 0; k < before.size(); ++k) {
-      const auto [low, high] = std::minmax(before[k], behind[k]);
-      for (const Length& border : borders()) {
-        // What stands on it is looked at beside it, too, as near as is another place.
-        if (low < high && (border == low || border == high)) {
-          const double beside =
-              std::min(1e-2, (1e-4 * project_->beam.length() / (high - low)).value());
-          if (border == before[k]) look_at(from + beside * (to - from));
-          if (border == behind[k]) look_at(to - beside * (to - from));
-        }
-        if (!(border > low && border < high)) continue;
-        Time lower = from, upper = to;
-        constexpr int halvings = 40;
-        for (int i = 0; i < halvings; ++i) {
-          const Time middle = 0.5 * (lower + upper);
-          const BeamLoads loads = run_->loads.loads_at(middle);
-          if (loads.points.size() != before.size()) return;
-          ((loads.points[k].s < border) == (before[k] < border) ? lower : upper) = middle;
-        }
-        // Beside the place itself, where a diaphragm takes the load.
-        const Time aside = 1e-4 * (to - from);
-        look_at(std::max(from, Time(lower - aside)));
-        look_at(std::min(to, Time(upper + aside)));
-      }
-    }
-  }
-
-  std::vector<Length> borders() const {
-    std::vector<Length> places;
-    for (const Diaphragm& of : project_->beam.diaphragms) places.push_back(of.s);
-    for (const Segment& of : project_->beam.segments) places.push_back(of.end());
-    for (const LoadIntroduction& of : project_->beam.introductions) {
-      places.push_back(of.from);
-      places.push_back(of.to);
-    }
-    return places;
-  }
-
-  /// The maximum between the instants beside one.
-  void refine(const BorneKey& key, std::size_t i) {
-    const LoadHistory& history = run_->loads;
-    const std::size_t last = history.instants() - 1;
-    const Time at = history.time_of(i);
-    const Time low = i > 0 && !history.begins_piece(i) ? history.time_of(i - 1) : at;
-    const Time high = i < last && !history.begins_piece(i + 1) ? history.time_of(i + 1) : at;
-    if (!(high > low)) return;
-    constexpr int bits = 14;
-    find_maximum(
-        [&](double time) {
-          const std::map<BorneKey, double> uses = look_at(si<Time>(time), &key);
-          const auto found = uses.find(key);
-          return found == uses.end() ? 0.0 : found->second;
-        },
-        low.value(), high.value(), bits);
-  }
-
-  const Project* project_;
-  PatchSearch* search_;
-  const SituationRun* run_;
-  std::map<BorneKey, WorstPatch>* worst_;
-  OnPaths* on_paths_;
-  PatchNotes* notes_;
-  PatchedHoles* holes_;
-  PressedWebs* pressed_;  ///< nothing where no cycles are counted
-};
 
 std::string plate_text(const Project& project, const Borne& borne) {
   if (!borne.wall.empty()) return borne.wall;
@@ -462,6 +222,75 @@ Gate gate_of_square(const Project& project, const std::pair<Check, double>& of) 
           true};
 }
 
+/// What is pressed at every cycle: checks, and gates of what a case does not say.
+void take_pressed(const Project& project, PressedWebs::Checks again, PatchChecks& found) {
+  std::optional<Check> as_fillets;
+  std::optional<PressedWebs::Found> turned;  ///< of kinks that fail the worst: all ask for the same
+  for (PressedWebs::Found& of : again.found) {
+    if (of.unsaid) {
+      const double use = of.result.check.utilisation();
+      if (use > 1.0 && (!as_fillets || use > as_fillets->utilisation()))
+        as_fillets = of.result.check;
+      continue;
+    }
+    if (of.turned && !of.result.check.passes()) {
+      const double use = of.result.check.utilisation();
+      if (!turned || use > turned->result.check.utilisation()) turned = std::move(of);
+      continue;
+    }
+    if (!of.given && !of.result.check.passes())
+      found.gates.push_back(gate_of(project, of));
+    else
+      found.checks.push_back(std::move(of.result));
+  }
+  if (turned) found.gates.push_back(gate_of(project, *turned));
+  if (again.square) found.gates.push_back(gate_of_square(project, *again.square));
+  if (as_fillets)
+    found.not_judged.push_back(
+        {Criterion::patch_fatigue, "seams of webs",
+         fmt::format(
+             "taken to penetrate fully, for seam_throat is not said; as fillets, a = t, used "
+             "by {:.3g} in fatigue at s = {} m",
+             as_fillets->utilisation(), to_text(as_fillets->station))});
+}
+
+/// What is taken for granted of diaphragms that bear forces.
+void say_of_diaphragms(const std::set<std::string>& sideways, const std::set<std::string>& slotted,
+                       PatchChecks& found) {
+  if (!sideways.empty())
+    found.not_judged.push_back(
+        {Criterion::patch_loading, fmt::format("flats at s = {} m", fmt::join(sideways, ", ")),
+         "L_cr = h_w takes it that both flanges are held sideways there, which no "
+         "[[beam.restraints]] say (EN 1993-1-5, 9.4(2))"});
+  if (!slotted.empty())
+    found.not_judged.push_back(
+        {Criterion::weld, fmt::format("diaphragms at s = {} m", fmt::join(slotted, ", ")),
+         "slots that let flats through are not taken off their welds and edges"});
+  if (found.unsaid_welds && !found.unsaid_welds->throat) {
+    found.not_judged.push_back({Criterion::weld,
+                                fmt::format("welds of the diaphragm at s = {} m",
+                                            to_text(Station{found.unsaid_welds->s, Side::both})),
+                                fmt::format("no fillet welds on its faces bear all of \"{}\"",
+                                            found.unsaid_welds->under)});
+  }
+}
+
+/// Loads that the case says more of than can be judged.
+void say_of_introductions(const Project& project, PatchSearch& search, bool walls_said,
+                          PatchChecks& found) {
+  for (const LoadIntroduction& of : project.beam.introductions) {
+    // What comes into walls of round tubes is said by its force.
+    if (walls_said &&
+        std::holds_alternative<RoundTube>(section_at(project.beam, {of.from, Side::both}).outer))
+      continue;
+    const std::string why = of.stiff_length ? search.obstacle_of(of) : "";
+    if (why.empty()) continue;
+    found.not_judged.push_back({Criterion::patch_loading,
+                                fmt::format("load introduction at {:.4g} m", of.from.value()),
+                                why});
+  }
+}
+
 }  // namespace
 
 bool forces_are_looked_at(const Project& project) {
@@ -526,66 +355,13 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
     else
       add(check_of(project, search, std::move(of)));
   }
-  std::optional<Check> as_fillets;
-  std::optional<PressedWebs::Found> turned;  ///< of kinks that fail the worst: all ask for the same
-  PressedWebs::Checks again = pressed.checks();
-  for (PressedWebs::Found& of : again.found) {
-    if (of.unsaid) {
-      const double use = of.result.check.utilisation();
-      if (use > 1.0 && (!as_fillets || use > as_fillets->utilisation()))
-        as_fillets = of.result.check;
-      continue;
-    }
-    if (of.turned && !of.result.check.passes()) {
-      const double use = of.result.check.utilisation();
-      if (!turned || use > turned->result.check.utilisation()) turned = std::move(of);
-      continue;
-    }
-    if (!of.given && !of.result.check.passes())
-      found.gates.push_back(gate_of(project, of));
-    else
-      found.checks.push_back(std::move(of.result));
-  }
-  if (turned) found.gates.push_back(gate_of(project, *turned));
-  if (again.square) found.gates.push_back(gate_of_square(project, *again.square));
-  if (as_fillets)
-    found.not_judged.push_back(
-        {Criterion::patch_fatigue, "seams of webs",
-         fmt::format(
-             "taken to penetrate fully, for seam_throat is not said; as fillets, a = t, used "
-             "by {:.3g} in fatigue at s = {} m",
-             as_fillets->utilisation(), to_text(as_fillets->station))});
-  if (!sideways.empty())
-    found.not_judged.push_back(
-        {Criterion::patch_loading, fmt::format("flats at s = {} m", fmt::join(sideways, ", ")),
-         "L_cr = h_w takes it that both flanges are held sideways there, which no "
-         "[[beam.restraints]] say (EN 1993-1-5, 9.4(2))"});
-  if (!slotted.empty())
-    found.not_judged.push_back(
-        {Criterion::weld, fmt::format("diaphragms at s = {} m", fmt::join(slotted, ", ")),
-         "slots that let flats through are not taken off their welds and edges"});
-  if (found.unsaid_welds && !found.unsaid_welds->throat) {
-    found.not_judged.push_back({Criterion::weld,
-                                fmt::format("welds of the diaphragm at s = {} m",
-                                            to_text(Station{found.unsaid_welds->s, Side::both})),
-                                fmt::format("no fillet welds on its faces bear all of \"{}\"",
-                                            found.unsaid_welds->under)});
-  }
+  take_pressed(project, pressed.checks(), found);
+  say_of_diaphragms(sideways, slotted, found);
   found.into_diaphragms = notes.into_diaphragms();
   for (NotJudged& of : notes.not_judged()) found.not_judged.push_back(std::move(of));
   for (Gate& of : notes.gates()) found.gates.push_back(std::move(of));
   for (Gate& of : holes.gates()) found.gates.push_back(std::move(of));
-  for (const LoadIntroduction& of : project.beam.introductions) {
-    // What comes into walls of round tubes is said by its force.
-    if (walls_said &&
-        std::holds_alternative<RoundTube>(section_at(project.beam, {of.from, Side::both}).outer))
-      continue;
-    const std::string why = of.stiff_length ? search.obstacle_of(of) : "";
-    if (why.empty()) continue;
-    found.not_judged.push_back({Criterion::patch_loading,
-                                fmt::format("load introduction at {:.4g} m", of.from.value()),
-                                why});
-  }
+  say_of_introductions(project, search, walls_said, found);
   return found;
 }
 

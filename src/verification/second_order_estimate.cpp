@@ -336,7 +336,7 @@ class Estimating {
     const Eigen::ArrayXd straight = fibre_stresses(cut_forces_of(loads), places_);
     const bool unloaded = !whole && (straight == 0.0).all();
     const auto bent_by = [&](double times) -> Eigen::ArrayXd {
-      if (unloaded) return straight;
+      if (unloaded) return Eigen::ArrayXd(straight);
       const SecondOrder bent = second_order_of(make(times));
       if (times == factor) result_.turn = std::max(result_.turn, factor * bent.turn);
       return fibre_stresses(cut_forces_of(bent.loads), places_);

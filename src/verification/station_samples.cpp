@@ -191,15 +191,19 @@ StationSamples::StationSamples(const Project& project,
 void StationSamples::find_stresses(const Run& run,
                                    const std::array<double, cut_force::count>& factors,
                                    std::vector<double>& stresses) const {
-  stresses.assign(run.instants.times.size(), 0.0);
-  const bool any = std::any_of(acting_.begin(), acting_.end(),
-                               [&](std::size_t force) { return factors[force] != 0.0; });
-  if (!any) return;
+  stresses.resize(run.instants.times.size());
+  bool any = false;
   for (std::size_t j = 0; j < acting_.size(); ++j) {
     const double factor = factors[acting_[j]];
+    if (factor == 0.0) continue;
     const double* const cut = run.cuts[j].data();
-    for (std::size_t i = 0; i < stresses.size(); ++i) stresses[i] += factor * cut[i];
+    if (any)
+      for (std::size_t i = 0; i < stresses.size(); ++i) stresses[i] += factor * cut[i];
+    else
+      for (std::size_t i = 0; i < stresses.size(); ++i) stresses[i] = factor * cut[i];
+    any = true;
   }
+  if (!any) std::fill(stresses.begin(), stresses.end(), 0.0);
 }
 
 Turns StationSamples::shear_turns_of(const StressInfluence& influence) const {

@@ -531,7 +531,7 @@ MUTATIONS = [
          ("path-beside", "std::max(above, below)", "std::min(above, below)",
           "a force beside a wall bends the flange", "patched_paths_test")),
     *_in("src/section", "warping.cpp",
-         ("warping-mean", "return Warping{second - first * mean,", "return Warping{second,",
+         ("warping-mean", "return Warping{square - first * mean,", "return Warping{square,",
           "the warping constant is that about the mean", "warping_test")),
     *_in("src/strength", "twisting_buckling.cpp",
          ("twisting-couples", "load.z_0 * std::sqrt(load.about_z * load.twisting)", "0.0",

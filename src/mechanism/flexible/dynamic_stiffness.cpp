@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -86,6 +87,24 @@ void add(const NodeStiffness<Scalar>& of, NodeStiffness<Scalar>& sum) {
   sum.ww += of.ww;
   sum.wp += of.wp;
   sum.pp += of.pp;
+}
+
+/// Of a symmetric matrix that is nearly singular, where pivots lose a digit that turns do not:
+/// those of a tridiagonal one, which are as many as its negative pivots. Source: Givens (1954);
+/// Parlett, The Symmetric Eigenvalue Problem, 3.3 and 7.3.
+std::size_t negative_eigenvalues_of(const Eigen::MatrixXd& matrix) {
+  const Eigen::Tridiagonalization<Eigen::MatrixXd> tridiagonal(matrix);
+  const Eigen::VectorXd diagonal = tridiagonal.diagonal(), beside = tridiagonal.subDiagonal();
+  const double least = std::numeric_limits<double>::min();
+  std::size_t negative = 0;
+  double pivot = diagonal[0];
+  for (Eigen::Index i = 0;;) {
+    if (pivot < 0.0) ++negative;
+    // Zero is taken for the least there is, as if the matrix were moved by that.
+    if (std::abs(pivot) < least) pivot = least;
+    if (++i == diagonal.size()) return negative;
+    pivot = diagonal[i] - beside[i - 1] / pivot * beside[i - 1];
+  }
 }
 
 /// What the nodes themselves do in a motion: (square M - K_g) q.
@@ -579,7 +598,10 @@ std::size_t DynamicStiffness<Scalar>::frequencies_below() const {
     // across its line.
     const auto holding = std::count_if(rows_.begin(), rows_.end(),
                                        [](const Row& row) { return row.flexibility >= 0.0; });
-    return gathered_below_ + factor_.negative() - static_cast<std::size_t>(holding);
+    constexpr double clear = 1e-8;
+    const std::size_t negative =
+        factor_.condition() > clear ? factor_.negative() : negative_eigenvalues_of(border_);
+    return gathered_below_ + negative - static_cast<std::size_t>(holding);
   } else {
     assert(false);
     return 0;
