@@ -25,8 +25,8 @@ constexpr double near = 1.05;
 /// And within which they are refined as if they agreed: nearer to a frequency a count may be wrong.
 constexpr double agreeing = 1e-5;
 /// How far from the squares sought inverse iteration ends, relative: what is left of the third
-/// order is round-off.
-constexpr double off = 1e-5;
+/// order is round-off; nearer, a part that is in resonance by itself loses more digits.
+constexpr double off = 2e-5;
 /// How far squares may lie outside their bracket, relative: what a count may be wrong by.
 constexpr double slack = 1e-6;
 
