@@ -7,6 +7,8 @@
 #include <numbers>
 #include <string>
 
+#include "boxbeam/verification/front_end.hpp"
+#include "boxbeam/verification/second_order_estimate.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
 
@@ -110,6 +112,38 @@ double member_by_hand(const Box& box, double L, double P, double Q, double facto
 }
 
 }  // namespace
+
+// tan(u)/u, u = pi/2 sqrt(N/N_cr), times the moment of a force in the middle. Source: Timoshenko,
+// Gere, Theory of Elastic Stability (1961), equation 1-12.
+TEST_CASE("what presses a beam for a moment bends it, much or little, as it does at its highest",
+          "[second_order]") {
+  // Up and down once a second: at a tenth of what a member feels fewer instants are looked at.
+  for (const double part : {0.002, 0.2}) {
+    CAPTURE(part);
+    const double P = part * flat.critical(6.0) / 1e3, Q = 3.0;
+    std::string text = in_the_plane(P, Q, {});
+    const std::string size = fmt::format("size = \"{:.17g} kN\"", P);
+    const std::size_t at = text.find(size);
+    REQUIRE(at != std::string::npos);
+    text.replace(
+        at, size.size(),
+        fmt::format("law = {{ kind = \"harmonic\", mean = \"0 kN\", amplitude = \"{:.17g} kN\", "
+                    "frequency = \"1 Hz\", phase = \"37 deg\" }}",
+                    P));
+    const Project project = parse_project("c.toml", text);
+    const SecondOrderEstimate found = estimate_second_order(project, run_situations(project, {}));
+    // Shear makes it more, by no more than N_cr/(G A) of the webs. Source: the same, section 2.17.
+    const double webs = 2.0 * flat.t * (flat.h - 2.0 * flat.t);
+    CHECK(found.in_plane.part > part);
+    CHECK(found.in_plane.part < part * (1.0 + flat.critical(6.0) / (80e9 * webs)));
+    const double u = 0.5 * std::numbers::pi * std::sqrt(part);
+    const double M = 0.25 * Q * 1e3 * 6.0, grown = M * std::tan(u) / u;
+    const double W = flat.second_moment() / (0.5 * flat.h);
+    const double highest = P * 1e3 / flat.area() + grown / W;
+    REQUIRE(found.change);
+    CHECK(*found.change >= (grown - M) / W / highest * 0.97);
+  }
+}
 
 TEST_CASE("a load factor and a required factor are the loads times them in a member's check",
           "[second_order]") {
