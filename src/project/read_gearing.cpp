@@ -32,7 +32,8 @@ void read_ratio(TableReader& table, ClosingKind kind, spatial::Gearing& gearing)
     gearing.ratio = table.not_zero(
         {"radius", "of the pinion; the rack advances along its axis by it in a radian"},
         wanted::length);
-    gearing.offset = table.quantity({"offset", "along the rack"}, wanted::length, 0.0);
+    gearing.offset = table.quantity({"offset", "along the rack where the pinion is at zero"},
+                                    wanted::length, 0.0);
     return;
   }
   gearing.ratio = table.any_number(
@@ -44,7 +45,8 @@ void read_ratio(TableReader& table, ClosingKind kind, spatial::Gearing& gearing)
         "ratio", "\"ratio\" must not be zero",
         "write for example ratio = -0.5, the teeth of the first over those of the second");
   }
-  gearing.offset = table.quantity({"offset", "of the second"}, wanted::angle, 0.0);
+  gearing.offset =
+      table.quantity({"offset", "of the second where the first is at zero"}, wanted::angle, 0.0);
 }
 
 /// Where teeth meet, in the axes of a body that is known by its name.

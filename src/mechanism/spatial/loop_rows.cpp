@@ -49,17 +49,15 @@ double screw_turn_of(const ClosingJoint& joint, const State& state) {
 }
 
 /// Along the axis less what the turn about it advances, by the nearest turn; the rates are those of
-/// axes that other equations keep in line.
+/// axes that other equations keep in line, so that b turns against a about them alone.
 RowMotion thread_motion(const ClosingJoint& joint, const RowMotion& slide, const State& state) {
   const double pitch = pitch_of(joint.lead);
   const BodyMotion& a = motion_of(state, joint.a.body);
   const BodyMotion& b = motion_of(state, joint.b.body);
   const Vector3d axis = a.R_WB * joint.axis;
-  const Vector3d spin = b.omega - a.omega;
-  return {
-      pitch * std::remainder(slide.value / pitch - screw_turn_of(joint, state), full_turn),
-      slide.rate - pitch * axis.dot(spin),
-      slide.acceleration - pitch * (a.omega.cross(axis).dot(spin) + axis.dot(b.alpha - a.alpha))};
+  return {pitch * std::remainder(slide.value / pitch - screw_turn_of(joint, state), full_turn),
+          slide.rate - pitch * axis.dot(b.omega - a.omega),
+          slide.acceleration - pitch * axis.dot(b.alpha - a.alpha)};
 }
 
 RowMotion teeth_motion(const Mesh& mesh, const State& state) {

@@ -64,7 +64,8 @@ Mechanism slider_crank() {
 /// joined to the ground and that of the second to the first's fourth body, closed at t = 0 where
 /// the coordinates are those of their starts; in each as many joints are free as its joint has
 /// equations.
-Mechanism random_loops(test::Chance& chance) {
+/// `always`: the kind of those joints, where it is not by chance.
+Mechanism random_loops(test::Chance& chance, std::optional<ClosingKind> always = {}) {
   constexpr int chain = 8;
   Mechanism mechanism = test::random_tree(chance, 2 * chain);
   mechanism.line_forces.clear();  // the balance does not know them
@@ -96,10 +97,12 @@ Mechanism random_loops(test::Chance& chance) {
                                  static_cast<Spring::Acts>(i)});
   }
   for (const int first : {0, chain}) {
-    constexpr int equations_of[] = {6, 5, 5, 4, 4, 3, 3, 2, 1};  // in the order of the kinds
+    constexpr int equations_of[] = {6, 5, 5, 4, 4, 3, 3, 2, 1, 5};  // in the order of the kinds
     ClosingJoint joint;
     joint.name = "closing";
     joint.kind = static_cast<ClosingKind>(chance.one_of(9));
+    if (always) joint.kind = *always;
+    joint.lead = first == 0 ? 0.5 : -2.0;
     const int a = first == 0 ? ground : 3;
     const int b = first + chain - 1;
     joint.b = {b, chance.vector(0.5)};
@@ -328,6 +331,20 @@ TEST_CASE("Loops by chance keep balance of forces, moments and power, and their 
     for (const double time : {0.1, 0.37, 0.8}) check_motion(*chain, time, 1e-14, 1.0);
   }
   CHECK(judged > 100);
+}
+
+TEST_CASE("Loops by chance that screws close keep balance, and their rates") {
+  int judged = 0;
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    test::Chance chance(seed);
+    const Mechanism mechanism = random_loops(chance, ClosingKind::screw);
+    const std::optional<Chain> chain = chain_of(mechanism);
+    if (!chain) continue;
+    ++judged;
+    INFO("seed " << seed);
+    for (const double time : {0.1, 0.37, 0.8}) check_motion(*chain, time, 1e-14, 1.0);
+  }
+  CHECK(judged > 50);
 }
 
 TEST_CASE("Loops by chance that forces move keep balance of forces, moments and power") {
