@@ -115,8 +115,8 @@ void mesh_gearings(TableReader& root, const std::vector<GearingDraft>& drafts,
         rack ? spatial::JointKind::prismatic : spatial::JointKind::revolute;
     if (const spatial::Joint& of = mechanism.joints[*second]; of.kind != wanted) {
       joints.problem(closing.name,
-                     fmt::format("\"{}\": joint \"{}\" is {}: it carries no {}", closing.name,
-                                 of.name, to_text(of.kind), rack ? "rack" : "wheel"),
+                     fmt::format("\"{}\": joint \"{}\" is of kind \"{}\": it carries no {}",
+                                 closing.name, of.name, to_text(of.kind), rack ? "rack" : "wheel"),
                      rack
                          ? "a rack is carried by a prismatic joint"
                          : "wheels are carried by revolute joints; kind = \"rack\" for a pinion on "

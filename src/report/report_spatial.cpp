@@ -59,7 +59,7 @@ std::string turn_text(const Eigen::Matrix3d& R) {
 }
 
 /// "screw, lead 0.005 m", or the kind alone.
-std::string kind_text(const auto& joint) {
+std::string kind_with_lead(const auto& joint) {
   using Kind = std::decay_t<decltype(joint.kind)>;
   if (joint.kind != Kind::screw) return spatial::to_text(joint.kind);
   return fmt::format("screw, lead {} m", plain(joint.lead));
@@ -89,7 +89,7 @@ Table joints_table(const Mechanism& mechanism) {
     const spatial::Joint& joint = mechanism.joints[i];
     const bool fixed = joint.kind == spatial::JointKind::fixed;
     add_row(table,
-            row_of(joint.name, kind_text(joint), mechanism.bodies[i].name,
+            row_of(joint.name, kind_with_lead(joint), mechanism.bodies[i].name,
                    body_name(mechanism, joint.parent), triple(joint.at),
                    fixed ? std::string("-") : direction_text(joint.turn.transpose() * joint.axis),
                    turn_text(joint.turn)));
@@ -106,7 +106,7 @@ Table closing_table(const Mechanism& mechanism) {
                           joint.kind != spatial::ClosingKind::spherical &&
                           joint.kind != spatial::ClosingKind::distance &&
                           !spatial::has_teeth(joint.kind);
-    add_row(table, row_of(joint.name, kind_text(joint), body_name(mechanism, joint.a.body),
+    add_row(table, row_of(joint.name, kind_with_lead(joint), body_name(mechanism, joint.a.body),
                           triple(joint.a.p), body_name(mechanism, joint.b.body), triple(joint.b.p),
                           has_axis ? direction_text(joint.axis) : std::string("-")));
   }
@@ -262,6 +262,13 @@ class SpatialText : public FrontEndText {
     const Mechanism& mechanism = spatial_in(*project_, project_->situations[motion.situation]);
     add_cut_off(mechanism, motion, remarks);
     add_overshoots(functions_of(mechanism), name_of, remarks);
+    for (const spatial::ClosingJoint& joint : mechanism.closing) {
+      if (!spatial::has_teeth(joint.kind)) continue;
+      remarks.push_back(
+          fmt::format("the teeth of {} are straight, without play and friction: what helical ones "
+                      "push along their axes is to be given as a force",
+                      joint.name));
+    }
   }
 
   using FrontEndText::add_remarks;

@@ -101,12 +101,17 @@ PostureFigure posture_figure(const Project& project, const spatial::Mechanism& m
         line.strokes.push_back({line.points.front(), line.points[k]});
       }
     }
-    // From where a wheel is carried to where its teeth meet others.
+    // From a wheel's axis, or the rack's point, to where the teeth meet others.
     for (const spatial::ClosingJoint& closing : mechanism.closing) {
       if (!spatial::has_teeth(closing.kind)) continue;
       if (closing.a.body != body && closing.b.body != body) continue;
-      line.strokes.push_back(
-          {place(joint.point), spatial::position_of(state, closing.mesh.at) - origin});
+      const Eigen::Vector3d meet = spatial::position_of(state, closing.mesh.at) - origin;
+      Eigen::Vector3d from = place(joint.point);
+      if (spatial::is_angle(joint.kind)) {
+        const Eigen::Vector3d axis = spatial::in_world(state, joint.parent, joint.axis);
+        from += axis.dot(meet - from) * axis;
+      }
+      line.strokes.push_back({from, meet});
     }
     if (joint.kind != spatial::JointKind::fixed) {
       figure.guides.push_back(

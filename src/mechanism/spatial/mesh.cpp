@@ -246,7 +246,8 @@ MeshFound mesh_of(const Mechanism& mechanism, const Gearing& gearing) {
     const bool rack = joint.kind == JointKind::prismatic && i == gearing.second;
     if (wheel || rack) continue;
     return {{},
-            fmt::format("joint \"{}\" is {}: it carries no wheel", joint.name, to_text(joint.kind)),
+            fmt::format("joint \"{}\" is of kind \"{}\": it carries no wheel", joint.name,
+                        to_text(joint.kind)),
             "wheels are carried by revolute joints, a rack by a prismatic one"};
   }
   if (gearing.first == gearing.second) {

@@ -419,9 +419,9 @@ TEST_CASE("What cannot mesh says why", "[bad_input]") {
     CHECK(!found.hint.empty());
   };
   check(wheel, wheel, -1.0, {}, "cannot mesh with itself");
-  check(wheel, plate, -1.0, {}, "\"plate\" is fixed");
-  check(screw, wheel, -1.0, {}, "\"screw\" is screw");
-  check(rack, wheel, -1.0, {}, "\"rack\" is prismatic");
+  check(wheel, plate, -1.0, {}, "\"plate\" is of kind \"fixed\"");
+  check(screw, wheel, -1.0, {}, "\"screw\" is of kind \"screw\"");
+  check(rack, wheel, -1.0, {}, "\"rack\" is of kind \"prismatic\"");
   check(wheel, in_line, -1.0, {}, "lie in line");
   check(wheel, above, -1.0, {}, "0.1 m apart along their axes");
   check(wheel, beside, 1.0, {}, "both wheels turn alike");
