@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "readers.hpp"
@@ -59,6 +60,8 @@ void check_on_beam(TableReader& root, const TaperedBeam& beam,
     if (joint.parent == placement.body) look("joints", joint.name, joint.at);
   }
   for (const spatial::ClosingJoint& joint : mechanism.closing) {
+    // The wheels of teeth stand where their joints do.
+    if (spatial::has_teeth(joint.kind)) continue;
     for (const spatial::Attachment& end : {joint.a, joint.b}) {
       if (end.body == placement.body) look("joints", joint.name, end.p);
     }

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "boxbeam/mechanism/spatial/rotation.hpp"
+#include "read_gearing.hpp"
 #include "readers.hpp"
 
 namespace boxbeam::readers {
@@ -19,10 +21,10 @@ constexpr FunctionOf length{wanted::length, "m", "stroke", "the driver does not 
 constexpr FunctionOf angle{wanted::angle, "rad", "angle", "the driver does not move", true};
 
 /// Kinds as they are written: those of closing joints in their order, and one that closes nothing.
-const std::vector<std::string> kinds{"fixed",     "revolute",  "prismatic", "cylindrical",
-                                     "universal", "spherical", "planar",    "slot",
-                                     "distance",  "free"};
-constexpr std::size_t free_body = 9;
+const std::vector<std::string> kinds{
+    "fixed", "revolute", "prismatic", "cylindrical", "universal", "spherical", "planar",
+    "slot",  "distance", "screw",     "gear",        "rack",      "free"};
+constexpr std::size_t free_body = 12;
 
 /// A joint as written, with the bodies that it connects.
 struct JointDraft {
@@ -36,6 +38,7 @@ struct JointDrafts {
   std::vector<JointDraft> carrying;
   std::vector<ClosingJoint> closing;
   std::vector<bool> has_length;  ///< of the closing ones
+  std::vector<GearingDraft> gearings;
 };
 
 /// The carrying point and the carried one.
@@ -87,6 +90,7 @@ std::vector<Eigen::Vector3d> read_axes(TableReader& table, std::size_t kind, boo
     case ClosingKind::cylindrical:
     case ClosingKind::planar:
     case ClosingKind::slot:
+    case ClosingKind::screw:
       return {table.direction(
           {"axis",
            "about or along which it moves, in the carried body's axes; of \"planar\" the "
@@ -109,7 +113,9 @@ std::vector<Eigen::Vector3d> read_axes(TableReader& table, std::size_t kind, boo
         return table.directions({"axes", "of its turns, one after the other"}, 3);
       break;
     case ClosingKind::fixed:
-    case ClosingKind::distance: break;
+    case ClosingKind::distance:
+    case ClosingKind::gear:
+    case ClosingKind::rack: break;
   }
   return {Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitX()};
 }
@@ -143,8 +149,11 @@ std::vector<Movement> movements_of(std::size_t kind, const std::vector<Eigen::Ve
       const Eigen::Vector3d u = axes[0].unitOrthogonal();
       return {shift(u), shift(axes[0].cross(u)), turn(axes[0])};
     }
+    case ClosingKind::screw: return {{JointKind::screw, axes[0]}};
     case ClosingKind::slot:
-    case ClosingKind::distance: return {};
+    case ClosingKind::distance:
+    case ClosingKind::gear:
+    case ClosingKind::rack: return {};
   }
   for (const Eigen::Vector3d& axis : axes) movements.push_back(turn(axis));
   return movements;
@@ -155,9 +164,7 @@ std::vector<Movement> movements_of(std::size_t kind, const std::vector<Eigen::Ve
 std::vector<double> read_values(TableReader& table, const std::vector<Movement>& movements,
                                 const Key& of_one, const Key& of_shifts,
                                 const WantedDimension& of_turn, const WantedDimension& of_shift) {
-  const auto is_turn = [](const Movement& movement) {
-    return movement.kind == JointKind::revolute;
-  };
+  const auto is_turn = [](const Movement& movement) { return is_angle(movement.kind); };
   std::vector<double> values(movements.size(), 0.0);
   if (movements.size() == 1) {
     if (movements[0].kind == JointKind::fixed) return values;
@@ -239,6 +246,7 @@ void add_closing(TableReader& table, const JointDraft& draft, std::size_t kind,
   joint.b = {draft.carried, draft.joint.point};
   joint.turn = draft.joint.turn;
   joint.axis = joint.turn * axes[0];
+  joint.lead = draft.joint.lead;
   if (axes.size() > 1) joint.other = axes[1];
   bool has_length = false;
   if (joint.kind == ClosingKind::distance) {
@@ -263,6 +271,18 @@ JointDrafts read_joints_of(TableReader& root, Mechanism& mechanism) {
     const std::size_t before = table.problems().size();
     const std::size_t kind = table.kind({"kind", "of joint"}, kinds);
     if (table.problems().size() != before) continue;
+    if (kind < free_body && has_teeth(static_cast<ClosingKind>(kind))) {
+      GearingDraft gearing = read_gearing(table, static_cast<ClosingKind>(kind), mechanism);
+      table.finish();
+      gearing.closing = drafts.closing.size();
+      drafts.gearings.push_back(std::move(gearing));
+      ClosingJoint joint;
+      joint.name = name;
+      joint.kind = static_cast<ClosingKind>(kind);
+      drafts.closing.push_back(std::move(joint));
+      drafts.has_length.push_back(false);
+      continue;
+    }
     const bool only_closes = kind == static_cast<std::size_t>(ClosingKind::slot) ||
                              kind == static_cast<std::size_t>(ClosingKind::distance);
     const bool closes =
@@ -274,6 +294,11 @@ JointDrafts read_joints_of(TableReader& root, Mechanism& mechanism) {
     // A slot and a distance do not see how the second body stands.
     if (!only_closes) draft.joint.turn = turn_in(table);
     const std::vector<Eigen::Vector3d> axes = read_axes(table, kind, closes);
+    if (kind == static_cast<std::size_t>(ClosingKind::screw)) {
+      draft.joint.lead = table.not_zero(
+          {"lead", "of a screw: its advance along its axis in a turn; positive: right-handed"},
+          wanted::length);
+    }
     if (table.problems().size() == before) {
       if (closes)
         add_closing(table, draft, kind, axes, drafts);
@@ -416,7 +441,7 @@ class JointDrivers {
     table.problem(
         "joint",
         fmt::format("joint \"{}\" {}", joint, before.empty() ? cannot : "has a driver already"),
-        "one driver for each revolute or prismatic joint, or for the length of a distance");
+        "one driver for each revolute, prismatic or screw joint, or for the length of a distance");
     return false;
   }
 
@@ -432,7 +457,7 @@ class JointDrivers {
                     "remove moved_by from the joint, or the driver");
       return;
     }
-    const bool turns = joint.kind == JointKind::revolute;
+    const bool turns = is_angle(joint.kind);
     joint.moved_by = spatial::MovedBy::driver;
     if (std::optional<Driver> function = read_function(table, turns ? angle : length, *tables_)) {
       joint.driver = std::move(*function);
@@ -499,6 +524,7 @@ bool read_chain_joints(TableReader& root, Mechanism& mechanism, TimeTables& tabl
     }
     return false;
   }
+  mesh_gearings(root, drafts.gearings, mechanism);
   JointDrivers(root, mechanism, tables).read();
   if (root.problems().empty()) free_the_rest(root, drafts.has_length, mechanism);
   return true;

@@ -214,7 +214,10 @@ bool is_held(const spatial::Mechanism& mechanism, const spatial::Attachment& end
   const auto holds = [&](const auto& of) {
     return here(of.a.body, of.a.p) || here(of.b.body, of.b.p);
   };
-  return std::any_of(mechanism.closing.begin(), mechanism.closing.end(), holds) ||
+  return std::any_of(mechanism.closing.begin(), mechanism.closing.end(),
+                     [&](const spatial::ClosingJoint& joint) {
+                       return !spatial::has_teeth(joint.kind) && holds(joint);
+                     }) ||
          std::any_of(mechanism.springs.begin(), mechanism.springs.end(), holds);
 }
 

@@ -96,7 +96,7 @@ std::string joints_table(const spatial::Mechanism& mechanism,
       row.insert(row.end(), 6, "shared");
     }
     const bool carries = i < mechanism.joints.size();
-    const bool turns = carries && mechanism.joints[i].kind == spatial::JointKind::revolute;
+    const bool turns = carries && spatial::is_angle(mechanism.joints[i].kind);
     const bool fixed = carries && mechanism.joints[i].kind == spatial::JointKind::fixed;
     row.push_back(joint.drive
                       ? number(*joint.drive, turns ? moment : force) + (turns ? " N m" : " N")

@@ -58,6 +58,30 @@ std::string turn_text(const Eigen::Matrix3d& R) {
   return fmt::format("{} rad about {}", plain(angle), direction_text(turn / angle));
 }
 
+/// "screw, lead 0.005 m", or the kind alone.
+std::string kind_with_lead(const auto& joint) {
+  using Kind = std::decay_t<decltype(joint.kind)>;
+  if (joint.kind != Kind::screw) return spatial::to_text(joint.kind);
+  return fmt::format("screw, lead {} m", plain(joint.lead));
+}
+
+/// "-0.25 m * sun + 0.1 m * planet = 0 m, ..": what teeth tie, where they meet and how they push.
+std::string mesh_text(const Mechanism& mechanism, const spatial::Mesh& mesh) {
+  std::string out;
+  for (const spatial::Mesh::Part& part : mesh.parts) {
+    const spatial::Joint& joint = mechanism.joints[part.joint];
+    const bool turns = spatial::is_angle(joint.kind);
+    if (!out.empty()) out += part.factor < 0.0 ? " - " : " + ";
+    const double factor = out.empty() ? part.factor : std::abs(part.factor);
+    out += turns ? fmt::format("{} m * {}", plain(factor), joint.name)
+                 : fmt::format("{}{}", factor < 0.0 ? "-" : "", joint.name);
+  }
+  return fmt::format(
+      "{} = {} m; teeth meet at {} m of {}, their force along {}, with {} of it apart", out,
+      plain(mesh.offset), triple(mesh.at.p), body_name(mechanism, mesh.at.body),
+      direction_text(mesh.along), plain(mesh.apart.norm()));
+}
+
 Table joints_table(const Mechanism& mechanism) {
   Table table = table_of("", {"joint", "kind", "carries", "on", "at [m]",
                               "axis, of the carried body", "turned at zero"});
@@ -65,7 +89,7 @@ Table joints_table(const Mechanism& mechanism) {
     const spatial::Joint& joint = mechanism.joints[i];
     const bool fixed = joint.kind == spatial::JointKind::fixed;
     add_row(table,
-            row_of(joint.name, spatial::to_text(joint.kind), mechanism.bodies[i].name,
+            row_of(joint.name, kind_with_lead(joint), mechanism.bodies[i].name,
                    body_name(mechanism, joint.parent), triple(joint.at),
                    fixed ? std::string("-") : direction_text(joint.turn.transpose() * joint.axis),
                    turn_text(joint.turn)));
@@ -80,11 +104,11 @@ Table closing_table(const Mechanism& mechanism) {
   for (const spatial::ClosingJoint& joint : mechanism.closing) {
     const bool has_axis = joint.kind != spatial::ClosingKind::fixed &&
                           joint.kind != spatial::ClosingKind::spherical &&
-                          joint.kind != spatial::ClosingKind::distance;
-    add_row(table,
-            row_of(joint.name, spatial::to_text(joint.kind), body_name(mechanism, joint.a.body),
-                   triple(joint.a.p), body_name(mechanism, joint.b.body), triple(joint.b.p),
-                   has_axis ? direction_text(joint.axis) : std::string("-")));
+                          joint.kind != spatial::ClosingKind::distance &&
+                          !spatial::has_teeth(joint.kind);
+    add_row(table, row_of(joint.name, kind_with_lead(joint), body_name(mechanism, joint.a.body),
+                          triple(joint.a.p), body_name(mechanism, joint.b.body), triple(joint.b.p),
+                          has_axis ? direction_text(joint.axis) : std::string("-")));
   }
   return table;
 }
@@ -119,7 +143,7 @@ Entries entries_of(const Project& project) {
                   body_name(mechanism, placement.body), triple(placement.start),
                   direction_text(placement.axes.col(0)), direction_text(placement.axes.col(2))));
   for (const spatial::Joint& joint : mechanism.joints) {
-    const bool turns = joint.kind == spatial::JointKind::revolute;
+    const bool turns = spatial::is_angle(joint.kind);
     if (spatial::is_forced(joint)) {
       entries.emplace_back(
           "moved by forces",
@@ -132,6 +156,9 @@ Entries entries_of(const Project& project) {
                               function_text(joint.driver, turns ? "rad" : "m")));
   }
   for (const spatial::ClosingJoint& joint : mechanism.closing) {
+    if (spatial::has_teeth(joint.kind))
+      entries.emplace_back(spatial::to_text(joint.kind),
+                           fmt::format("{}: {}", joint.name, mesh_text(mechanism, joint.mesh)));
     if (joint.kind != spatial::ClosingKind::distance) continue;
     entries.emplace_back(joint.driver_name.empty() ? "rod" : "driver",
                          fmt::format("{}: length = {}", spatial::driver_text(joint),
@@ -235,6 +262,13 @@ class SpatialText : public FrontEndText {
     const Mechanism& mechanism = spatial_in(*project_, project_->situations[motion.situation]);
     add_cut_off(mechanism, motion, remarks);
     add_overshoots(functions_of(mechanism), name_of, remarks);
+    for (const spatial::ClosingJoint& joint : mechanism.closing) {
+      if (!spatial::has_teeth(joint.kind)) continue;
+      remarks.push_back(
+          fmt::format("the teeth of {} are straight, without play and friction: what helical ones "
+                      "push along their axes is to be given as a force",
+                      joint.name));
+    }
   }
 
   using FrontEndText::add_remarks;

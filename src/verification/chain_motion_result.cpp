@@ -108,8 +108,7 @@ ChainJoint joint_of(const Mechanism& mechanism, const spatial::State& state, std
   result.coordinate = state.coordinates[i];
   if (!spatial::is_driven(joint)) return result;
   const Eigen::Vector3d axis = spatial::in_world(state, joint.parent, joint.axis);
-  const bool turns = joint.kind == spatial::JointKind::revolute;
-  result.drive = axis.dot(turns ? wrench.moment : wrench.force);
+  result.drive = spatial::along_coordinate(joint, axis, wrench);
   return result;
 }
 

@@ -67,12 +67,15 @@ bool turns_freely_in(const spatial::Mechanism& mechanism, const Project& project
       case universal:
       case spherical:
       case slot:
-      case distance: return true;
+      case distance:
+      case gear:
+      case rack: return true;
       case revolute:
       case cylindrical: return about_y(axis);
       case fixed:
       case prismatic:
-      case planar: return false;
+      case planar:
+      case screw: return false;
     }
   }
   const auto at = named(mechanism.joints, name);

@@ -76,6 +76,7 @@ PostureFigure posture_figure(const Project& project, const spatial::Mechanism& m
       if (carried.parent == body) add_point(carried.at);
     }
     for (const spatial::ClosingJoint& closing : mechanism.closing) {
+      if (spatial::has_teeth(closing.kind)) continue;
       if (closing.a.body == body) add_point(closing.a.p);
       if (closing.b.body == body) add_point(closing.b.p);
     }
@@ -99,6 +100,18 @@ PostureFigure posture_figure(const Project& project, const spatial::Mechanism& m
       for (std::size_t k = 1; k < line.points.size(); ++k) {
         line.strokes.push_back({line.points.front(), line.points[k]});
       }
+    }
+    // From a wheel's axis, or the rack's point, to where the teeth meet others.
+    for (const spatial::ClosingJoint& closing : mechanism.closing) {
+      if (!spatial::has_teeth(closing.kind)) continue;
+      if (closing.a.body != body && closing.b.body != body) continue;
+      const Eigen::Vector3d meet = spatial::position_of(state, closing.mesh.at) - origin;
+      Eigen::Vector3d from = place(joint.point);
+      if (spatial::is_angle(joint.kind)) {
+        const Eigen::Vector3d axis = spatial::in_world(state, joint.parent, joint.axis);
+        from += axis.dot(meet - from) * axis;
+      }
+      line.strokes.push_back({from, meet});
     }
     if (joint.kind != spatial::JointKind::fixed) {
       figure.guides.push_back(
@@ -134,11 +147,10 @@ std::vector<DriverLine> driver_lines_of(const spatial::Chain& chain, const LoadH
       if (!spatial::is_driven(joint) && !spatial::is_forced(joint)) continue;
       const Eigen::Vector3d axis = spatial::in_world(state, joint.parent, joint.axis);
       lines[i].name = spatial::driver_text(joint);
-      lines[i].turns = joint.kind == spatial::JointKind::revolute;
+      lines[i].turns = spatial::is_angle(joint.kind);
       // Where forces move it nothing else acts along its axis.
       std::optional<double> force;
-      if (!spatial::is_forced(joint))
-        force = axis.dot(lines[i].turns ? wrenches[i].moment : wrenches[i].force);
+      if (!spatial::is_forced(joint)) force = spatial::along_coordinate(joint, axis, wrenches[i]);
       add_sample(lines[i], time, state.coordinates[i], force);
     }
     for (std::size_t i = carrying; i < lines.size(); ++i) {

@@ -109,7 +109,8 @@ class StoppedFrame {
       for (const spatial::Attachment& end : {of.a, of.b})
         if (end.body == body) places.push_back(end.p);
     };
-    for (const spatial::ClosingJoint& joint : mechanism_->closing) add(joint);
+    for (const spatial::ClosingJoint& joint : mechanism_->closing)
+      if (!spatial::has_teeth(joint.kind)) add(joint);
     for (const spatial::Spring& spring : mechanism_->springs) add(spring);
     return places;
   }
@@ -160,7 +161,8 @@ class StoppedFrame {
     return axes;
   }
 
-  /// Not where forces move it.
+  /// Not where forces move it. A screw that loops move is free to turn and to slide, by itself
+  /// either way: held by less than it is.
   bool add_joint(std::size_t i) {
     const spatial::Joint& of = mechanism_->joints[i];
     if (spatial::is_forced(of)) return false;
@@ -172,8 +174,14 @@ class StoppedFrame {
     joint.b = place_on(body, at);
     joint.axes = axes_with(spatial::in_world(*state_, of.parent, of.axis));
     joint.stiffness = held();
-    if (of.kind != spatial::JointKind::fixed && !spatial::is_driven(of))
-      joint.stiffness[of.kind == spatial::JointKind::revolute ? 3 : 0] = 0.0;
+    if (!spatial::is_driven(of)) {
+      switch (of.kind) {
+        case spatial::JointKind::fixed: break;
+        case spatial::JointKind::revolute: joint.stiffness[3] = 0.0; break;
+        case spatial::JointKind::prismatic: joint.stiffness[0] = 0.0; break;
+        case spatial::JointKind::screw: joint.stiffness[0] = joint.stiffness[3] = 0.0; break;
+      }
+    }
     for (const spatial::TorsionSpring& spring : mechanism_->torsion_springs)
       if (spring.joint == body && !spatial::is_driven(of)) joint.stiffness[3] += spring.stiffness;
     return true;
@@ -182,7 +190,7 @@ class StoppedFrame {
   void add_closing(std::size_t k) {
     using Kind = spatial::ClosingKind;
     const spatial::ClosingJoint& of = mechanism_->closing[k];
-    const Vector3d at = spatial::position_of(*state_, of.b);
+    const Vector3d at = spatial::position_of(*state_, spatial::place_of(of));
     if (of.kind == Kind::distance) {
       const Vector3d from = spatial::position_of(*state_, of.a);
       const double tension =
@@ -215,6 +223,12 @@ class StoppedFrame {
       case Kind::planar: free({1, 2, 3}); break;
       case Kind::slot: free({0, 3, 4, 5}); break;
       case Kind::distance: break;
+      case Kind::screw: free({0, 3}); break;
+      case Kind::gear:
+      case Kind::rack:
+        joint.axes = axes_with(spatial::in_world(*state_, of.mesh.at.body, of.mesh.along));
+        free({1, 2, 3, 4, 5});
+        break;
     }
   }
 

@@ -262,6 +262,80 @@ TEST_CASE("joints say what forces move, from where and how fast") {
   CHECK(joint(screw, "hinge.2").start_rate == Approx(2.0));
 }
 
+namespace {
+
+/// Two wheels about y on the ground, 0.3 m apart along x, the first one the beam's joint.
+const std::string two_wheels =
+    hinge + weld +
+    "[bodies.wheel]\npoints = { C = [\"0 m\", \"0 m\", \"0 m\"] }\n"
+    "[joints.wheel]\nkind = \"revolute\"\nconnect = [\"ground\", \"wheel.C\"]\n"
+    "at = [\"0.3 m\", \"0 m\", \"0 m\"]\naxis = \"y\"\n";
+const std::string sledge =
+    "[bodies.sledge]\npoints = { C = [\"0 m\", \"0 m\", \"0 m\"] }\n"
+    "[joints.sledge]\nkind = \"prismatic\"\nconnect = [\"ground\", \"sledge.C\"]\n"
+    "axis = \"x\"\n";
+const std::string teeth = "[joints.teeth]\nkind = \"gear\"\n";
+
+}  // namespace
+
+TEST_CASE("screws carry bodies and close loops, right-handed by their lead") {
+  const Project project = read(
+      "[joints.hinge]\nkind = \"screw\"\nconnect = [\"ground\", \"arm.A\"]\naxis = \"x\"\n"
+      "lead = \"5 mm\"\n[drivers.turn]\njoint = \"hinge\"\nkind = \"hold\"\n"
+      "value = \"720 deg\"\n[motion]\nduration = \"1 s\"\n" +
+      weld);
+  CHECK(joint(project, "hinge").kind == spatial::JointKind::screw);
+  CHECK(joint(project, "hinge").lead == Approx(0.005));
+  // Two turns to the right advance it by two leads.
+  const spatial::State state = spatial::Chain(spatial_of(project)).at(0.0);
+  CHECK((state.bodies[0].position - Vector3d(0.01, 0, 0)).norm() < 1e-15);
+
+  const Project closed =
+      read(two_wheels + swing +
+           "[joints.thread]\nkind = \"screw\"\nconnect = [\"arm.A\", \"wheel.C\"]\naxis = \"y\"\n"
+           "lead = \"-20 mm\"\ncloses = true\n");
+  const spatial::ClosingJoint& thread = spatial_of(closed).closing.front();
+  CHECK(thread.kind == spatial::ClosingKind::screw);
+  CHECK(thread.lead == Approx(-0.02));
+}
+
+TEST_CASE("gears and racks name the joints of their wheels, in any order of the file") {
+  const Project project =
+      read(teeth + "joints = [\"hinge\", \"wheel\"]\nratio = -0.5\noffset = \"30 deg\"\n" +
+           two_wheels + swing);
+  const spatial::Mechanism& mechanism = spatial_of(project);
+  CHECK(joint(project, "wheel").moved_by == spatial::MovedBy::loops);
+  const spatial::ClosingJoint& gear = mechanism.closing.front();
+  CHECK(gear.kind == spatial::ClosingKind::gear);
+  CHECK(gear.a.body == body_index(mechanism, "arm"));
+  CHECK(gear.b.body == body_index(mechanism, "wheel"));
+  // 0.3 m divided as 0.1 m and 0.2 m; standard teeth.
+  CHECK(gear.mesh.at.body == spatial::ground);
+  CHECK((gear.mesh.at.p - Vector3d(0.1, 0, 0)).norm() < 1e-15);
+  CHECK(gear.mesh.apart.norm() == Approx(std::tan(std::numbers::pi / 9.0)));
+  const spatial::State state = spatial::Chain(mechanism).at(0.1);
+  const auto at = [&](const char* name) {
+    return state.coordinates[static_cast<std::size_t>(joint_index(mechanism, name))].value;
+  };
+  CHECK(at("wheel") == Approx(-0.5 * at("hinge") + std::numbers::pi / 6.0));
+
+  const Project rack =
+      read(two_wheels + sledge + swing +
+           "[drivers.wheel]\njoint = \"wheel\"\nkind = \"hold\"\nvalue = \"0 deg\"\n"
+           "[joints.teeth]\nkind = \"rack\"\npinion = \"hinge\"\nrack = \"sledge\"\n"
+           "radius = \"50 mm\"\noffset = \"10 mm\"\npressure_angle = \"0 deg\"\nmesh = \"ground\"\n"
+           "at = [\"0 m\", \"0.2 m\", \"50 mm\"]\n");
+  const spatial::ClosingJoint& below = spatial_of(rack).closing.front();
+  CHECK(below.kind == spatial::ClosingKind::rack);
+  // A turn about y moves what is above the axis along x.
+  CHECK((below.mesh.at.p - Vector3d(0, 0.2, 0.05)).norm() < 1e-15);
+  CHECK(below.mesh.apart.norm() == 0.0);
+  const spatial::State moved = spatial::Chain(spatial_of(rack)).at(0.1);
+  const auto i = static_cast<std::size_t>(joint_index(spatial_of(rack), "sledge"));
+  const auto k = static_cast<std::size_t>(joint_index(spatial_of(rack), "hinge"));
+  CHECK(moved.coordinates[i].value == Approx(0.05 * moved.coordinates[k].value + 0.01));
+}
+
 TEST_CASE("a torsion spring in space turns back the joint that it names") {
   const boxbeam::Project project =
       read(hinge + weld + swing +
@@ -320,6 +394,39 @@ TEST_CASE("what is wrong in a case in space is said with what to write", "[bad_i
       {all + "[joints.hook]\nkind = \"universal\"\nconnect = [\"ground\", \"load.D\"]\n"
              "closes = true\naxis = \"x\"\nsecond_axis = [1, 1, 0]\n",
        "stand square", "second_axis = \"z\""},
+      {"[joints.hinge]\nkind = \"screw\"\nconnect = [\"ground\", \"arm.A\"]\naxis = \"x\"\n"
+       "lead = \"0 mm\"\n" +
+           weld,
+       "\"lead\"", "0.25 m"},
+      {two_wheels + swing + teeth + "joints = [\"hinge\", \"whel\"]\nratio = -0.5\n",
+       "there is no joint \"whel\" that carries a body", "did you mean \"wheel\"?"},
+      {two_wheels + swing + teeth + "joints = [\"hinge\"]\nratio = -0.5\n", "has two wheels",
+       "joints = ["},
+      {two_wheels + swing + teeth + "joints = [\"hinge\", \"hinge\"]\nratio = -0.5\n",
+       "cannot mesh with itself", "the two wheels"},
+      {two_wheels + swing + teeth + "joints = [\"hinge\", \"weld\"]\nratio = -0.5\n",
+       "\"weld\" is of kind \"fixed\"", "revolute joints"},
+      {two_wheels + sledge + swing + teeth + "joints = [\"hinge\", \"sledge\"]\nratio = -0.5\n",
+       "\"sledge\" is of kind \"prismatic\"", "kind = \"rack\""},
+      {two_wheels + swing + teeth + "joints = [\"hinge\", \"wheel\"]\nratio = 0\n",
+       "must not be zero", "-0.5"},
+      {two_wheels + swing + teeth + "joints = [\"hinge\", \"wheel\"]\nratio = 1\n",
+       "both wheels turn alike", "negative"},
+      {two_wheels + swing + teeth +
+           "joints = [\"hinge\", \"wheel\"]\nratio = -0.5\npressure_angle = \"80 deg\"\n",
+       "from 0 to 45 deg", "20 deg"},
+      {two_wheels + swing + teeth +
+           "joints = [\"hinge\", \"wheel\"]\nratio = -0.5\nmesh = \"load.D\"\n",
+       "does not stand still beside both axes", "the ground"},
+      {two_wheels + swing + teeth +
+           "joints = [\"hinge\", \"wheel\"]\nratio = -0.5\nmesh = \"ground\"\n"
+           "at = [\"0.2 m\", \"0 m\", \"0 m\"]\n",
+       "0.1 m beside the line", "goes through (0.1, 0, 0) m along (0, 1, 0) of the ground"},
+      {two_wheels + swing + teeth +
+           "joints = [\"hinge\", \"wheel\"]\nratio = -0.5\n"
+           "[drivers.teeth]\njoint = \"teeth\"\nkind = \"hold\"\n"
+           "value = \"0 deg\"\n",
+       "closes a loop and follows it", "one driver"},
       {"[joints.hinge]\nkind = \"revolute\"\nconnect = [\"ground\", \"arm.A\"]\naxis = \"w\"\n" +
            weld,
        "\"axis\" cannot be \"w\"", "three numbers"},

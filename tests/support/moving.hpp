@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "boxbeam/mechanism/spatial/mechanism.hpp"
@@ -98,6 +99,10 @@ inline std::vector<MovingBody> moving_bodies_of(const boxbeam::spatial::Mechanis
       body.R = parent.R * (turned(axis, q) * turn);
     } else if (joint.kind == spatial::JointKind::prismatic) {
       body.p = body.p + parent.R * along(axis, q);
+    } else if (joint.kind == spatial::JointKind::screw) {
+      const Real advance = Real(joint.lead) / (2 * std::numbers::pi_v<Real>);
+      body.R = parent.R * (turned(axis, q) * turn);
+      body.p = body.p + parent.R * along(advance * axis, q);
     }
     body.p = body.p + body.R * Vector(-joint.point.cast<Real>());
     bodies.push_back(body);

@@ -29,11 +29,16 @@ Eigen::Vector3d in_beam(const BeamPlacement& placement, const State& state, cons
   return in_beam(placement, own.R_WB.transpose() * (position_of(state, at) - own.position));
 }
 
-/// Where a joint takes hold of the body that carries it: a prismatic one where the carried body has
-/// its point, which slides.
+/// Where a joint takes hold of the body that carries it: one that slides where the carried body has
+/// its point.
 Attachment place_on_carrier(const Mechanism& mechanism, std::size_t i) {
   const Joint& joint = mechanism.joints[i];
-  if (joint.kind == JointKind::prismatic) return {static_cast<int>(i), joint.point};
+  switch (joint.kind) {
+    case JointKind::prismatic:
+    case JointKind::screw: return {static_cast<int>(i), joint.point};
+    case JointKind::fixed:
+    case JointKind::revolute: break;
+  }
   return {joint.parent, joint.at};
 }
 
@@ -43,7 +48,10 @@ Attachment place_on_a(const ClosingJoint& joint) {
     case ClosingKind::prismatic:
     case ClosingKind::cylindrical:
     case ClosingKind::planar:
-    case ClosingKind::slot: return joint.b;
+    case ClosingKind::slot:
+    case ClosingKind::screw: return joint.b;
+    case ClosingKind::gear:
+    case ClosingKind::rack: return place_of(joint);
     case ClosingKind::fixed:
     case ClosingKind::revolute:
     case ClosingKind::universal:
@@ -65,7 +73,7 @@ void each_hold(const Mechanism& mechanism, int own, const Function& f) {
   for (std::size_t k = 0; k < mechanism.closing.size(); ++k) {
     const ClosingJoint& joint = mechanism.closing[k];
     const std::size_t i = mechanism.joints.size() + k;
-    if (joint.b.body == own) f(joint.name, joint.b, i, 1.0);
+    if (joint.b.body == own) f(joint.name, place_of(joint), i, 1.0);
     if (joint.a.body == own) f(joint.name, place_on_a(joint), i, -1.0);
   }
 }
@@ -138,6 +146,7 @@ std::vector<Eigen::Vector3d> holds_of(const Mechanism& mechanism, int body) {
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     if (mechanism.joints[i].parent != body) continue;
     const auto leaves_here = [&](const ClosingJoint& joint) {
+      if (has_teeth(joint.kind)) return false;
       const int child = static_cast<int>(i);
       return is_beyond(joint.a.body, child) != is_beyond(joint.b.body, child);
     };
@@ -145,18 +154,44 @@ std::vector<Eigen::Vector3d> holds_of(const Mechanism& mechanism, int body) {
       places.push_back(mechanism.joints[i].at);
   }
   for (const ClosingJoint& joint : mechanism.closing) {
+    if (has_teeth(joint.kind)) continue;
     if (joint.a.body == body) places.push_back(joint.a.p);
     if (joint.b.body == body) places.push_back(joint.b.p);
   }
   return places;
 }
 
+namespace {
+
+/// Where teeth that mesh with the beam's body stand along its axis, while it turns about that.
+std::vector<Length> meshed_places_of(const Mechanism& mechanism, const BeamPlacement& placement) {
+  std::vector<Length> places;
+  const Joint& joint = mechanism.joints[static_cast<std::size_t>(placement.body)];
+  const Eigen::Vector3d axis = joint.turn.transpose() * joint.axis;
+  if (axis.cross(placement.axes.col(0)).norm() > 1e-9) return places;
+  const Tree tree(mechanism);
+  State state;
+  tree.drive(state, 0.0);
+  tree.move(state);
+  for (const ClosingJoint& closing : mechanism.closing) {
+    if (!has_teeth(closing.kind)) continue;
+    if (closing.a.body != placement.body && closing.b.body != placement.body) continue;
+    places.push_back(si<Length>(in_beam(placement, state, place_of(closing)).x()));
+  }
+  return places;
+}
+
+}  // namespace
+
 BeamBody beam_body_of(const TaperedBeam& beam, const BeamPlacement& placement,
                       const Mechanism& mechanism) {
   BeamBody body{placement, &beam, mass_distribution_of(beam), places_of(beam)};
   const Length end = body.places.back();
-  for (const LastingPlace& place : lasting_places_of(mechanism, placement)) {
-    const Length s = place_near(body.places, si<Length>(place.at.x()));
+  std::vector<Length> lasting = meshed_places_of(mechanism, placement);
+  for (const LastingPlace& place : lasting_places_of(mechanism, placement))
+    lasting.push_back(si<Length>(place.at.x()));
+  for (const Length& at : lasting) {
+    const Length s = place_near(body.places, at);
     // Beyond the ends nothing is known of the beam; the last of the places is its length.
     if (s > Length{} && s < end) body.places.insert(body.places.end() - 1, s);
   }

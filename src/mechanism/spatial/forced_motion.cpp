@@ -29,7 +29,7 @@ ForcedMotion::ForcedMotion(const Tree& tree, const Loops* loops, double toleranc
     const Joint& joint = mechanism.joints[i];
     if (!is_forced(joint)) continue;
     joints_.push_back(i);
-    scales_.push_back(joint.kind == JointKind::revolute ? 1.0 : size);
+    scales_.push_back(is_angle(joint.kind) ? 1.0 : size);
     start.y.push_back(joint.start / scales_.back());
   }
   for (std::size_t k = 0; k < joints_.size(); ++k)
@@ -166,9 +166,7 @@ ForcedMotion::Solution ForcedMotion::solve(const Tree& tree, State& state) const
       const std::size_t i = joints_[static_cast<std::size_t>(k)];
       const Joint& joint = tree.mechanism().joints[i];
       const Eigen::Vector3d axis = in_world(state, joint.parent, joint.axis);
-      along[k] =
-          scales_[static_cast<std::size_t>(k)] *
-          axis.dot(joint.kind == JointKind::revolute ? wrenches[i].moment : wrenches[i].force);
+      along[k] = scales_[static_cast<std::size_t>(k)] * along_coordinate(joint, axis, wrenches[i]);
     }
     return along;
   };

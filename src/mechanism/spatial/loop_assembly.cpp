@@ -75,8 +75,12 @@ Loops::Loops(const Tree& tree) : rows_(rows_of(tree.mechanism())) {
   }
   for (Eigen::Index k = 0; k < columns; ++k) {
     const JointKind kind = mechanism.joints[free_[static_cast<std::size_t>(k)]].kind;
-    column_scale_[k] = kind == JointKind::revolute ? 1.0 : size_;
+    column_scale_[k] = is_angle(kind) ? 1.0 : size_;
   }
+  for (const ClosingJoint& joint : mechanism.closing)
+    if (joint.kind == ClosingKind::screw) screws_.push_back(joint);
+  for (std::size_t i = 0; i < mechanism.joints.size() && !screws_.empty(); ++i)
+    if (is_angle(mechanism.joints[i].kind)) angles_.push_back(i);
   State state;
   tree.begin(state);
   assemble(tree, state);

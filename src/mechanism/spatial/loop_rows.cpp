@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "boxbeam/core/angle.hpp"
+
 namespace boxbeam::spatial {
 namespace {
 
@@ -33,6 +35,40 @@ Carried between(const State& state, const ClosingJoint& joint) {
 RowMotion product(const Carried& a, const Carried& b) {
   return {a.value.dot(b.value), a.rate.dot(b.value) + a.value.dot(b.rate),
           a.acceleration.dot(b.value) + 2.0 * a.rate.dot(b.rate) + a.value.dot(b.acceleration)};
+}
+
+/// The turn of b against a about the joint's axis, from -pi to pi.
+double screw_turn_of(const ClosingJoint& joint, const State& state) {
+  const Vector3d v = joint.axis.unitOrthogonal(), w = joint.axis.cross(v);
+  const auto of_a = [&](const Vector3d& x) { return in_world(state, joint.a.body, x); };
+  const auto of_b = [&](const Vector3d& x) {
+    return in_world(state, joint.b.body, joint.turn.transpose() * x);
+  };
+  return std::atan2(of_a(w).dot(of_b(v)) - of_a(v).dot(of_b(w)),
+                    of_a(v).dot(of_b(v)) + of_a(w).dot(of_b(w)));
+}
+
+/// Along the axis less what the turn about it advances, by the nearest turn; the rates are those of
+/// axes that other equations keep in line, so that b turns against a about them alone.
+RowMotion thread_motion(const ClosingJoint& joint, const RowMotion& slide, const State& state) {
+  const double pitch = pitch_of(joint.lead);
+  const BodyMotion& a = motion_of(state, joint.a.body);
+  const BodyMotion& b = motion_of(state, joint.b.body);
+  const Vector3d axis = a.R_WB * joint.axis;
+  return {pitch * std::remainder(slide.value / pitch - screw_turn_of(joint, state), full_turn),
+          slide.rate - pitch * axis.dot(b.omega - a.omega),
+          slide.acceleration - pitch * axis.dot(b.alpha - a.alpha)};
+}
+
+RowMotion teeth_motion(const Mesh& mesh, const State& state) {
+  RowMotion motion{-mesh.offset, 0.0, 0.0};
+  for (const Mesh::Part& part : mesh.parts) {
+    const DriverState& q = state.coordinates[part.joint];
+    motion.value += part.factor * q.value;
+    motion.rate += part.factor * q.rate;
+    motion.acceleration += part.factor * q.acceleration;
+  }
+  return motion;
 }
 
 class Rows {
@@ -71,6 +107,14 @@ class Rows {
       case Kind::distance:
         rows_->push_back({LoopRow::Kind::distance, index, Vector3d::Zero(), Vector3d::Zero()});
         return;
+      case Kind::screw:
+        on_the_axis(), aligned();
+        rows_->push_back({LoopRow::Kind::thread, index, joint.axis, Vector3d::Zero()});
+        return;
+      case Kind::gear:
+      case Kind::rack:
+        rows_->push_back({LoopRow::Kind::mesh, index, Vector3d::Zero(), Vector3d::Zero()});
+        return;
     }
   }
 
@@ -100,6 +144,10 @@ RowMotion motion_of(const Mechanism& mechanism, const LoopRow& row, const State&
   switch (row.kind) {
     case LoopRow::Kind::along:
       return product(carried(state, joint.a.body, row.u), between(state, joint));
+    case LoopRow::Kind::thread:
+      return thread_motion(
+          joint, product(carried(state, joint.a.body, row.u), between(state, joint)), state);
+    case LoopRow::Kind::mesh: return teeth_motion(joint.mesh, state);
     case LoopRow::Kind::square:
       return product(carried(state, joint.a.body, row.u), carried(state, joint.b.body, row.w));
     case LoopRow::Kind::distance: break;
@@ -120,6 +168,9 @@ Wrench wrench_of(const Mechanism& mechanism, const LoopRow& row, const State& st
     case LoopRow::Kind::along: return {u, Vector3d::Zero()};
     case LoopRow::Kind::square:
       return {Vector3d::Zero(), in_world(state, joint.b.body, row.w).cross(u)};
+    case LoopRow::Kind::thread: return {u, -pitch_of(joint.lead) * u};
+    case LoopRow::Kind::mesh:
+      return {in_world(state, joint.mesh.at.body, joint.mesh.along), Vector3d::Zero()};
     case LoopRow::Kind::distance: break;
   }
   return {(position_of(state, joint.b) - position_of(state, joint.a)).normalized(),
@@ -134,6 +185,10 @@ std::vector<Wrench> closing_wrenches(const Mechanism& mechanism, const std::vect
     const Wrench of = wrench_of(mechanism, rows[r], state);
     closing[rows[r].joint].force += multiplier * of.force;
     closing[rows[r].joint].moment += multiplier * of.moment;
+    if (rows[r].kind != LoopRow::Kind::mesh) continue;
+    const Mesh& teeth = mechanism.closing[rows[r].joint].mesh;
+    closing[rows[r].joint].force +=
+        std::abs(multiplier) * in_world(state, teeth.at.body, teeth.apart);
   }
   return closing;
 }
@@ -143,7 +198,7 @@ std::vector<BodyWrench> on_both_bodies(const Mechanism& mechanism,
   std::vector<BodyWrench> wrenches;
   for (std::size_t i = 0; i < closing.size(); ++i) {
     const ClosingJoint& joint = mechanism.closing[i];
-    const Vector3d place = position_of(state, joint.b);
+    const Vector3d place = position_of(state, place_of(joint));
     wrenches.push_back({joint.b.body, place, closing[i]});
     wrenches.push_back({joint.a.body, place, {-closing[i].force, -closing[i].moment}});
   }
@@ -161,11 +216,14 @@ bool stands_right(const ClosingJoint& joint, const State& state) {
       return same(Vector3d::UnitX()) && same(Vector3d::UnitY()) && same(Vector3d::UnitZ());
     case ClosingKind::revolute:
     case ClosingKind::cylindrical:
-    case ClosingKind::planar: return same(joint.axis);
+    case ClosingKind::planar:
+    case ClosingKind::screw: return same(joint.axis);
     case ClosingKind::universal:
     case ClosingKind::spherical:
     case ClosingKind::slot:
-    case ClosingKind::distance: return true;
+    case ClosingKind::distance:
+    case ClosingKind::gear:
+    case ClosingKind::rack: return true;
   }
   return true;
 }

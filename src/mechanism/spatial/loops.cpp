@@ -48,17 +48,16 @@ Eigen::MatrixXd Loops::jacobian(const Tree& tree, const State& state, const Rows
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const LoopRow& row = rows_[rows[r]];
     const Wrench wrench = wrench_of(mechanism, row, state);
-    const Eigen::Vector3d place = position_of(state, mechanism.closing[row.joint].b);
+    const Eigen::Vector3d place = position_of(state, place_of(mechanism.closing[row.joint]));
     const auto of = static_cast<Eigen::Index>(rows[r]);
     for (Eigen::Index k = 0; k < columns; ++k) {
       const int moves = moves_(of, k);
       if (moves == 0) continue;
       const std::size_t i = free_[static_cast<std::size_t>(k)];
       const Eigen::Vector3d& axis = axes[static_cast<std::size_t>(k)];
-      const double power =
-          mechanism.joints[i].kind == JointKind::revolute
-              ? axis.dot(wrench.moment + (place - state.bodies[i].joint).cross(wrench.force))
-              : axis.dot(wrench.force);
+      const double power = along_coordinate(
+          mechanism.joints[i], axis,
+          {wrench.force, wrench.moment + (place - state.bodies[i].joint).cross(wrench.force)});
       J(static_cast<Eigen::Index>(r), k) = moves * row_scale_[of] * power * column_scale_[k];
     }
   }
@@ -100,6 +99,7 @@ Loops::Sample Loops::with_rates(const Tree& tree, State& state, const Eigen::Vec
   Sample sample{state.time, q, Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count)};
   set(state, sample);
   tree.move(state);
+  sample.turned = turned(state);
   if (free_.empty()) return sample;
   const Eigen::PartialPivLU<Eigen::MatrixXd> lu(jacobian(tree, state, chosen_));
   const auto solved = [&](double RowMotion::*left) -> Eigen::VectorXd {
@@ -146,7 +146,25 @@ Loops::Sample Loops::sample_of(const State& state) const {
     sample.rate[k] = of.rate;
     sample.acceleration[k] = of.acceleration;
   }
+  sample.turned = turned(state);
   return sample;
+}
+
+Eigen::VectorXd Loops::turned(const State& state) const {
+  Eigen::VectorXd of(static_cast<Eigen::Index>(screws_.size() + angles_.size()));
+  Eigen::Index next = 0;
+  for (const ClosingJoint& screw : screws_) {
+    const Eigen::Vector3d slide = position_of(state, screw.b) - position_of(state, screw.a);
+    of[next++] = in_world(state, screw.a.body, screw.axis).dot(slide) / pitch_of(screw.lead);
+  }
+  for (const std::size_t i : angles_) of[next++] = state.coordinates[i].value;
+  return of;
+}
+
+bool Loops::keeps_turns(const Sample& near, const State& state) const {
+  constexpr double most = 1.0;  // [rad]
+  if (screws_.empty()) return true;
+  return (turned(state) - near.turned).cwiseAbs().maxCoeff() <= most;
 }
 
 void Loops::drive(const Tree& tree, State& state, double time) const {
@@ -160,6 +178,7 @@ std::optional<Loops::Sample> Loops::close_beside(const Sample& near, const Tree&
   set(state, {state.time, q, {}, {}});
   double first = 0.0;
   if (!converge(tree, state, q, first) || first > largest_correction) return std::nullopt;
+  if (!keeps_turns(near, state)) return std::nullopt;
   return with_rates(tree, state, q);
 }
 
@@ -181,7 +200,8 @@ Loops::Sample Loops::followed(const Tree& tree, Sample from, double until,
     const auto moved = [&] {
       return free_.empty() ? 0.0 : (q - before).cwiseQuotient(column_scale_).cwiseAbs().maxCoeff();
     };
-    if (converge(tree, state, q, first) && first <= largest_correction && moved() <= largest_move) {
+    if (converge(tree, state, q, first) && first <= largest_correction && moved() <= largest_move &&
+        keeps_turns(from, state)) {
       from = with_rates(tree, state, q);
       if (kept != nullptr) kept->push_back(from);
       if (first < 0.1 * largest_correction) step = std::min(1.5 * step, longest_step_);
@@ -228,7 +248,8 @@ void Loops::close(const Tree& tree, State& state) const {
   set(state, {state.time, q, {}, {}});
   double first = 0.0;
   const bool within = time <= samples_.back().time && time >= samples_.front().time;
-  if (!within || !converge(tree, state, q, first) || first > largest_correction) {
+  if (!within || !converge(tree, state, q, first) || first > largest_correction ||
+      !keeps_turns(*near, state)) {
     q = followed(tree, *near, time, nullptr).q;
     set(state, {state.time, q, {}, {}});
     static_cast<void>(converge(tree, state, q, first));
@@ -264,8 +285,7 @@ void Loops::wrenches(const Tree& tree, const State& state, std::vector<Wrench>& 
     const std::size_t i = free_[static_cast<std::size_t>(k)];
     const Joint& joint = mechanism.joints[i];
     const Eigen::Vector3d axis = in_world(state, joint.parent, joint.axis);
-    needed[k] = column_scale_[k] *
-                axis.dot(joint.kind == JointKind::revolute ? joints[i].moment : joints[i].force);
+    needed[k] = column_scale_[k] * along_coordinate(joint, axis, joints[i]);
   }
   // Rows that others imply carry nothing: where that matters, what is carried is not unique.
   Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows_.size()));

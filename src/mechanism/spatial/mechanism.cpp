@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/core/index_by_name.hpp"
 
@@ -13,9 +14,22 @@ const char* to_text(JointKind kind) {
     case JointKind::fixed: return "fixed";
     case JointKind::revolute: return "revolute";
     case JointKind::prismatic: return "prismatic";
+    case JointKind::screw: return "screw";
   }
   return "";
 }
+
+bool is_angle(JointKind kind) {
+  switch (kind) {
+    case JointKind::revolute:
+    case JointKind::screw: return true;
+    case JointKind::fixed:
+    case JointKind::prismatic: return false;
+  }
+  return false;
+}
+
+double pitch_of(double lead) { return lead / full_turn; }
 
 const char* to_text(ClosingKind kind) {
   switch (kind) {
@@ -28,6 +42,9 @@ const char* to_text(ClosingKind kind) {
     case ClosingKind::planar: return "planar";
     case ClosingKind::slot: return "slot";
     case ClosingKind::distance: return "distance";
+    case ClosingKind::screw: return "screw";
+    case ClosingKind::gear: return "gear";
+    case ClosingKind::rack: return "rack";
   }
   return "";
 }
@@ -60,8 +77,7 @@ std::vector<DriverUse> functions_of(const Mechanism& mechanism) {
   std::vector<DriverUse> uses;
   for (const Joint& joint : mechanism.joints) {
     if (!is_driven(joint)) continue;
-    uses.push_back(
-        {&joint.driver, joint.kind == JointKind::revolute, DriverUse::On::joint, joint.name});
+    uses.push_back({&joint.driver, is_angle(joint.kind), DriverUse::On::joint, joint.name});
   }
   for (const ClosingJoint& joint : mechanism.closing) {
     if (joint.kind != ClosingKind::distance) continue;

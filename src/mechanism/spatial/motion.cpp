@@ -22,6 +22,10 @@ struct Samples {
   double fastest = 0.0;  ///< rate of turn of any body [rad/s]
 };
 
+int axes_of(const ClosingJoint& joint) {
+  return has_teeth(joint.kind) ? joint.mesh.at.body : joint.a.body;
+}
+
 Samples samples_of(const Chain& chain, const Motion& motion) {
   const Mechanism& mechanism = chain.mechanism();
   const std::size_t joints = mechanism.joints.size() + mechanism.closing.size();
@@ -37,7 +41,7 @@ Samples samples_of(const Chain& chain, const Motion& motion) {
     for (std::size_t i = 0; i < joints; ++i) {
       const bool carries = i < mechanism.joints.size();
       const int parent = carries ? mechanism.joints[i].parent
-                                 : mechanism.closing[i - mechanism.joints.size()].a.body;
+                                 : axes_of(mechanism.closing[i - mechanism.joints.size()]);
       const auto row = static_cast<Eigen::Index>(6 * i);
       samples.values.col(column).segment<3>(row) = in_axes(state, parent, wrenches[i].force);
       samples.values.col(column).segment<3>(row + 3) = in_axes(state, parent, wrenches[i].moment);

@@ -50,9 +50,10 @@ Tree::Tree(const Mechanism& mechanism) : mechanism_(&mechanism) {
               joint.axis,
               joint.point,
               joint.kind,
+              pitch_of(joint.lead),
               joint.parent,
               !joint.point.isZero(0.0)};
-    if (joint.kind == JointKind::revolute) {
+    if (is_angle(joint.kind)) {
       // Rodrigues: a a^T + cos q (I - a a^T) + sin q [a]x, about the axis in the parent's axes.
       const Eigen::Matrix3d along = joint.axis * joint.axis.transpose();
       Eigen::Matrix3d across;
@@ -94,7 +95,8 @@ void Tree::move(State& state) const {
 
     const Eigen::Vector3d axis = parent.R_WB * link.axis;
     Eigen::Vector3d arm = parent.R_WB * link.at;
-    if (link.kind == JointKind::prismatic) arm += q.value * axis;
+    const double advance = link.kind == JointKind::prismatic ? 1.0 : link.pitch;
+    if (advance != 0.0) arm += advance * q.value * axis;
     const Turning carried = turning_at(parent, arm);
     body.joint = parent.position + arm;
     body.position = body.joint;
@@ -102,7 +104,7 @@ void Tree::move(State& state) const {
     body.acceleration = parent.acceleration + carried.acceleration;
     body.omega = parent.omega;
     body.alpha = parent.alpha;
-    if (link.kind == JointKind::revolute) {
+    if (is_angle(link.kind)) {
       body.R_WB = parent.R_WB * (link.fixed + std::cos(q.value) * link.along_cosine +
                                  std::sin(q.value) * link.along_sine);
       const Eigen::Vector3d u = q.rate * axis;
@@ -110,11 +112,11 @@ void Tree::move(State& state) const {
       body.alpha += q.acceleration * axis + parent.omega.cross(u);
     } else {
       body.R_WB = parent.R_WB * link.fixed;
-      if (link.kind == JointKind::prismatic) {
-        const Eigen::Vector3d slide = q.rate * axis;
-        body.velocity += slide;
-        body.acceleration += q.acceleration * axis + 2.0 * parent.omega.cross(slide);
-      }
+    }
+    if (advance != 0.0) {
+      const Eigen::Vector3d slide = advance * q.rate * axis;
+      body.velocity += slide;
+      body.acceleration += advance * q.acceleration * axis + 2.0 * parent.omega.cross(slide);
     }
     // From the joint to the body's own origin.
     if (!link.shifted) continue;
@@ -230,6 +232,17 @@ Eigen::Vector3d force_of(const Spring& spring, const State& state) {
   if (length == 0.0) return Eigen::Vector3d::Zero();
   if (!acts(spring, state)) return Eigen::Vector3d::Zero();
   return -tension_of(spring, state).value / length * d;
+}
+
+double along_coordinate(const Joint& joint, const Eigen::Vector3d& axis, const Wrench& wrench) {
+  switch (joint.kind) {
+    case JointKind::fixed: return 0.0;
+    case JointKind::revolute: return axis.dot(wrench.moment);
+    case JointKind::prismatic: return axis.dot(wrench.force);
+    case JointKind::screw:
+      return axis.dot(wrench.moment) + pitch_of(joint.lead) * axis.dot(wrench.force);
+  }
+  return 0.0;
 }
 
 namespace {

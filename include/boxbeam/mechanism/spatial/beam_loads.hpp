@@ -33,7 +33,7 @@ std::vector<LastingPlace> lasting_places_of(const Mechanism& mechanism,
                                             const BeamPlacement& placement);
 
 /// Where a body is held, in its axes: by the joint that carries it, by closing joints on it, and by
-/// joints of bodies that it carries and that loops hold.
+/// joints of bodies that it carries and that loops hold. Teeth push, and are not counted.
 std::vector<Eigen::Vector3d> holds_of(const Mechanism& mechanism, int body);
 
 /// The rigid body that is the verified beam.

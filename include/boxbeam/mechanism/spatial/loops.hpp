@@ -15,8 +15,12 @@ namespace boxbeam::spatial {
 ///     along:    u . (p_b - p_a)
 ///     square:   u . w
 ///     distance: |p_b - p_a| - l(t)
+///     thread:   u . (p_b - p_a) - lead theta/(2 pi),  theta the turn of b against a about u
+///     mesh:     the sum of factor q of the coordinates that teeth tie, less their offset
+///
+/// A thread looks alike after every turn: which one it is follows from the motion.
 struct LoopRow {
-  enum class Kind { along, square, distance };
+  enum class Kind { along, square, distance, thread, mesh };
   Kind kind = Kind::along;
   std::size_t joint = 0;  ///< index among the closing ones
   Eigen::Vector3d u = Eigen::Vector3d::Zero(), w = Eigen::Vector3d::Zero();
@@ -35,6 +39,7 @@ class Loops {
   struct Sample {
     double time = 0.0;
     Eigen::VectorXd q, rate, acceleration;
+    Eigen::VectorXd turned = {};  ///< as `turned`
   };
 
   /// Closes them at t = 0, as near to the starts of the free coordinates as it can. Throws
@@ -88,6 +93,11 @@ class Loops {
   Eigen::MatrixXd jacobian(const Tree& tree, const State& state, const Rows& rows) const;
   Eigen::VectorXd open(const Tree& tree, const State& state, const Rows& rows) const;
 
+  /// Where screws close loops: how far each has turned by its slide, and all angles [rad]. Between
+  /// two positions less than half a turn apart in all of them no screw changes its turn unseen.
+  Eigen::VectorXd turned(const State& state) const;
+  bool keeps_turns(const Sample& near, const State& state) const;
+
   void assemble(const Tree& tree, State& state) const;
   void choose_rows(const Tree& tree, const State& state);
   void judge_uniqueness(const Tree& tree, const State& state);
@@ -107,6 +117,8 @@ class Loops {
   double longest_step_ = 0.01;                ///< of following [s]
   double begin_ = 0.0, period_ = 0.0;         ///< after which all repeats; 0: it does not
   int branch_ = 0;
+  std::vector<ClosingJoint> screws_;  ///< those that close loops
+  std::vector<std::size_t> angles_;   ///< joints whose coordinates are angles, where there are any
   std::vector<char> unique_;
   std::vector<Sample> samples_;
   const ForcedMotion* forced_ = nullptr;

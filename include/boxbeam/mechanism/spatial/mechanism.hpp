@@ -30,9 +30,17 @@ struct Body {
   std::vector<BodyPoint> points;
 };
 
-enum class JointKind { fixed, revolute, prismatic };
+enum class JointKind {
+  fixed,
+  revolute,
+  prismatic,
+  screw,  ///< turns about its axis and advances along it, a lead for every turn
+};
 
 const char* to_text(JointKind kind);
+
+/// Whether the coordinate of a joint is an angle [rad]; else a length [m], or it has none.
+bool is_angle(JointKind kind);
 
 /// What decides the coordinate of a joint that moves.
 enum class MovedBy {
@@ -45,7 +53,8 @@ enum class MovedBy {
 ///
 ///     R_WB = R_WP turned(q),  p_B = p_P + R_WP (at + axis q) - R_WB point
 ///
-/// where q turns about the axis (revolute), shifts along it (prismatic) or is absent (fixed).
+/// where q turns about the axis (revolute), shifts along it (prismatic) or is absent (fixed). A
+/// screw turns by q and shifts by lead q/(2 pi).
 struct Joint {
   std::string name;
   JointKind kind = JointKind::fixed;
@@ -59,7 +68,11 @@ struct Joint {
   MovedBy moved_by = MovedBy::driver;
   double start = 0.0;       ///< q at t = 0 by forces; by loops near which it is sought [rad or m]
   double start_rate = 0.0;  ///< by forces, at t = 0 [rad/s or m/s]
+  double lead = 0.0;        ///< of a screw: its advance in a turn, right-handed [m]
 };
+
+/// What a screw advances by a radian [m].
+double pitch_of(double lead);
 
 /// Whether a joint has a coordinate that its driver moves, or that forces move.
 inline bool is_driven(const Joint& joint) {
@@ -88,9 +101,33 @@ enum class ClosingKind {
   planar,    ///< slides square to its axis, and turns about it
   slot,      ///< the place on b stays on the axis through the place on a
   distance,  ///< between the two places, which a driver may change: a rod, a cylinder
+  screw,     ///< as cylindrical, and advances by a lead for every turn
+  gear,      ///< two toothed wheels roll on each other
+  rack,      ///< a toothed wheel rolls on a straight rack
 };
 
 const char* to_text(ClosingKind kind);
+
+/// Whether it ties coordinates of joints that carry bodies by teeth.
+inline bool has_teeth(ClosingKind kind) {
+  return kind == ClosingKind::gear || kind == ClosingKind::rack;
+}
+
+/// Teeth that mesh: the coordinates that they tie, sum of factor q = offset, all lengths along the
+/// pitch circle, and the force with which they do. `at` is fixed in the body that keeps the axes of
+/// both wheels where they are: there both wheels move alike.
+struct Mesh {
+  struct Part {
+    std::size_t joint = 0;  ///< index
+    double factor = 0.0;    ///< [m/rad or 1]
+  };
+  std::vector<Part> parts;
+  double offset = 0.0;  ///< [m]
+  Attachment at;
+  Eigen::Vector3d along = Eigen::Vector3d::Zero();  ///< of the pitch circles, unit, axes of `at`
+  /// For every newton along, either way, what pushes b away from a by the pressure angle.
+  Eigen::Vector3d apart = Eigen::Vector3d::Zero();
+};
 
 /// A joint between two bodies that others carry already: it closes a loop.
 struct ClosingJoint {
@@ -102,7 +139,15 @@ struct ClosingJoint {
   Eigen::Vector3d other = Eigen::Vector3d::UnitY();    ///< of a universal joint, axes of b
   Driver length = PolynomialDriver{{0.0}};             ///< of a distance, over time [m]
   std::string driver_name = {};                        ///< "" where its length does not change
+  double lead = 0.0;                                   ///< of a screw, as that of a joint [m]
+  Mesh mesh = {};                                      ///< of a gear or rack
 };
+
+/// The place about which it is said what a closing joint does to its two bodies: that on b, or
+/// where teeth mesh.
+inline const Attachment& place_of(const ClosingJoint& joint) {
+  return has_teeth(joint.kind) ? joint.mesh.at : joint.b;
+}
 
 std::string driver_text(const ClosingJoint& joint);
 

@@ -69,6 +69,7 @@ class Tree {
     Eigen::Matrix3d fixed, along_cosine, along_sine;
     Eigen::Vector3d at, axis, point;
     JointKind kind;
+    double pitch;  ///< of a screw
     int parent;
     bool shifted;  ///< the body's origin lies elsewhere than the joint
   };
@@ -86,6 +87,10 @@ Eigen::Vector3d acceleration_of(const State& state, const Attachment& at);
 Eigen::Vector3d in_world(const State& state, int axes, const Eigen::Vector3d& vector);
 /// The other way: a vector of the world in a body's axes.
 Eigen::Vector3d in_axes(const State& state, int axes, const Eigen::Vector3d& vector);
+
+/// What a wrench about a joint's place does along its coordinate, its axis given in the world
+/// [N m or N]; 0 of a fixed one.
+double along_coordinate(const Joint& joint, const Eigen::Vector3d& axis, const Wrench& wrench);
 
 /// The tension of a spring as one that both pushes and pulls, and its rate of change [N, N/s].
 struct Tension {
