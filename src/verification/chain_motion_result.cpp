@@ -93,8 +93,9 @@ ChainBody body_of(const Mechanism& mechanism, const spatial::State& state, std::
           inertia.moment,           inertia.gyroscopic};
 }
 
-ChainJoint joint_of(const Mechanism& mechanism, const spatial::State& state, std::size_t i,
+ChainJoint joint_of(const spatial::Chain& chain, const spatial::State& state, std::size_t i,
                     const spatial::Wrench& wrench, int beam) {
+  const Mechanism& mechanism = chain.mechanism();
   const spatial::Joint& joint = mechanism.joints[i];
   const bool on_carrier = beam != spatial::ground && joint.parent == beam;
   const double sign = on_carrier ? -1.0 : 1.0;
@@ -106,10 +107,7 @@ ChainJoint joint_of(const Mechanism& mechanism, const spatial::State& state, std
                     {}};
   if (joint.kind == spatial::JointKind::fixed) return result;
   result.coordinate = state.coordinates[i];
-  if (!spatial::is_driven(joint)) return result;
-  const Eigen::Vector3d axis = spatial::in_world(state, joint.parent, joint.axis);
-  const bool turns = joint.kind == spatial::JointKind::revolute;
-  result.drive = axis.dot(turns ? wrench.moment : wrench.force);
+  if (spatial::is_driven(joint)) result.drive = chain.along_axis(state, i, wrench);
   return result;
 }
 
@@ -154,13 +152,15 @@ ChainInstant instant_of(const Project& project, const spatial::Chain& chain,
   instant.time = time;
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     instant.bodies.push_back(body_of(mechanism, state, i));
-    instant.joints.push_back(joint_of(mechanism, state, i, wrenches[i], project.placement.body));
+    instant.joints.push_back(joint_of(chain, state, i, wrenches[i], project.placement.body));
   }
   for (std::size_t k = 0; k < mechanism.closing.size(); ++k) {
     instant.joints.push_back(joint_of(mechanism, state, mechanism.closing[k],
                                       wrenches[mechanism.joints.size() + k],
                                       project.placement.body));
   }
+  for (std::size_t j = 0; j < state.friction.size(); ++j)
+    instant.joints[chain.contacts()[j].joint].friction = state.friction[j];
   if (const spatial::Loops* loops = chain.loops()) {
     instant.branch = loops->branch();
     instant.residual = loops->residual_of(chain.tree(), state);

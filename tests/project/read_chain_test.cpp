@@ -262,6 +262,47 @@ TEST_CASE("joints say what forces move, from where and how fast") {
   CHECK(joint(screw, "hinge.2").start_rate == Approx(2.0));
 }
 
+TEST_CASE("joints that slide say what rubs in them") {
+  const std::string rest = weld + "[motion]\nduration = \"1 s\"\n";
+  const auto rubbing = [&](const char* kind, const std::string& friction,
+                           const std::string& driver) {
+    return read("[joints.hinge]\nkind = \"" + std::string(kind) +
+                "\"\nconnect = [\"ground\", \"arm.A\"]\naxis = \"y\"\nfriction = { " + friction +
+                " }\n" + driver + rest);
+  };
+  const std::string ahead =
+      "[drivers.a]\njoint = \"hinge\"\nkind = \"constant rate\"\nstart = \"0 m\"\nrate = "
+      "\"0.3 m/s\"\n";
+  const Friction all =
+      joint(rubbing("prismatic",
+                    "coefficient = 0.1, viscous = \"3 N s/m\", creep = \"4 mm/s\", guide_length "
+                    "= \"0.2 m\"",
+                    ahead),
+            "hinge")
+          .friction;
+  CHECK(all.coulomb == 0.1);
+  CHECK(all.viscous == 3.0);
+  CHECK(all.creep == Approx(0.004));
+  CHECK(all.guide == Approx(0.2));
+  // A creep velocity that is not said is a fiftieth of the fastest.
+  CHECK(joint(rubbing("prismatic", "coefficient = 0.1", ahead), "hinge").friction.creep ==
+        Approx(0.006));
+  // Of a cylindrical joint what slides in it.
+  const Project screw = rubbing("cylindrical", "coefficient = 0.1",
+                                "[drivers.a]\njoint = \"hinge.1\"\nkind = \"hold\"\nvalue = \"0 "
+                                "deg\"\n[drivers.b]\njoint = \"hinge.2\"\nkind = \"constant "
+                                "rate\"\nstart = \"0 m\"\nrate = \"0.1 m/s\"\n");
+  CHECK_FALSE(rubs(joint(screw, "hinge.1").friction));
+  CHECK(joint(screw, "hinge.2").friction.coulomb == 0.1);
+  CHECK(joint(screw, "hinge.2").friction.creep == Approx(0.002));
+  // What closes a loop.
+  const Project closed =
+      read(hinge + weld + swing +
+           "[joints.slot]\nkind = \"slot\"\nconnect = [\"ground\", \"arm.B\"]\nat = [\"1 m\", \"0 "
+           "m\", \"0 m\"]\naxis = \"x\"\nfriction = { viscous = \"2 N s/m\" }\n");
+  CHECK(spatial_of(closed).closing.front().friction.viscous == 2.0);
+}
+
 TEST_CASE("a torsion spring in space turns back the joint that it names") {
   const boxbeam::Project project =
       read(hinge + weld + swing +
@@ -290,6 +331,16 @@ TEST_CASE("what is wrong in a case in space is said with what to write", "[bad_i
       {"[joints.hinge]\nkind = \"fixed\"\nconnect = [\"load.C\", \"arm.A\"]\n" + weld,
        "is carried by what it carries itself", "the tree begins at the ground"},
       {hinge + weld, "nothing drives joint \"hinge\"", "kind = \"hold\""},
+      {hinge + "friction = { coefficient = 0.1 }\n" + weld + swing,
+       "friction in a revolute joint is not computed", "what slides along an axis"},
+      {all + "[joints.slot]\nkind = \"slot\"\nconnect = [\"ground\", \"arm.B\"]\naxis = \"x\"\n"
+             "friction = { coefficient = 0.1, guide_length = \"0.1 m\" }\n",
+       "a slot carries no couple", "leave out guide_length"},
+      {"[joints.hinge]\nkind = \"prismatic\"\nconnect = [\"ground\", \"arm.A\"]\naxis = \"y\"\n"
+       "friction = { coefficient = 3.0 }\n[drivers.a]\njoint = \"hinge\"\nkind = \"hold\"\nvalue = "
+       "\"0 m\"\n" +
+           weld,
+       "a coefficient of friction, from 0 to 2", "coefficient = 0.1"},
       {hinge + "moved_by = \"forces\"\n" + weld + swing, "forces move joint \"hinge\"",
        "or the driver"},
       {hinge + "moved_by = \"forces\"\n" + weld, "how long is not known", "duration"},

@@ -189,7 +189,8 @@ Motion motion_of(const Chain& chain) {
     if (2 * motion.instants > most) {
       throw AnalysisError(
           {fmt::format("joint forces change too fast to be resolved with {} instants in the time "
-                       "looked at; give a shorter [motion] duration, or smoother drivers and loads",
+                       "looked at; give a shorter [motion] duration, smoother drivers and loads, or a "
+                       "larger creep velocity of what rubs",
                        motion.instants),
            "mechanism",
            misfit.time,

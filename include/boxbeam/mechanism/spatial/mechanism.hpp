@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "boxbeam/mechanism/common/driver.hpp"
+#include "boxbeam/mechanism/common/friction.hpp"
 #include "boxbeam/mechanism/common/time_span.hpp"
 
 /// Rigid bodies in space that joints carry one from another, a tree that begins at the ground, and
@@ -59,6 +60,7 @@ struct Joint {
   MovedBy moved_by = MovedBy::driver;
   double start = 0.0;       ///< q at t = 0 by forces; by loops near which it is sought [rad or m]
   double start_rate = 0.0;  ///< by forces, at t = 0 [rad/s or m/s]
+  Friction friction = {};   ///< of a prismatic one
 };
 
 /// Whether a joint has a coordinate that its driver moves, or that forces move.
@@ -102,6 +104,7 @@ struct ClosingJoint {
   Eigen::Vector3d other = Eigen::Vector3d::UnitY();    ///< of a universal joint, axes of b
   Driver length = PolynomialDriver{{0.0}};             ///< of a distance, over time [m]
   std::string driver_name = {};                        ///< "" where its length does not change
+  Friction friction = {};  ///< of a prismatic, cylindrical or slot joint, along its axis
 };
 
 std::string driver_text(const ClosingJoint& joint);
