@@ -96,7 +96,8 @@ void say_locked(const std::vector<std::string>& joints, double time) {
 
 double fitted_creep(const Friction& law, double v_max, double waves) {
   constexpr double share = 0.02, most_instants = 24576.0, instants_to_resolve = 20.0;
-  if (v_max == 0.0) return law.creep;
+  constexpr double stands = 1e-9;  // [m/s]: round-off of what does not move
+  if (v_max < stands) return law.creep;
   return std::min(law.creep, std::max(share, instants_to_resolve * waves / most_instants) * v_max);
 }
 

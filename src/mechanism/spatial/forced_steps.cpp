@@ -17,8 +17,8 @@ double smallest_step(double from, double to) {
   return 1e-13 * std::max(std::abs(from), std::abs(to)) + 1e-300;
 }
 
-/// Adds a step of `freedoms` and contacts that rub; a mechanism costs five bodies besides its own. Throws AnalysisError
-/// beyond some ten seconds of them.
+/// Adds a step of `freedoms` and contacts that rub; a mechanism costs five bodies besides its own.
+/// Throws AnalysisError beyond some ten seconds of them.
 void spend(const Tree& tree, std::size_t freedoms, double time, int steps, double& bodies) {
   constexpr double most = 6e7, stages = 15.0, besides = 5.0, of_a_loop = 10.0;
   const Mechanism& mechanism = tree.mechanism();
