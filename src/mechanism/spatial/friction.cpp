@@ -150,7 +150,8 @@ void say_locked_contacts(const Mechanism& mechanism, const std::vector<FrictionC
                          double time) {
   std::vector<std::string> names;
   for (const FrictionContact& contact : contacts)
-    if (contact.law.coulomb != 0.0) names.push_back(name_of_contact(mechanism, contact));
+    if (contact.law.coulomb != 0.0 && !is_taken_by_drive(mechanism, contact))
+      names.push_back(name_of_contact(mechanism, contact));
   say_locked(names, time);
 }
 

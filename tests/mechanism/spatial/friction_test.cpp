@@ -353,8 +353,8 @@ TEST_CASE("friction changes nothing but the drive of a joint that a driver moves
 TEST_CASE("loops that rub: every body in equilibrium, and power in balance") {
   // A table on a slide, an arm on it that a ball-ended strut holds, whose other end a cylinder's
   // sleeve guides along a line askew in space, on a body that turns.
-  int rubbing = 0;
-  for (unsigned seed = 1; seed <= 8; ++seed) {
+  int rubbing = 0, ended = 0;
+  for (unsigned seed = 1; seed <= 12; ++seed) {
     CAPTURE(seed);
     test::Chance chance(100 + seed);
     Mechanism mechanism;
@@ -366,14 +366,14 @@ TEST_CASE("loops that rub: every body in equilibrium, and power in balance") {
       body.inertia = chance.inertia(body.mass, 0.4);
     };
     const auto driven = [&](double rate) {
-      mechanism.joints.back().driver = HarmonicDriver{0.0, 0.15, rate, 0.2, {}};
+      mechanism.joints.back().driver = HarmonicDriver{0.0, 0.03, rate, 0.2, {}};
     };
     const int base = add(mechanism, "base", JointKind::revolute, ground, chance.vector(),
                          chance.direction(), MovedBy::driver);
     driven(2.0);
     const int table = add(mechanism, "table", JointKind::prismatic, base, chance.vector(),
                           chance.direction(), MovedBy::loops);
-    mechanism.joints.back().friction = {0.15, 3.0, 0.01, 0.4};
+    mechanism.joints.back().friction = {0.06, 3.0, 0.01, 0.4};
     const int arm = add(mechanism, "arm", JointKind::revolute, table, chance.vector(0.3),
                         chance.direction(), MovedBy::driver);
     driven(3.0);
@@ -388,21 +388,24 @@ TEST_CASE("loops that rub: every body in equilibrium, and power in balance") {
     for (const int of : {base, table, arm, second, other}) mass(of);
     ClosingJoint closing;
     closing.name = "sleeve";
-    const bool cylindrical = seed % 2 == 0;
-    closing.kind = cylindrical ? ClosingKind::cylindrical : ClosingKind::slot;
-    if (cylindrical) {
-      // Four equations: one more turn in the chain.
-      const int third = add(mechanism, "third", JointKind::revolute, second, chance.vector(0.4),
-                            chance.direction(), MovedBy::loops);
-      mass(third);
-      closing.b = {third, chance.vector(0.5)};
-      closing.friction = {0.1, 1.0, 0.01, 0.5};
-    } else {
+    constexpr ClosingKind kinds[] = {ClosingKind::slot, ClosingKind::cylindrical,
+                                     ClosingKind::prismatic};
+    closing.kind = kinds[seed % 3];
+    int last = second;
+    if (closing.kind == ClosingKind::slot) {
       // Two equations: the table and one turn.
       mechanism.joints[static_cast<std::size_t>(second)].moved_by = MovedBy::driver;
-      closing.b = {second, chance.vector(0.5)};
-      closing.friction = {0.1, 1.0, 0.01, 0.0};
+      closing.friction = {0.05, 1.0, 0.01, 0.0};
+    } else {
+      // Four equations or five: one more turn in the chain, or two.
+      closing.friction = {0.05, 1.0, 0.01, 0.5};
+      for (unsigned k = 0; k < seed % 3; ++k) {
+        last = add(mechanism, "more", JointKind::revolute, last, chance.vector(0.4),
+                   chance.direction(), MovedBy::loops);
+        mass(last);
+      }
     }
+    closing.b = {last, chance.vector(0.5)};
     const Tree tree(mechanism);
     State state;
     tree.begin(state);
@@ -426,12 +429,13 @@ TEST_CASE("loops that rub: every body in equilibrium, and power in balance") {
         test::check_balance(chain, 0.015 * k, 1e-9);
         rubbing += check_laws(chain, 0.015 * k);
       }
-    } catch (const AnalysisError& error) {
+    } catch (const AnalysisError&) {
       // By chance it may come to a dead point, or lock.
-      UNSCOPED_INFO(error.what());
+      ++ended;
     }
   }
-  CHECK(rubbing > 200);
+  CHECK(ended <= 2);
+  CHECK(rubbing > 450);
 }
 
 namespace {
