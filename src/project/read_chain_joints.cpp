@@ -267,7 +267,7 @@ Friction read_sliding_friction(TableReader& table, std::size_t kind) {
     }
     return law;
   }
-  if (table.has_misplaced("friction")) {
+  if (table.is_there("friction") && table.has_misplaced("friction")) {
     table.problem("friction", fmt::format("friction in a {} joint is not computed", kinds[kind]),
                   "what slides along an axis may rub: kind = \"prismatic\", \"cylindrical\" or "
                   "\"slot\"; else leave it out");

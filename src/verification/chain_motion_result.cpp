@@ -104,6 +104,7 @@ ChainJoint joint_of(const spatial::Chain& chain, const spatial::State& state, st
                     sign * wrench.force,
                     sign * wrench.moment,
                     {},
+                    {},
                     {}};
   if (joint.kind == spatial::JointKind::fixed) return result;
   result.coordinate = state.coordinates[i];
@@ -121,6 +122,7 @@ ChainJoint joint_of(const Mechanism& mechanism, const spatial::State& state,
                     mechanism.bodies[static_cast<std::size_t>(on)].name,
                     sign * wrench.force,
                     sign * wrench.moment,
+                    {},
                     {},
                     {}};
   if (joint.kind != spatial::ClosingKind::distance) return result;
