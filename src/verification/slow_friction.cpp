@@ -145,14 +145,10 @@ double unseen_in_long_stretches(const Course& course, const std::vector<double>&
   return unseen;
 }
 
-std::string said_of(const Project& project, const SituationRun& run, const Courses& courses,
-                    const Course& course) {
+/// What its velocity takes away of it.
+std::string velocity_text(const Project& project, const SituationRun& run, const Courses& courses,
+                          const Course& course) {
   constexpr double counts = 0.9, bears = 0.01;
-  if (course.presses_with > bears * run.loads.largest_force()) {
-    return fmt::format(
-        "a couple of up to {:.3g} kN m {} presses nowhere", 1e-3 * course.couple,
-        course.law.guide > 0.0 ? "about its guide" : "on its guide, which has no guide_length,");
-  }
   const double full = *std::max_element(course.full.begin(), course.full.end());
   if (!(full > bears * run.loads.largest_force())) return "";
   double acting = 0.0;
@@ -178,6 +174,22 @@ std::string said_of(const Project& project, const SituationRun& run, const Cours
   if (!(unseen > bears * run.loads.largest_force())) return "";
   return fmt::format("while it stands up to {:.3g} kN in either sense are not looked at",
                      1e-3 * unseen);
+}
+
+/// What presses nowhere.
+std::string couple_text(const SituationRun& run, const Course& course) {
+  constexpr double bears = 0.01;
+  if (!(course.presses_with > bears * run.loads.largest_force())) return "";
+  return fmt::format(
+      "a couple of up to {:.3g} kN m {} presses nowhere", 1e-3 * course.couple,
+      course.law.guide > 0.0 ? "about its guide" : "on its guide, which has no guide_length,");
+}
+
+std::string said_of(const Project& project, const SituationRun& run, const Courses& courses,
+                    const Course& course) {
+  const std::string couple = couple_text(run, course);
+  const std::string velocity = velocity_text(project, run, courses, course);
+  return couple + (couple.empty() || velocity.empty() ? "" : "; ") + velocity;
 }
 
 }  // namespace

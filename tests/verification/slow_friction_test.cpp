@@ -216,6 +216,26 @@ TEST_CASE("a beam in space that its guide rubs is pressed or pulled by the frict
         Approx(-friction - 200.0).epsilon(1e-9));
 }
 
+TEST_CASE("a contact in space that forces move more slowly than it would stick says so") {
+  // By hand, as in the plane: 0.5 of 0.3 x 3 kN balance the push at v = 10 mm/s (5/9)/sqrt(1 -
+  // (5/9)^2) = 6.68 mm/s. At the start the push moves a mass whose centre is 1 m above the slide.
+  std::string text = post_in_space("").text;
+  const auto replace = [&](const char* from, const char* until, const std::string& by) {
+    const std::size_t at = text.find(from);
+    text.replace(at, text.find(until) - at, by);
+  };
+  replace("duration = \"1 s\"", "[bodies.beam]", "duration = \"5 ms\"\n");
+  replace("[joints.push]", "[forces.P]",
+          "moved_by = \"forces\"\n[forces.Q]\nkind = \"force\"\npoint = \"beam.A\"\ndirection = "
+          "\"x\"\naxes = \"world\"\nsize = \"0.5 kN\"\n");
+  replace("direction = \"y\"", "[sections.s]", "direction = \"-z\"\nsize = \"3 kN\"\n");
+  replace("density", "[[beam.segments]]", "density = \"78.5 kg/m^3\"\n");
+  CHECK_THAT(line_of(parse_project("post.toml", text)),
+             Catch::Contains("dry friction of slide: a couple of up to 0.5 kN m on its guide") &&
+                 Catch::Contains("presses nowhere; forces move it with at most 6.68 mm/s (creep 10 "
+                                 "mm/s), at most 0.5 of 0.9 kN act, and it does not stick"));
+}
+
 TEST_CASE("what is not looked at of dry friction in space is said") {
   CHECK_THAT(line_of(pulled_beam(at_rate("0.1 m/s"), "")), !Catch::Contains("dry friction"));
   // By hand: of 4.5 kN 100/hypot(100, 1000).
@@ -230,6 +250,9 @@ TEST_CASE("what is not looked at of dry friction in space is said") {
                              "has no guide_length, presses nowhere"));
   CHECK_THAT(line_of(post_in_space(", guide_length = \"0.5 m\"")),
              Catch::Contains("a couple of up to 2 kN m about its guide presses nowhere"));
+  // A creep velocity that takes most of it away is said beside: 100/hypot(100, 1000) of 0.3 kN.
+  CHECK_THAT(line_of(post_in_space(", creep = \"1 m/s\"")),
+             Catch::Contains("presses nowhere; at most 0.03 of 0.3 kN act"));
 }
 
 }  // namespace slow_friction_test
