@@ -567,6 +567,39 @@ TEST_CASE("a slide that a force beside its guide moves stands still from mu = l/
   }
 }
 
+TEST_CASE("a slide with its mass beside its guide brakes itself, and locks at mu = l/(2 e)") {
+  // By hand: braked by F along the guide, m |a| e tilts it, and m |a| = F + mu 2 m |a| e/l.
+  // Pushed ahead as fast, m a = F - mu 2 m a e/l. No acceleration is enough from mu = l/(2 e) on.
+  const double jams = 0.3 / (2.0 * 0.2), F = 40.0, m = 2.0;
+  const auto sliding = [&](double mu, double sense) {
+    Mechanism mechanism = pushed_beside(mu);
+    mechanism.closing.clear();
+    mechanism.joints[0].moved_by = MovedBy::forces;
+    mechanism.joints[0].start_rate = 1.0;
+    set_mass(mechanism.bodies[0], m, {0.0, 0.12, 0.16}, {0.0, 0.0, 0.0});
+    mechanism.loads[0].direction = sense * Vector3d::UnitX();
+    mechanism.loads[0].size = PolynomialDriver{{F}};
+    mechanism.duration.length = 0.01;
+    return mechanism;
+  };
+  for (const double mu : {0.3 * jams, 0.9 * jams}) {
+    const Mechanism braked = sliding(mu, -1.0), pushed = sliding(mu, 1.0);
+    CHECK(Chain(braked).at(0.0).coordinates[0].acceleration ==
+          Approx(-F / m / (1.0 - mu / jams)).epsilon(1e-9));
+    CHECK(Chain(pushed).at(0.0).coordinates[0].acceleration ==
+          Approx(F / m / (1.0 + mu / jams)).epsilon(1e-9));
+    test::check_balance(Chain(braked), 0.001);
+  }
+  const Mechanism locked = sliding(1.2 * jams, -1.0);
+  try {
+    const Chain chain(locked);
+    FAIL("must be refused");
+  } catch (const AnalysisError& error) {
+    CHECK(error.failure().where == "joint slide");
+    CHECK(error.failure().what.find("locks") != std::string::npos);
+  }
+}
+
 TEST_CASE("what presses on a joint that rubs must be known") {
   // A slider-crank of pins and a slide: in space they hold each other across the plane.
   SliderCrank linkage(false);
