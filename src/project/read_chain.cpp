@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "boxbeam/mechanism/spatial/friction.hpp"
 #include "readers.hpp"
 
 namespace boxbeam::readers {
@@ -103,6 +104,23 @@ Body read_body(const std::string& name, TableReader& table, bool is_beam) {
   return body;
 }
 
+/// The joints with dry friction of which a case gives no creep velocity.
+std::vector<std::size_t> joints_without_creep(const TableReader& root, const Mechanism& mechanism) {
+  std::vector<std::size_t> found;
+  const Node* const joints = root.peek("joints");
+  if (joints == nullptr) return found;
+  for (const spatial::FrictionContact& contact : spatial::friction_contacts_of(mechanism)) {
+    if (contact.law.coulomb == 0.0) continue;
+    const std::string& name = name_of_contact(mechanism, contact);
+    // "shaft.2" slides in "shaft".
+    const Node* at = joints->find(name);
+    if (at == nullptr) at = joints->find(name.substr(0, name.rfind('.')));
+    if (at != nullptr) at = at->find("friction");
+    if (at != nullptr && at->find("creep") == nullptr) found.push_back(contact.joint);
+  }
+  return found;
+}
+
 }  // namespace
 
 Mechanism read_chain(TableReader& root, const std::vector<std::string>& beam_bodies,
@@ -130,6 +148,7 @@ Mechanism read_chain(TableReader& root, const std::vector<std::string>& beam_bod
   }
   read_chain_loads(root, mechanism, tables);
   check_functions(root, functions_of(mechanism), mechanism.duration, {"joints", "forces"});
+  if (root.problems().empty()) fit_creep(mechanism, joints_without_creep(root, mechanism));
   return mechanism;
 }
 

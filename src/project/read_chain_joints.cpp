@@ -226,6 +226,8 @@ void add_carrying(TableReader& table, const JointDraft& whole,
     draft.joint.axis = draft.joint.turn * movements[k].axis;
     draft.joint.start = starts[k];
     draft.joint.start_rate = rates[k];
+    draft.joint.friction =
+        movements[k].kind == JointKind::prismatic ? whole.joint.friction : Friction{};
     draft.joint.moved_by = forced ? spatial::MovedBy::forces : spatial::MovedBy::driver;
     draft.joint.point = last ? whole.joint.point : Eigen::Vector3d::Zero().eval();
     draft.carried = last ? whole.carried : static_cast<int>(mechanism.bodies.size());
@@ -248,6 +250,7 @@ void add_closing(TableReader& table, const JointDraft& draft, std::size_t kind,
   joint.axis = joint.turn * axes[0];
   joint.lead = draft.joint.lead;
   if (axes.size() > 1) joint.other = axes[1];
+  joint.friction = draft.joint.friction;
   bool has_length = false;
   if (joint.kind == ClosingKind::distance) {
     const Key length_of{"length",
@@ -259,6 +262,26 @@ void add_closing(TableReader& table, const JointDraft& draft, std::size_t kind,
   }
   drafts.closing.push_back(std::move(joint));
   drafts.has_length.push_back(has_length);
+}
+
+/// Of kinds that slide along an axis; refuses that of others.
+Friction read_sliding_friction(TableReader& table, std::size_t kind) {
+  const bool slot = kind == static_cast<std::size_t>(ClosingKind::slot);
+  if (slot || kind == static_cast<std::size_t>(ClosingKind::prismatic) ||
+      kind == static_cast<std::size_t>(ClosingKind::cylindrical)) {
+    const Friction law = read_friction(table);
+    if (slot && law.guide > 0.0) {
+      table.problem("friction", "a slot carries no couple that presses on the ends of a guide",
+                    "leave out guide_length");
+    }
+    return law;
+  }
+  if (table.is_there("friction") && table.has_misplaced("friction")) {
+    table.problem("friction", fmt::format("friction in a {} joint is not computed", kinds[kind]),
+                  "what slides along an axis may rub: kind = \"prismatic\", \"cylindrical\" or "
+                  "\"slot\"; else leave it out");
+  }
+  return {};
 }
 
 JointDrafts read_joints_of(TableReader& root, Mechanism& mechanism) {
@@ -299,6 +322,7 @@ JointDrafts read_joints_of(TableReader& root, Mechanism& mechanism) {
           {"lead", "of a screw: its advance along its axis in a turn; positive: right-handed"},
           wanted::length);
     }
+    draft.joint.friction = read_sliding_friction(table, kind);
     if (table.problems().size() == before) {
       if (closes)
         add_closing(table, draft, kind, axes, drafts);

@@ -55,28 +55,6 @@ Guided read_guided(TableReader& table, const char* what, const Mechanism& mechan
   return guided;
 }
 
-planar::Friction read_friction(TableReader& joint) {
-  planar::Friction friction;
-  if (!joint.has("friction")) return friction;
-  TableReader table = joint.table({"friction", "dry and viscous friction"});
-  friction.coulomb = table.any_number({"coefficient", "Coulomb's"}, friction.coulomb);
-  if (friction.coulomb < 0.0 || friction.coulomb > 2.0) {
-    table.problem("coefficient", "\"coefficient\" is a coefficient of friction, from 0 to 2",
-                  "write for example coefficient = 0.1");
-  }
-  friction.viscous =
-      table.not_negative({"viscous", "force per velocity"}, wanted::damping, friction.viscous);
-  friction.creep = table.positive({"creep",
-                                   "below it friction is smoothed; by default at most 2 % of the "
-                                   "largest velocity that drivers give it"},
-                                  wanted::velocity, friction.creep);
-  friction.guide = table.not_negative(
-      {"guide_length", "between the two contacts of a slider that carries a moment"},
-      wanted::length, friction.guide);
-  table.finish();
-  return friction;
-}
-
 planar::Slider read_slider(TableReader& table, const Mechanism& mechanism) {
   const Guided guided = read_guided(table, "a slider", mechanism);
   const double angle = table.quantity({"angle", "of the body to the line"}, wanted::angle, 0.0);
@@ -188,6 +166,28 @@ planar::JointKind read_kind(TableReader& table, std::size_t kind, const Mechanis
 }
 
 }  // namespace
+
+Friction read_friction(TableReader& joint) {
+  Friction friction;
+  if (!joint.has("friction")) return friction;
+  TableReader table = joint.table({"friction", "dry and viscous friction"});
+  friction.coulomb = table.any_number({"coefficient", "Coulomb's"}, friction.coulomb);
+  if (friction.coulomb < 0.0 || friction.coulomb > 2.0) {
+    table.problem("coefficient", "\"coefficient\" is a coefficient of friction, from 0 to 2",
+                  "write for example coefficient = 0.1");
+  }
+  friction.viscous =
+      table.not_negative({"viscous", "force per velocity"}, wanted::damping, friction.viscous);
+  friction.creep = table.positive({"creep",
+                                   "below it friction is smoothed; by default at most 2 % of the "
+                                   "largest velocity that drivers give it"},
+                                  wanted::velocity, friction.creep);
+  friction.guide = table.not_negative(
+      {"guide_length", "between the two contacts of a slider that carries a moment"},
+      wanted::length, friction.guide);
+  table.finish();
+  return friction;
+}
 
 void read_joints(TableReader& root, Mechanism& mechanism) {
   TableReader joints = root.table({"joints", "what connects the bodies"});

@@ -200,6 +200,9 @@ int body_of(TableReader& table, const Key& key, const planar::Mechanism& mechani
 int body_of(TableReader& table, const Key& key, const spatial::Mechanism& mechanism);
 int joint_of(TableReader& table, const Key& key, const planar::Mechanism& mechanism);
 
+/// "friction" of a joint that slides; none where it says nothing.
+Friction read_friction(TableReader& joint);
+
 /// What a torsion spring says beside where it is.
 struct TorsionOf {
   double stiffness = 0.0, free_angle = 0.0, damping = 0.0;  ///< [N m/rad, rad, N m s/rad]

@@ -82,8 +82,12 @@ std::string points_table(const std::vector<ChainPoint>& points) {
 
 std::string joints_table(const spatial::Mechanism& mechanism,
                          const std::vector<ChainJoint>& joints) {
-  Table table(
-      {"joint", "on", "force x", "y", "z [N]", "moment x", "y", "z [N m]", "drive", "stands at"});
+  const bool rubs = std::any_of(joints.begin(), joints.end(),
+                                [](const ChainJoint& joint) { return joint.friction.has_value(); });
+  std::vector<std::string> titles{"joint",    "on", "force x", "y",     "z [N]",
+                                  "moment x", "y",  "z [N m]", "drive", "stands at"};
+  if (rubs) titles.emplace_back("friction [N]");
+  Table table(titles);
   const double force = largest(joints, &ChainJoint::force);
   const double moment = largest(joints, &ChainJoint::moment);
   for (std::size_t i = 0; i < joints.size(); ++i) {
@@ -103,6 +107,7 @@ std::string joints_table(const spatial::Mechanism& mechanism,
                       : (fixed ? "fixed" : "-"));
     row.push_back(joint.coordinate ? number(joint.coordinate->value, 0.0) + (turns ? " rad" : " m")
                                    : "-");
+    if (rubs) row.push_back(joint.friction ? number(*joint.friction, force) : "-");
     table.row(row);
   }
   return "\n" + table.text();

@@ -98,4 +98,18 @@ std::string function_text(const Driver& driver, const char* unit) {
   return std::visit(FunctionText{{unit}}, driver);
 }
 
+std::string friction_text(const Friction& law) {
+  std::string text;
+  if (law.coulomb > 0.0) {
+    text += fmt::format("friction coefficient {} above a creep of {} m/s", plain(law.coulomb),
+                        plain(law.creep));
+    if (law.guide > 0.0) text += fmt::format(", guide {} m long", plain(law.guide));
+  }
+  if (law.viscous > 0.0) {
+    text +=
+        fmt::format("{}viscous friction {} N s/m", text.empty() ? "" : ", ", plain(law.viscous));
+  }
+  return text;
+}
+
 }  // namespace boxbeam

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "boxbeam/mechanism/common/driver.hpp"
+#include "boxbeam/mechanism/common/friction.hpp"
 
 namespace boxbeam {
 
@@ -13,5 +14,10 @@ std::string degrees(double angle);
 
 /// A function of time as a formula, or in words; SI.
 std::string function_text(const Driver& driver, const char* unit);
+
+/// "friction coefficient 0.1 above a creep of 0.01 m/s, guide 0.2 m long, viscous friction 3 N
+/// s/m";
+/// "" where nothing rubs.
+std::string friction_text(const Friction& law);
 
 }  // namespace boxbeam

@@ -106,6 +106,11 @@ void put_state(Fields& to, const ChainInstant& state) {
     of.vector("force", "N", joint.force);
     of.vector("moment", "N m", joint.moment);
     of.number_or_null({"drive", "force [N] or moment [N m] of the drive"}, "", joint.drive);
+    of.number_or_null(
+        {"friction",
+         "along the axis, on the carried body or a closing joint's second one; a part "
+         "of the force; null where nothing rubs"},
+        "N", joint.friction);
     const auto part = [&](double DriverState::*value) {
       return joint.coordinate ? std::optional(*joint.coordinate.*value) : std::nullopt;
     };

@@ -46,17 +46,10 @@ struct Names {
   }
 };
 
-std::string friction_text(const planar::Friction& friction) {
-  std::string text;
-  if (friction.coulomb > 0.0) {
-    text += fmt::format(", friction coefficient {} above a creep of {} m/s",
-                        plain(friction.coulomb), plain(friction.creep));
-    if (friction.guide > 0.0) text += fmt::format(", guide {} m long", plain(friction.guide));
-  }
-  if (friction.viscous > 0.0) {
-    text += fmt::format(", viscous friction {} N s/m", plain(friction.viscous));
-  }
-  return text;
+/// Behind what a joint is.
+std::string rubbing_text(const planar::Friction& friction) {
+  const std::string text = friction_text(friction);
+  return text.empty() ? text : ", " + text;
 }
 
 /// Constraints and drivers in words.
@@ -71,12 +64,12 @@ struct JointText {
     return fmt::format("slider, {} {}; {} keeps {} to {}{}", names.point(slider.point),
                        names.line(slider.guide, slider.direction), names.body(slider.point),
                        degrees(slider.angle), names.body(slider.guide),
-                       friction_text(slider.friction));
+                       rubbing_text(slider.friction));
   }
 
   std::string operator()(const planar::PinInSlot& slot) const {
     return fmt::format("pin in slot, {} {}{}", names.point(slot.point),
-                       names.line(slot.guide, slot.direction), friction_text(slot.friction));
+                       names.line(slot.guide, slot.direction), rubbing_text(slot.friction));
   }
 
   std::string operator()(const planar::Rigid& rigid) const {

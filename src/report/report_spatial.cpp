@@ -6,6 +6,7 @@
 
 #include "blocks.hpp"
 #include "boxbeam/core/angle.hpp"
+#include "boxbeam/mechanism/spatial/friction.hpp"
 #include "boxbeam/mechanism/spatial/rotation.hpp"
 #include "front_end_text.hpp"
 #include "function_text.hpp"
@@ -163,6 +164,11 @@ Entries entries_of(const Project& project) {
     entries.emplace_back(joint.driver_name.empty() ? "rod" : "driver",
                          fmt::format("{}: length = {}", spatial::driver_text(joint),
                                      function_text(joint.length, "m")));
+  }
+  for (const spatial::FrictionContact& contact : spatial::friction_contacts_of(mechanism)) {
+    entries.emplace_back("friction",
+                         fmt::format("{}: {}", spatial::name_of_contact(mechanism, contact),
+                                     friction_text(contact.law)));
   }
   for (const spatial::AppliedLoad& load : mechanism.loads) {
     const bool force = load.kind == spatial::LoadKind::force;

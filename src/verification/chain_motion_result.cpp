@@ -93,8 +93,9 @@ ChainBody body_of(const Mechanism& mechanism, const spatial::State& state, std::
           inertia.moment,           inertia.gyroscopic};
 }
 
-ChainJoint joint_of(const Mechanism& mechanism, const spatial::State& state, std::size_t i,
+ChainJoint joint_of(const spatial::Chain& chain, const spatial::State& state, std::size_t i,
                     const spatial::Wrench& wrench, int beam) {
+  const Mechanism& mechanism = chain.mechanism();
   const spatial::Joint& joint = mechanism.joints[i];
   const bool on_carrier = beam != spatial::ground && joint.parent == beam;
   const double sign = on_carrier ? -1.0 : 1.0;
@@ -103,12 +104,11 @@ ChainJoint joint_of(const Mechanism& mechanism, const spatial::State& state, std
                     sign * wrench.force,
                     sign * wrench.moment,
                     {},
+                    {},
                     {}};
   if (joint.kind == spatial::JointKind::fixed) return result;
   result.coordinate = state.coordinates[i];
-  if (!spatial::is_driven(joint)) return result;
-  const Eigen::Vector3d axis = spatial::in_world(state, joint.parent, joint.axis);
-  result.drive = spatial::along_coordinate(joint, axis, wrench);
+  if (spatial::is_driven(joint)) result.drive = chain.along_axis(state, i, wrench);
   return result;
 }
 
@@ -122,6 +122,7 @@ ChainJoint joint_of(const Mechanism& mechanism, const spatial::State& state,
                     mechanism.bodies[static_cast<std::size_t>(on)].name,
                     sign * wrench.force,
                     sign * wrench.moment,
+                    {},
                     {},
                     {}};
   if (joint.kind != spatial::ClosingKind::distance) return result;
@@ -153,13 +154,15 @@ ChainInstant instant_of(const Project& project, const spatial::Chain& chain,
   instant.time = time;
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     instant.bodies.push_back(body_of(mechanism, state, i));
-    instant.joints.push_back(joint_of(mechanism, state, i, wrenches[i], project.placement.body));
+    instant.joints.push_back(joint_of(chain, state, i, wrenches[i], project.placement.body));
   }
   for (std::size_t k = 0; k < mechanism.closing.size(); ++k) {
     instant.joints.push_back(joint_of(mechanism, state, mechanism.closing[k],
                                       wrenches[mechanism.joints.size() + k],
                                       project.placement.body));
   }
+  for (std::size_t j = 0; j < state.friction.size(); ++j)
+    instant.joints[chain.contacts()[j].joint].friction = state.friction[j];
   if (const spatial::Loops* loops = chain.loops()) {
     instant.branch = loops->branch();
     instant.residual = loops->residual_of(chain.tree(), state);

@@ -145,12 +145,11 @@ std::vector<DriverLine> driver_lines_of(const spatial::Chain& chain, const LoadH
     for (std::size_t i = 0; i < carrying; ++i) {
       const spatial::Joint& joint = mechanism.joints[i];
       if (!spatial::is_driven(joint) && !spatial::is_forced(joint)) continue;
-      const Eigen::Vector3d axis = spatial::in_world(state, joint.parent, joint.axis);
       lines[i].name = spatial::driver_text(joint);
       lines[i].turns = spatial::is_angle(joint.kind);
-      // Where forces move it nothing else acts along its axis.
+      // Where forces move it nothing but friction acts along its axis.
       std::optional<double> force;
-      if (!spatial::is_forced(joint)) force = spatial::along_coordinate(joint, axis, wrenches[i]);
+      if (!spatial::is_forced(joint)) force = chain.along_axis(state, i, wrenches[i]);
       add_sample(lines[i], time, state.coordinates[i], force);
     }
     for (std::size_t i = carrying; i < lines.size(); ++i) {

@@ -52,13 +52,14 @@ inline ClosingJoint closing(const char* name, ClosingKind kind, const Attachment
 /// Nothing here goes along a chain: each body is looked at by itself.
 struct Balance {
   double force = 0.0, moment = 0.0;  ///< largest of any body that is left over
-  double power = 0.0;                ///< of drives, loads and gravity, less the change of energy
+  double power = 0.0;  ///< of drives, friction, loads and gravity, less the change of energy
   double size = 0.0;
 };
 
 inline Balance balance_of(const Chain& chain, const State& state) {
   const Mechanism& mechanism = chain.mechanism();
   const std::vector<Wrench> joints = chain.joint_wrenches(state);
+  const std::vector<double> friction = chain.friction_by_joint(state);
   const std::size_t bodies = mechanism.bodies.size();
   std::vector<Wrench> left(bodies);  // about the world's origin
   Balance balance;
@@ -81,7 +82,8 @@ inline Balance balance_of(const Chain& chain, const State& state) {
     if (joint.kind == JointKind::screw)
       along += joint.lead / (2.0 * std::numbers::pi) * axis.dot(joints[i].force);
     if (joint.kind == JointKind::fixed) continue;
-    if (!is_driven(joint)) balance.moment = std::max(balance.moment, std::abs(along));
+    // Nothing but friction is along an axis that no driver moves.
+    if (!is_driven(joint)) balance.moment = std::max(balance.moment, std::abs(along - friction[i]));
     balance.power += along * state.coordinates[i].rate;
   }
   for (std::size_t k = 0; k < mechanism.closing.size(); ++k) {
@@ -89,6 +91,11 @@ inline Balance balance_of(const Chain& chain, const State& state) {
     const bool teeth = joint.kind == ClosingKind::gear || joint.kind == ClosingKind::rack;
     const Vector3d place = position_of(state, teeth ? joint.mesh.at : joint.b);
     both(joint.b.body, joint.a.body, place, joints[bodies + k]);
+    // The place on b stays on the line through that on a.
+    if (friction[bodies + k] != 0.0)
+      balance.power += friction[bodies + k] *
+                       in_world(state, joint.a.body, joint.axis)
+                           .dot(velocity_of(state, joint.b) - velocity_of(state, joint.a));
     if (joint.kind != ClosingKind::distance) continue;
     const Vector3d along = (place - position_of(state, joint.a)).normalized();
     balance.power += along.dot(joints[bodies + k].force) * driver_at(joint.length, state.time).rate;

@@ -137,4 +137,122 @@ TEST_CASE("friction of a contact that stands is said where it may count") {
              !Catch::Contains("dry friction"));
 }
 
+namespace {
+
+/// A beam of 2 m in space, pressed in the middle by 30 kN square to it, that a sled moves along
+/// itself by a hinge at its start; its end slides in a guide on the ground.
+Project pulled_beam(const std::string& driver, const std::string& friction) {
+  return parse_project(
+      "beam.toml",
+      "[case]\nname = \"beam\"\nkind = \"spatial\"\n[mechanism]\ngravity = [\"0 m/s^2\", \"0 "
+      "m/s^2\", "
+      "\"0 m/s^2\"]\n[motion]\nduration = \"1 s\"\n[bodies.sled]\npoints = { P = [\"0 m\", \"0 "
+      "m\", "
+      "\"0 m\"] }\n[bodies.beam]\npoints = { A = [\"0 m\", \"0 m\", \"0 m\"], C = [\"1 m\", \"0 "
+      "m\", \"0 "
+      "m\"], B = [\"2 m\", \"0 m\", \"0 m\"] }\n[joints.sled]\nkind = \"prismatic\"\nconnect = "
+      "[\"ground\", \"sled.P\"]\naxis = \"x\"\n[joints.hinge]\nkind = \"universal\"\nconnect = "
+      "[\"sled.P\", \"beam.A\"]\naxis = \"y\"\nsecond_axis = \"z\"\n[joints.guide]\nkind = "
+      "\"slot\"\n"
+      "connect = [\"ground\", \"beam.B\"]\nat = [\"2 m\", \"0 m\", \"0 m\"]\naxis = "
+      "\"x\"\nfriction = { "
+      "coefficient = 0.3" +
+          friction + " }\n[drivers.pull]\njoint = \"sled\"\n" + driver +
+          "[forces.P]\nkind = \"force\"\npoint = \"beam.C\"\ndirection = [0, 0.6, -0.8]\nsize = "
+          "\"30 "
+          "kN\"\n[sections.s]\nkind = \"box\"\nwidth = \"200 mm\"\nheight = \"200 mm\"\nflange = "
+          "\"12 "
+          "mm\"\nweb = \"12 mm\"\n[beam]\nbody = \"beam\"\nstart = \"A\"\naxis = \"x\"\nz = \"z\"\n"
+          "density = \"7850 kg/m^3\"\n[[beam.segments]]\nlength = \"2 m\"\nsection = \"s\"\n"
+          "[material]\nsteel = \"S355\"\n[strength]\nrequired = 1.0\nshear_lag = false\n");
+}
+
+std::string at_rate(const char* rate) {
+  return fmt::format("kind = \"constant rate\"\nstart = \"0 m\"\nrate = \"{}\"\n", rate);
+}
+
+/// Axial force in the middle of the first half, at the begin [N].
+double axial_force(const Project& project) {
+  const std::deque<SituationRun> runs = run_situations(project);
+  return runs.front().loads.diagram_at(si<Time>(0.0)).at({si<Length>(0.5), Side::both}).N.value();
+}
+
+/// A post of 2 m on a slide along x that a rod on the ground pushes; a force at its tip along y.
+Project post_in_space(const std::string& friction) {
+  return parse_project(
+      "post.toml",
+      "[case]\nname = \"post\"\nkind = \"spatial\"\n[mechanism]\ngravity = [\"0 m/s^2\", \"0 "
+      "m/s^2\", "
+      "\"0 m/s^2\"]\n[motion]\nduration = \"1 s\"\n[bodies.beam]\npoints = { A = [\"0 m\", \"0 "
+      "m\", \"0 "
+      "m\"], B = [\"2 m\", \"0 m\", \"0 m\"] }\n[joints.slide]\nkind = \"prismatic\"\nconnect = "
+      "[\"ground\", \"beam.A\"]\nturn = [\"y\", \"-90 deg\"]\naxis = \"-z\"\nfriction = { "
+      "coefficient = "
+      "0.3" +
+          friction +
+          " }\n[joints.push]\nkind = \"distance\"\nconnect = [\"ground\", \"beam.A\"]\nat = [\"-3 "
+          "m\", "
+          "\"0 m\", \"0 m\"]\n[drivers.push]\njoint = \"push\"\nkind = \"constant rate\"\nstart = "
+          "\"3 m\"\n"
+          "rate = \"0.1 m/s\"\n[forces.P]\nkind = \"force\"\npoint = \"beam.B\"\ndirection = "
+          "\"y\"\nsize "
+          "= \"1 kN\"\n[sections.s]\nkind = \"box\"\nwidth = \"200 mm\"\nheight = \"200 "
+          "mm\"\nflange = "
+          "\"12 mm\"\nweb = \"12 mm\"\n[beam]\nbody = \"beam\"\nstart = \"A\"\naxis = \"x\"\nz = "
+          "\"z\"\n"
+          "density = \"7850 kg/m^3\"\n[[beam.segments]]\nlength = \"2 m\"\nsection = \"s\"\n"
+          "[material]\nsteel = \"S355\"\n[strength]\nrequired = 1.0\nshear_lag = false\n");
+}
+
+}  // namespace
+
+TEST_CASE("a beam in space that its guide rubs is pressed or pulled by the friction") {
+  // By hand: half the force presses on the guide, mu P = 0.3 x 15 kN, of which a creep velocity of
+  // a fiftieth leaves 1/hypot(1, 0.02). Moved ahead the sled pushes the beam, back it pulls.
+  const double friction = 4500.0 / std::hypot(1.0, 0.02);
+  CHECK(axial_force(pulled_beam(at_rate("0.1 m/s"), "")) == Approx(-friction).epsilon(1e-9));
+  CHECK(axial_force(pulled_beam(at_rate("-0.1 m/s"), "")) == Approx(friction).epsilon(1e-9));
+  CHECK(axial_force(pulled_beam(at_rate("0.1 m/s"), ", viscous = \"2 kN s/m\"")) ==
+        Approx(-friction - 200.0).epsilon(1e-9));
+}
+
+TEST_CASE("a contact in space that forces move more slowly than it would stick says so") {
+  // By hand, as in the plane: 0.5 of 0.3 x 3 kN balance the push at v = 10 mm/s (5/9)/sqrt(1 -
+  // (5/9)^2) = 6.68 mm/s. At the start the push moves a mass whose centre is 1 m above the slide.
+  std::string text = post_in_space("").text;
+  const auto replace = [&](const char* from, const char* until, const std::string& by) {
+    const std::size_t at = text.find(from);
+    text.replace(at, text.find(until) - at, by);
+  };
+  replace("duration = \"1 s\"", "[bodies.beam]", "duration = \"5 ms\"\n");
+  replace("[joints.push]", "[forces.P]",
+          "moved_by = \"forces\"\n[forces.Q]\nkind = \"force\"\npoint = \"beam.A\"\ndirection = "
+          "\"x\"\naxes = \"world\"\nsize = \"0.5 kN\"\n");
+  replace("direction = \"y\"", "[sections.s]", "direction = \"-z\"\nsize = \"3 kN\"\n");
+  replace("density", "[[beam.segments]]", "density = \"78.5 kg/m^3\"\n");
+  CHECK_THAT(line_of(parse_project("post.toml", text)),
+             Catch::Contains("dry friction of slide: a couple of up to 0.5 kN m on its guide") &&
+                 Catch::Contains("presses nowhere; forces move it with at most 6.68 mm/s (creep 10 "
+                                 "mm/s), at most 0.5 of 0.9 kN act, and it does not stick"));
+}
+
+TEST_CASE("what is not looked at of dry friction in space is said") {
+  CHECK_THAT(line_of(pulled_beam(at_rate("0.1 m/s"), "")), !Catch::Contains("dry friction"));
+  // By hand: of 4.5 kN 100/hypot(100, 1000).
+  CHECK_THAT(line_of(pulled_beam(at_rate("0.1 m/s"), ", creep = \"1 m/s\"")),
+             Catch::Contains("dry friction of guide: at most 0.45 of 4.5 kN act") &&
+                 Catch::Contains("at most 100 mm/s (creep 1e+03 mm/s)"));
+  CHECK_THAT(line_of(pulled_beam("kind = \"hold\"\nvalue = \"0.1 m\"\n", "")),
+             Catch::Contains("dry friction of guide: it stands, and up to 4.5 kN in either sense"));
+  // The couple of the tip's force about the line of the slide: 1 kN x 2 m.
+  CHECK_THAT(line_of(post_in_space("")),
+             Catch::Contains("dry friction of slide: a couple of up to 2 kN m on its guide, which "
+                             "has no guide_length, presses nowhere"));
+  CHECK_THAT(line_of(post_in_space(", guide_length = \"0.5 m\"")),
+             Catch::Contains("a couple of up to 2 kN m about its guide presses nowhere"));
+  // A creep velocity that takes most of it away is said beside: 100/hypot(100, 1000) of 0.3 kN.
+  CHECK_THAT(line_of(post_in_space(", creep = \"1 m/s\"")),
+             Catch::Contains("presses nowhere; at most 0.03 of 0.3 kN act"));
+}
+
 }  // namespace slow_friction_test

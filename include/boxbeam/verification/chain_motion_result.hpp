@@ -34,6 +34,9 @@ struct ChainJoint {
   /// Force or moment of the drive on the carried body along the joint's axis, so that times the
   /// rate of its coordinate it is the power [N, N m]; nothing for a fixed joint.
   std::optional<double> drive;
+  /// What rubs, on the carried body or a closing joint's second one, along the joint's axis, a part
+  /// of its force [N]; nothing where nothing does.
+  std::optional<double> friction = {};
   /// Of what moves in the joint, an angle [rad], shift or length [m]; nothing where it has none.
   std::optional<DriverState> coordinate;
   /// Else joints that repeat each other share what it carries, and only their elasticity decides.

@@ -15,8 +15,11 @@ namespace boxbeam {
 /// - that drivers make stand, or slide so slowly, for longer than a tenth of the time looked at,
 ///   where the beam is stressed more then than just before and behind (else sliding has shown what
 ///   the friction does), and by seven tenths of its largest stress;
+/// - in space, that take a couple about their guide, or one that tilts them without a guide_length,
+///   which presses nowhere, and would at least with 2 M over the mechanism's size;
 /// of those only that bear a hundredth of the largest force on the beam. Where forces decide the
-/// motion a contact may stick, which is right, and only the first is said.
+/// motion a contact may stick, which is right, and of its velocity only the first is said. In space
+/// nothing is said of joints that drives move, which take their friction.
 std::vector<NotJudged> slow_friction_of(const Project& project,
                                         const std::deque<SituationRun>& runs);
 

@@ -39,9 +39,7 @@ std::vector<double> largest_velocities(const std::vector<FrictionContact>& conta
 }  // namespace
 
 void fit_creep(Mechanism& mechanism, const std::vector<int>& joints) {
-  constexpr double share = 0.02;
   constexpr int most = 24576;  // instants of a motion
-  constexpr double instants_to_resolve = 20.0;
   if (joints.empty()) return;
   // Drivers decide how it moves: no force is asked for.
   Mechanism moved = mechanism;
@@ -57,10 +55,8 @@ void fit_creep(Mechanism& mechanism, const std::vector<int>& joints) {
     const std::vector<double> velocities = largest_velocities(contacts, motion);
     for (std::size_t j = 0; j < contacts.size(); ++j) {
       if (std::find(joints.begin(), joints.end(), contacts[j].joint) == joints.end()) continue;
-      if (velocities[j] == 0.0) continue;
       Friction& of = *friction_of(mechanism.joints[static_cast<std::size_t>(contacts[j].joint)]);
-      of.creep =
-          std::min(of.creep, std::max(share, instants_to_resolve * waves / most) * velocities[j]);
+      of.creep = fitted_creep(of, velocities[j], waves);
     }
   } catch (const AnalysisError&) {
     // Its verification says why it cannot be solved.

@@ -1,10 +1,8 @@
 #include "boxbeam/mechanism/planar/forces.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
-#include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/constraints.hpp"
 
 namespace boxbeam::planar {
@@ -71,29 +69,13 @@ void for_each_load(const Mechanism& mechanism, double time, const Eigen::VectorX
   }
 }
 
-/// What presses on a contact's guide, and its derivative by a change of the multipliers.
-double pressure_of(const FrictionContact& contact, const Eigen::VectorXd& lambda) {
-  const double normal = std::abs(lambda[contact.row]);
-  if (!contact.moment || contact.law.guide == 0.0) return normal;
-  return std::max(normal, 2.0 * std::abs(lambda[contact.row + 1]) / contact.law.guide);
-}
-
-double pressure_change(const FrictionContact& contact, const Eigen::VectorXd& lambda,
-                       const Eigen::VectorXd& change) {
-  const auto along = [&](Eigen::Index row) {
-    return lambda[row] < 0.0 ? -change[row] : change[row];
-  };
-  const double normal = std::abs(lambda[contact.row]);
-  if (contact.moment && contact.law.guide > 0.0 &&
-      2.0 * std::abs(lambda[contact.row + 1]) / contact.law.guide > normal) {
-    return 2.0 * along(contact.row + 1) / contact.law.guide;
-  }
-  return along(contact.row);
-}
-
-/// The share of the Coulomb part that acts, with its sign against the sliding.
-double coulomb_share(const FrictionContact& contact, double velocity) {
-  return -contact.law.coulomb * velocity / std::hypot(velocity, contact.law.creep);
+/// What a contact's guide carries by multipliers, or its change by a change of them: all of it in
+/// one plane.
+GuideLoad guide_load_of(const FrictionContact& contact, const Eigen::VectorXd& lambda) {
+  GuideLoad load = GuideLoad::Zero();
+  load[0] = lambda[contact.row];
+  if (contact.moment) load[3] = lambda[contact.row + 1];
+  return load;
 }
 
 }  // namespace
@@ -116,13 +98,10 @@ void add_applied_forces(const Mechanism& mechanism, double time, const Eigen::Ve
 }
 
 bool rubs(const Joint& joint) {
-  const auto with = [](const Friction& friction) {
-    return friction.coulomb != 0.0 || friction.viscous != 0.0;
-  };
   return std::visit(
       [&](const auto& kind) {
         if constexpr (requires { kind.friction; })
-          return with(kind.friction);
+          return boxbeam::rubs(kind.friction);
         else
           return false;
       },
@@ -165,8 +144,7 @@ double sliding_velocity_of(const FrictionContact& contact, const Eigen::VectorXd
 
 double friction_force_of(const FrictionContact& contact, const Eigen::VectorXd& lambda,
                          double sliding_velocity) {
-  return coulomb_share(contact, sliding_velocity) * pressure_of(contact, lambda) -
-         contact.law.viscous * sliding_velocity;
+  return boxbeam::friction_force_of(contact.law, guide_load_of(contact, lambda), sliding_velocity);
 }
 
 void unit_friction(const FrictionContact& contact, const Eigen::VectorXd& q, Eigen::VectorXd& Q) {
@@ -189,42 +167,22 @@ Eigen::VectorXd solve_friction(const Mechanism& mechanism,
                                const Eigen::VectorXd& lambda_0, const Eigen::MatrixXd& response,
                                const Eigen::VectorXd& sliding_velocity) {
   const auto count = static_cast<Eigen::Index>(contacts.size());
-  Eigen::VectorXd force = Eigen::VectorXd::Zero(count);
-  Eigen::VectorXd lambda = lambda_0;
-  Eigen::MatrixXd slope(count, count);
-  Eigen::VectorXd gap(count);
-  constexpr int most = 50;
-  for (int iteration = 0; iteration < most; ++iteration) {
-    double largest = 0.0;
-    for (Eigen::Index j = 0; j < count; ++j) {
-      const FrictionContact& contact = contacts[static_cast<std::size_t>(j)];
-      const double share = coulomb_share(contact, sliding_velocity[j]);
-      gap[j] = force[j] - friction_force_of(contact, lambda, sliding_velocity[j]);
-      largest = std::max(largest, std::abs(force[j]) + std::abs(gap[j]));
-      for (Eigen::Index k = 0; k < count; ++k) {
-        slope(j, k) =
-            (j == k ? 1.0 : 0.0) - share * pressure_change(contact, lambda, response.col(k));
-      }
-    }
-    if (gap.lpNorm<Eigen::Infinity>() <= 1e-13 * largest) return force;
-    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(slope);
-    // Without friction the determinant is 1; where it reaches zero, friction holds any force.
-    if (!(lu.determinant() > 1e-9)) break;
-    force -= lu.solve(gap);
-    lambda = lambda_0 + response * force;
+  std::vector<Friction> laws;
+  Eigen::VectorXd load_0(6 * count);
+  Eigen::MatrixXd of_forces(6 * count, count);
+  for (Eigen::Index j = 0; j < count; ++j) {
+    const FrictionContact& contact = contacts[static_cast<std::size_t>(j)];
+    laws.push_back(contact.law);
+    load_0.segment<6>(6 * j) = guide_load_of(contact, lambda_0);
+    for (Eigen::Index k = 0; k < count; ++k)
+      of_forces.col(k).segment<6>(6 * j) = guide_load_of(contact, response.col(k));
   }
-  std::string names;
-  for (const FrictionContact& contact : contacts) {
-    names += (names.empty() ? "joint " : ", joint ") +
-             mechanism.joints[static_cast<std::size_t>(contact.joint)].name;
-  }
-  throw AnalysisError(
-      {"friction locks the mechanism: the pressure it causes asks for more friction than the "
-       "driver can overcome; lower the friction coefficient or guide the slider otherwise",
-       names,
-       time,
-       {},
-       {}});
+  if (const auto forces = boxbeam::solve_friction(laws, sliding_velocity, load_0, of_forces))
+    return *forces;
+  std::vector<std::string> names;
+  for (const FrictionContact& contact : contacts)
+    names.push_back(mechanism.joints[static_cast<std::size_t>(contact.joint)].name);
+  say_locked(names, time);
 }
 
 }  // namespace boxbeam::planar

@@ -5,11 +5,15 @@
 
 namespace boxbeam::spatial {
 
-Chain::Chain(const Mechanism& mechanism) : tree_(mechanism) {
+Chain::Chain(const Mechanism& mechanism)
+    : tree_(mechanism), contacts_(friction_contacts_of(mechanism)) {
   if (!mechanism.closing.empty()) loops_ = std::make_shared<Loops>(tree_);
+  if (loops_) require_known_pressure(mechanism, *loops_, contacts_);
   if (std::any_of(mechanism.joints.begin(), mechanism.joints.end(), is_forced))
     forced_ = std::make_shared<const ForcedMotion>(tree_, loops_.get());
-  if (loops_) loops_->follow(tree_, forced_.get());
+  if (!loops_) return;
+  loops_->follow(tree_, forced_.get());
+  require_known_pressure(mechanism, *loops_, contacts_);
 }
 
 State Chain::at(double time) const {
@@ -25,7 +29,10 @@ void Chain::at(double time, State& state) const {
     loops_->close(tree_, state);
   else
     tree_.move(state);
-  if (forced_) forced_->accelerate(tree_, state);
+  if (forced_)
+    forced_->accelerate(tree_, state);
+  else
+    state.friction = friction_forces_of(tree_, loops_.get(), state, contacts_);
 }
 
 std::vector<Wrench> Chain::joint_wrenches(const State& state) const {
@@ -35,10 +42,25 @@ std::vector<Wrench> Chain::joint_wrenches(const State& state) const {
 }
 
 void Chain::joint_wrenches(const State& state, std::vector<Wrench>& joints) const {
-  if (loops_)
-    loops_->wrenches(tree_, state, joints);
-  else
-    tree_.wrenches(state, {}, joints);
+  const Mechanism& mechanism = tree_.mechanism();
+  wrenches_beside_friction(tree_, loops_.get(), state, contacts_, state.friction, joints);
+  for (std::size_t j = 0; j < state.friction.size(); ++j)
+    joints[contacts_[j].joint].force +=
+        state.friction[j] * axis_of_contact(mechanism, contacts_[j], state);
+}
+
+std::vector<double> Chain::friction_by_joint(const State& state) const {
+  std::vector<double> forces(mechanism().joints.size() + mechanism().closing.size(), 0.0);
+  for (std::size_t j = 0; j < state.friction.size(); ++j)
+    forces[contacts_[j].joint] = state.friction[j];
+  return forces;
+}
+
+double Chain::along_axis(const State& state, std::size_t joint, const Wrench& wrench) const {
+  const Joint& of = mechanism().joints[joint];
+  const Eigen::Vector3d axis = in_world(state, of.parent, of.axis);
+  const double all = along_coordinate(of, axis, wrench);
+  return of.kind == JointKind::prismatic ? all - friction_by_joint(state)[joint] : all;
 }
 
 InertiaLoad inertia_of(const Mechanism& mechanism, const State& state, std::size_t body) {

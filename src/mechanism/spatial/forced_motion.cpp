@@ -19,7 +19,7 @@ constexpr double no_mass = 1e-12;
 }  // namespace
 
 ForcedMotion::ForcedMotion(const Tree& tree, const Loops* loops, double tolerance)
-    : loops_(loops), tolerance_(tolerance) {
+    : loops_(loops), tolerance_(tolerance), contacts_(friction_contacts_of(tree.mechanism())) {
   const Mechanism& mechanism = tree.mechanism();
   const double size = size_of(mechanism);
   one_sided_ = std::any_of(mechanism.springs.begin(), mechanism.springs.end(),
@@ -72,7 +72,7 @@ void ForcedMotion::know_accelerations(const Tree& tree, Sample& at) const {
   State state;
   static_cast<void>(place(tree, at.y, at.time, at.loops, state));
   const Solution of = solve(tree, state);
-  if (!of.solved) say_massless(tree, at.time, of.massless);
+  if (of.unsolved) say_unsolved(tree, at.time, *of.unsolved);
   at.accelerations.clear();
   for (std::size_t k = 0; k < joints_.size(); ++k)
     at.accelerations.push_back(of.accelerations[static_cast<Eigen::Index>(k)] / scales_[k]);
@@ -153,62 +153,106 @@ void ForcedMotion::move(const Tree& tree, State& state) const {
 
 ForcedMotion::Solution ForcedMotion::solve(const Tree& tree, State& state) const {
   constexpr double unit = 1e3;  // of acceleration: far above round-off of what acts without it
+  const Mechanism& mechanism = tree.mechanism();
   const auto n = static_cast<Eigen::Index>(joints_.size());
+  const auto rubbing = static_cast<Eigen::Index>(contacts_.size());
   std::vector<Wrench> wrenches;
-  const auto carried = [&] {
-    move(tree, state);
-    if (loops_ != nullptr)
-      loops_->wrenches(tree, state, wrenches);
-    else
-      tree.wrenches(state, {}, wrenches);
-    Eigen::VectorXd along(n);
+  // What joints carry along their axes, then what guides carry, beside friction forces.
+  const auto carried = [&](const std::vector<double>& friction) {
+    wrenches_beside_friction(tree, loops_, state, contacts_, friction, wrenches);
+    Eigen::VectorXd of(n + 6 * rubbing);
     for (Eigen::Index k = 0; k < n; ++k) {
       const std::size_t i = joints_[static_cast<std::size_t>(k)];
-      const Joint& joint = tree.mechanism().joints[i];
+      const Joint& joint = mechanism.joints[i];
       const Eigen::Vector3d axis = in_world(state, joint.parent, joint.axis);
-      along[k] = scales_[static_cast<std::size_t>(k)] * along_coordinate(joint, axis, wrenches[i]);
+      of[k] = scales_[static_cast<std::size_t>(k)] * along_coordinate(joint, axis, wrenches[i]);
     }
-    return along;
+    for (Eigen::Index j = 0; j < rubbing; ++j)
+      of.segment<6>(n + 6 * j) =
+          guide_load_of(mechanism, contacts_[static_cast<std::size_t>(j)], state, wrenches);
+    return of;
   };
   for (const std::size_t i : joints_) state.coordinates[i].acceleration = 0.0;
-  const Eigen::VectorXd without = carried();
-  Eigen::MatrixXd inertia(n, n);
+  move(tree, state);
+  const Eigen::VectorXd without = carried({});
+  // Per unit of each friction force; of the size of what acts without them.
+  Eigen::MatrixXd by_friction(without.size(), rubbing);
+  double force = 1.0;
+  for (const Wrench& joint : wrenches) force = std::max(force, joint.force.norm());
+  for (Eigen::Index j = 0; j < rubbing; ++j) {
+    std::vector<double> forces(contacts_.size(), 0.0);
+    forces[static_cast<std::size_t>(j)] = force;
+    by_friction.col(j) = (carried(forces) - without) / force;
+  }
+  Eigen::MatrixXd by_acceleration(without.size(), n);
   for (Eigen::Index k = 0; k < n; ++k) {
     double& acceleration = state.coordinates[joints_[static_cast<std::size_t>(k)]].acceleration;
     acceleration = unit * scales_[static_cast<std::size_t>(k)];
-    inertia.col(k) = (carried() - without) / unit;
+    move(tree, state);
+    by_acceleration.col(k) = (carried({}) - without) / unit;
     acceleration = 0.0;
   }
+  const Eigen::MatrixXd inertia = by_acceleration.topRows(n);
   Solution of;
   of.accelerations = Eigen::VectorXd::Zero(n);
   Eigen::Index least = 0;
-  of.solved = inertia.allFinite() && inertia.diagonal().minCoeff(&least) > 0.0;
-  of.massless = joints_[static_cast<std::size_t>(least)];
-  if (!of.solved) return of;
+  if (!inertia.allFinite() || !(inertia.diagonal().minCoeff(&least) > 0.0)) {
+    of.unsolved = {joints_[static_cast<std::size_t>(least)], false};
+    return of;
+  }
   const Eigen::VectorXd root = inertia.diagonal().cwiseSqrt();
   const Eigen::LDLT<Eigen::MatrixXd> pivots(root.cwiseInverse().asDiagonal() * inertia *
                                             root.cwiseInverse().asDiagonal());
   Eigen::VectorXi order =
       Eigen::VectorXi::LinSpaced(static_cast<int>(n), 0, static_cast<int>(n) - 1);
   order = pivots.transpositionsP() * order;
-  of.solved = pivots.vectorD().minCoeff(&least) > no_mass;
-  of.massless = joints_[static_cast<std::size_t>(order[least])];
-  if (!of.solved) return of;
-  of.accelerations = -pivots.solve(without.cwiseQuotient(root)).cwiseQuotient(root);
+  if (!(pivots.vectorD().minCoeff(&least) > no_mass)) {
+    of.unsolved = {joints_[static_cast<std::size_t>(order[least])], false};
+    return of;
+  }
+  // The accelerations that leave these joints nothing to carry, in scales.
+  const auto released = [&](const Eigen::VectorXd& along) -> Eigen::VectorXd {
+    return -pivots.solve(along.cwiseQuotient(root)).cwiseQuotient(root);
+  };
+  of.accelerations = released(without.head(n));
+  if (rubbing > 0) {
+    const Eigen::Index rows = 6 * rubbing;
+    Eigen::MatrixXd with(n, rubbing);
+    for (Eigen::Index j = 0; j < rubbing; ++j) with.col(j) = released(by_friction.col(j).head(n));
+    std::vector<Friction> laws;
+    Eigen::VectorXd velocity(rubbing);
+    for (Eigen::Index j = 0; j < rubbing; ++j) {
+      const FrictionContact& contact = contacts_[static_cast<std::size_t>(j)];
+      laws.push_back(contact.law);
+      velocity[j] = sliding_velocity_of(mechanism, contact, state);
+    }
+    const Eigen::MatrixXd pressing = by_acceleration.bottomRows(rows);
+    const auto friction =
+        solve_friction(laws, velocity, without.tail(rows) + pressing * of.accelerations,
+                       by_friction.bottomRows(rows) + pressing * with);
+    if (!friction) {
+      of.unsolved = {0, true};
+      return of;
+    }
+    of.friction.assign(friction->begin(), friction->end());
+    of.accelerations += with * *friction;
+  }
   for (Eigen::Index k = 0; k < n; ++k) of.accelerations[k] *= scales_[static_cast<std::size_t>(k)];
   return of;
 }
 
 void ForcedMotion::accelerate(const Tree& tree, State& state) const {
-  const Solution of = solve(tree, state);
-  if (!of.solved) say_massless(tree, state.time, of.massless);
+  Solution of = solve(tree, state);
+  if (of.unsolved) say_unsolved(tree, state.time, *of.unsolved);
   for (std::size_t k = 0; k < joints_.size(); ++k)
     state.coordinates[joints_[k]].acceleration = of.accelerations[static_cast<Eigen::Index>(k)];
+  state.friction = std::move(of.friction);
   move(tree, state);
 }
 
-void ForcedMotion::say_massless(const Tree& tree, double time, std::size_t joint) {
-  const std::string& name = tree.mechanism().joints[joint].name;
+void ForcedMotion::say_unsolved(const Tree& tree, double time, const Unsolved& why) const {
+  if (why.locked) say_locked_contacts(tree.mechanism(), contacts_, time);
+  const std::string& name = tree.mechanism().joints[why.massless].name;
   throw AnalysisError(
       {fmt::format(
            "how forces move joint \"{}\" is not determined: nothing that it moves has a mass "

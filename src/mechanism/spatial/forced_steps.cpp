@@ -17,8 +17,8 @@ double smallest_step(double from, double to) {
   return 1e-13 * std::max(std::abs(from), std::abs(to)) + 1e-300;
 }
 
-/// Adds a step of `freedoms`; a mechanism costs five bodies besides its own. Throws AnalysisError
-/// beyond some ten seconds of them.
+/// Adds a step of `freedoms` and contacts that rub; a mechanism costs five bodies besides its own.
+/// Throws AnalysisError beyond some ten seconds of them.
 void spend(const Tree& tree, std::size_t freedoms, double time, int steps, double& bodies) {
   constexpr double most = 6e7, stages = 15.0, besides = 5.0, of_a_loop = 10.0;
   const Mechanism& mechanism = tree.mechanism();
@@ -27,10 +27,11 @@ void spend(const Tree& tree, std::size_t freedoms, double time, int steps, doubl
              of_a_loop * static_cast<double>(mechanism.closing.size()));
   if (bodies <= most) return;
   throw AnalysisError(
-      {fmt::format("the motion under the applied forces takes too much work: {} steps have not led "
-                   "to its end; look for a spring that is far too stiff, a mass that is far too "
-                   "small or a [motion] duration that is far too long",
-                   steps),
+      {fmt::format(
+           "the motion under the applied forces takes too much work: {} steps have not led "
+           "to its end; look for a spring that is far too stiff, a mass or a creep velocity of "
+           "friction that is far too small, or a [motion] duration that is far too long",
+           steps),
        "mechanism",
        time,
        {},
@@ -44,7 +45,7 @@ ForcedMotion::Step ForcedMotion::step_from(const Tree& tree, const Sample& from,
                                            Effort& effort) const {
   using Vector = std::vector<double>;
   const std::size_t n = joints_.size();
-  spend(tree, n, from.time, effort.steps, effort.bodies);
+  spend(tree, n + contacts_.size(), from.time, effort.steps, effort.bodies);
   Step step;
   State state;
   Loops::Sample near = from.loops;
@@ -59,8 +60,9 @@ ForcedMotion::Step ForcedMotion::step_from(const Tree& tree, const Sample& from,
     else if (now != *acting && time != from.time)
       step.change = std::min(step.change, (time - from.time) / dt);
     const Solution of = solve(tree, state);
-    if (!of.solved) step.massless = of.massless;
-    step.followed = of.solved;
+    step.unsolved = of.unsolved;
+    step.followed = !of.unsolved;
+    if (of.unsolved) return;
     std::copy_n(y.begin() + static_cast<std::ptrdiff_t>(n), n, rate.begin());
     for (std::size_t k = 0; k < n; ++k)
       rate[n + k] = of.accelerations[static_cast<Eigen::Index>(k)] / scales_[k];
@@ -192,14 +194,16 @@ std::optional<ForcedMotion::Step> ForcedMotion::good_step(const Tree& tree, Samp
   Step step = step_from(tree, from, dt, effort);
   const bool too_short = std::abs(dt) <= smallest;
   if (!step.followed || step.error > 1.0) {
-    if (too_short && step.massless) say_massless(tree, from.time, *step.massless);
+    if (too_short && step.unsolved) say_unsolved(tree, from.time, *step.unsolved);
     if (too_short) {
       throw AnalysisError(
           {loops_ != nullptr && !step.followed
                ? "the loops cannot be followed further: what forces move and the drivers no longer "
                  "determine them there (a dead point), or two branches meet"
                : "the motion under the applied forces cannot be integrated further: it changes "
-                 "faster than the arithmetic can follow (far too stiff a spring)",
+                 "faster than the arithmetic can follow (far too stiff a spring, or friction with "
+                 "far "
+                 "too small a creep velocity)",
            "mechanism",
            from.time,
            {},

@@ -275,10 +275,11 @@ void Loops::close(const Tree& tree, State& state) const {
        {}});
 }
 
-void Loops::wrenches(const Tree& tree, const State& state, std::vector<Wrench>& joints) const {
+void Loops::wrenches(const Tree& tree, const State& state, std::span<const BodyWrench> others,
+                     std::vector<Wrench>& joints) const {
   const Mechanism& mechanism = tree.mechanism();
   // What free joints would have to carry along their axes, were the loops open.
-  tree.wrenches(state, {}, joints);
+  tree.wrenches(state, others, joints);
   const auto count = static_cast<Eigen::Index>(free_.size());
   Eigen::VectorXd needed(count);
   for (Eigen::Index k = 0; k < count; ++k) {
@@ -298,7 +299,11 @@ void Loops::wrenches(const Tree& tree, const State& state, std::vector<Wrench>& 
     }
   }
   const std::vector<Wrench> closing = closing_wrenches(mechanism, rows_, multipliers, state);
-  if (count > 0) tree.wrenches(state, on_both_bodies(mechanism, closing, state), joints);
+  if (count > 0) {
+    std::vector<BodyWrench> acting = on_both_bodies(mechanism, closing, state);
+    acting.insert(acting.end(), others.begin(), others.end());
+    tree.wrenches(state, acting, joints);
+  }
   joints.insert(joints.end(), closing.begin(), closing.end());
 }
 

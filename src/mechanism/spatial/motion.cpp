@@ -192,9 +192,11 @@ Motion motion_of(const Chain& chain) {
     if (misfit.value < enough && turns_seen) return motion;
     if (2 * motion.instants > most) {
       throw AnalysisError(
-          {fmt::format("joint forces change too fast to be resolved with {} instants in the time "
-                       "looked at; give a shorter [motion] duration, or smoother drivers and loads",
-                       motion.instants),
+          {fmt::format(
+               "joint forces change too fast to be resolved with {} instants in the time "
+               "looked at; give a shorter [motion] duration, smoother drivers and loads, or a "
+               "larger creep velocity of what rubs",
+               motion.instants),
            "mechanism",
            misfit.time,
            {},

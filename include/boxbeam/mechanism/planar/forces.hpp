@@ -53,13 +53,9 @@ double friction_force_of(const FrictionContact& contact, const Eigen::VectorXd& 
 /// opposite on the guide's body at the same place.
 void unit_friction(const FrictionContact& contact, const Eigen::VectorXd& q, Eigen::VectorXd& Q);
 
-/// Solves for friction forces that depend on multipliers which depend on them,
-///
-///     f_j = friction_j(lambda_0 + sum_k response_k f_k)
-///
-/// by Newton's method on this piecewise linear system. `response`: change of the multipliers per
-/// unit of each force, a column each. Throws AnalysisError where friction locks the mechanism:
-/// more pressure asks for more friction than it gives (Painleve's paradox, self-locking).
+/// The friction forces of all contacts by `boxbeam::solve_friction`. `response`: change of the
+/// multipliers per unit of each force, a column each. Throws AnalysisError where friction locks the
+/// mechanism.
 Eigen::VectorXd solve_friction(const Mechanism& mechanism,
                                const std::vector<FrictionContact>& contacts, double time,
                                const Eigen::VectorXd& lambda_0, const Eigen::MatrixXd& response,

@@ -9,6 +9,7 @@
 
 #include "boxbeam/mechanism/common/body.hpp"
 #include "boxbeam/mechanism/common/driver.hpp"
+#include "boxbeam/mechanism/common/friction.hpp"
 #include "boxbeam/mechanism/common/time_span.hpp"
 
 /// Planar mechanisms of rigid bodies. World axes: x right, y up, angles counter-clockwise.
@@ -28,21 +29,7 @@ struct Pin {
   Attachment a, b;
 };
 
-/// What resists sliding, along the guide and against the sliding velocity v:
-///
-///     F = mu P v / sqrt(v^2 + creep^2) + c v
-///
-/// P is what presses on the guide: |N|, or, with a moment M taken by a guide of length l, the sum
-/// over its two ends max(|N|, 2 |M|/l). Source: Coulomb's law, smoothed where the direction
-/// changes; Marques et al., Nonlinear Dynamics 86 (2016), for such smoothing.
-struct Friction {
-  double coulomb = 0.0;  ///< mu
-  double viscous = 0.0;  ///< c [N s/m]
-  /// Sliding velocity at which 71 % of the Coulomb part acts [m/s]; a case that gives none has less
-  /// where drivers move the contact slowly (`fit_creep`).
-  double creep = 0.01;
-  double guide = 0.0;  ///< l [m]; 0: the moment presses nowhere
-};
+using boxbeam::Friction;
 
 /// A point of a body stays on a line of another (or of the ground) and the bodies keep their angle:
 /// n . (p - p_guide) = 0, phi - phi_guide = angle.

@@ -5,13 +5,15 @@
 #include <optional>
 #include <vector>
 
+#include "boxbeam/mechanism/spatial/friction.hpp"
 #include "boxbeam/mechanism/spatial/loops.hpp"
 
 namespace boxbeam::spatial {
 
 /// The coordinates that forces move, from their start at t = 0 on. Their accelerations are those
-/// with which no joint that they move has anything to carry along its axis: of n of them by the
-/// inverse dynamics of the whole mechanism, n + 1 times, for that is linear in them. Integrated by
+/// with which no joint that they move has anything but friction to carry along its axis: of n of
+/// them by the inverse dynamics of the whole mechanism, n + 1 times, and once more for each contact
+/// that rubs, for that is linear in accelerations and friction forces. Integrated by
 /// a Runge-Kutta method of order 8 with a step chosen by its error (Fehlberg 7(8), Boost.Odeint),
 /// which sees its first and last stages only: each step must agree with its two halves. Steps end
 /// where drivers or loads bend or jump, and where a stop or a cable begins or ends to act. Between,
@@ -22,15 +24,16 @@ class ForcedMotion {
  public:
   /// Over the time that is looked at. `loops`: assembled at t = 0, or nothing; keeps it.
   /// `tolerance`: error of a step in coordinates and their rates, [rad] and the mechanism's size.
-  /// Throws AnalysisError where accelerations are not determined, loops cannot be followed, or
-  /// steps fall below what arithmetic can tell apart.
+  /// Throws AnalysisError where accelerations are not determined, friction locks, loops cannot be
+  /// followed, or steps fall below what arithmetic can tell apart.
   ForcedMotion(const Tree& tree, const Loops* loops, double tolerance = 1e-11);
 
   /// Sets the coordinates that forces move, with their rates, at a state's time; no accelerations.
   /// Throws AnalysisError as the constructor.
   void set(const Tree& tree, State& state) const;
 
-  /// Of a state with all positions and rates: the accelerations that forces give, of all bodies.
+  /// Of a state with all positions and rates: the accelerations that forces give, of all bodies,
+  /// and what rubs.
   void accelerate(const Tree& tree, State& state) const;
 
   std::size_t freedoms() const { return joints_.size(); }
@@ -47,13 +50,18 @@ class ForcedMotion {
     std::vector<double> accelerations = {};  ///< without units
     Loops::Sample loops = {};
   };
+  /// Why accelerations are not determined.
+  struct Unsolved {
+    std::size_t massless = 0;  ///< a joint that moves nothing inert, or
+    bool locked = false;       ///< friction locks
+  };
   struct Step {
     Sample end;
-    bool followed = true;                      ///< the loops, and accelerations are determined
-    std::optional<std::size_t> massless = {};  ///< a joint whose acceleration is not
-    double error = 0.0;                        ///< in tolerances
-    bool changes = false;                      ///< others act at its end than at its beginning
-    std::optional<Sample> before = {};         ///< just before those do, where a force jumps
+    bool followed = true;                   ///< the loops, and accelerations are determined
+    std::optional<Unsolved> unsolved = {};  ///< why they are not
+    double error = 0.0;                     ///< in tolerances
+    bool changes = false;                   ///< others act at its end than at its beginning
+    std::optional<Sample> before = {};      ///< just before those do, where a force jumps
     double change = 1.0;  ///< of the step, where a stage first has others acting than its beginning
   };
 
@@ -68,11 +76,11 @@ class ForcedMotion {
   bool place(const Tree& tree, const std::vector<double>& y, double time, const Loops::Sample& near,
              State& state) const;
   void set(State& state, const std::vector<double>& y) const;
-  /// The accelerations; the index of a joint that has no mass where they are not determined.
+  /// The accelerations, and the friction force of every contact.
   struct Solution {
     Eigen::VectorXd accelerations;
-    std::size_t massless = 0;
-    bool solved = true;
+    std::vector<double> friction = {};
+    std::optional<Unsolved> unsolved = {};
   };
   Solution solve(const Tree& tree, State& state) const;
   void move(const Tree& tree, State& state) const;
@@ -82,7 +90,7 @@ class ForcedMotion {
   /// Adds positions between two until those between are known by polynomials.
   void refine(const Tree& tree, const Sample& from, const Sample& to, int depth, Effort& effort,
               std::vector<Sample>& kept) const;
-  [[noreturn]] static void say_massless(const Tree& tree, double time, std::size_t joint);
+  [[noreturn]] void say_unsolved(const Tree& tree, double time, const Unsolved& why) const;
 
   // forced_steps.cpp
   Sample advanced(const Tree& tree, Sample from, double until, Effort& effort,
@@ -109,6 +117,7 @@ class ForcedMotion {
 
   const Loops* loops_;
   double tolerance_;
+  std::vector<FrictionContact> contacts_;
   std::vector<std::size_t> joints_;
   std::vector<double> scales_;  ///< of their coordinates: 1, or the mechanism's size [m]
   bool one_sided_ = false;      ///< whether any spring only pulls or only pushes

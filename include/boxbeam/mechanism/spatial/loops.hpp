@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -66,8 +67,9 @@ class Loops {
   const Sample& first() const { return samples_.front(); }  ///< at t = 0
 
   /// The wrenches of the joints that carry bodies, and behind them what every closing joint does to
-  /// its body b, about its place there.
-  void wrenches(const Tree& tree, const State& state, std::vector<Wrench>& joints) const;
+  /// its body b, about its place there, where `others` act beside the mechanism's loads.
+  void wrenches(const Tree& tree, const State& state, std::span<const BodyWrench> others,
+                std::vector<Wrench>& joints) const;
 
   std::size_t equations() const { return rows_.size(); }
   std::size_t repeating() const { return rows_.size() - chosen_.size(); }  ///< equations

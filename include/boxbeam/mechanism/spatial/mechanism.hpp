@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "boxbeam/mechanism/common/driver.hpp"
+#include "boxbeam/mechanism/common/friction.hpp"
 #include "boxbeam/mechanism/common/time_span.hpp"
 
 /// Rigid bodies in space that joints carry one from another, a tree that begins at the ground, and
@@ -69,6 +70,7 @@ struct Joint {
   double start = 0.0;       ///< q at t = 0 by forces; by loops near which it is sought [rad or m]
   double start_rate = 0.0;  ///< by forces, at t = 0 [rad/s or m/s]
   double lead = 0.0;        ///< of a screw: its advance in a turn, right-handed [m]
+  Friction friction = {};   ///< of a prismatic one
 };
 
 /// What a screw advances by a radian [m].
@@ -141,6 +143,7 @@ struct ClosingJoint {
   std::string driver_name = {};                        ///< "" where its length does not change
   double lead = 0.0;                                   ///< of a screw, as that of a joint [m]
   Mesh mesh = {};                                      ///< of a gear or rack
+  Friction friction = {};  ///< of a prismatic, cylindrical or slot joint, along its axis
 };
 
 /// The place about which it is said what a closing joint does to its two bodies: that on b, or

@@ -21,6 +21,9 @@ struct State {
   std::vector<BodyMotion> bodies;
   /// q, q', q'' of every joint that carries a body [rad or m]; zero of a fixed one.
   std::vector<DriverState> coordinates;
+  /// Of every contact (`friction_contacts_of`), on the body that a joint carries or a closing
+  /// joint's body b, along the joint's axis [N]; empty where it is not known.
+  std::vector<double> friction = {};
 };
 
 /// A force and a moment.

@@ -1,0 +1,208 @@
+#include "boxbeam/mechanism/spatial/friction.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/spatial/chain.hpp"
+
+namespace boxbeam::spatial {
+namespace {
+
+const ClosingJoint* closing_of(const Mechanism& mechanism, const FrictionContact& contact) {
+  const std::size_t carrying = mechanism.joints.size();
+  return contact.joint < carrying ? nullptr : &mechanism.closing[contact.joint - carrying];
+}
+
+/// Where what slides has its point, in the world.
+Eigen::Vector3d place_of_contact(const Mechanism& mechanism, const FrictionContact& contact,
+                                 const State& state) {
+  const ClosingJoint* const closing = closing_of(mechanism, contact);
+  return closing != nullptr ? position_of(state, closing->b) : state.bodies[contact.joint].joint;
+}
+
+}  // namespace
+
+std::vector<FrictionContact> friction_contacts_of(const Mechanism& mechanism) {
+  std::vector<FrictionContact> contacts;
+  const auto add = [&](std::size_t joint, const Friction& law) {
+    if (rubs(law)) contacts.push_back({joint, law});
+  };
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) add(i, mechanism.joints[i].friction);
+  for (std::size_t k = 0; k < mechanism.closing.size(); ++k)
+    add(mechanism.joints.size() + k, mechanism.closing[k].friction);
+  return contacts;
+}
+
+Friction& friction_in(Mechanism& mechanism, std::size_t joint) {
+  const std::size_t carrying = mechanism.joints.size();
+  return joint < carrying ? mechanism.joints[joint].friction
+                          : mechanism.closing[joint - carrying].friction;
+}
+
+const std::string& name_of_contact(const Mechanism& mechanism, const FrictionContact& contact) {
+  const ClosingJoint* const closing = closing_of(mechanism, contact);
+  return closing != nullptr ? closing->name : mechanism.joints[contact.joint].name;
+}
+
+std::pair<int, int> bodies_of_contact(const Mechanism& mechanism, const FrictionContact& contact) {
+  const ClosingJoint* const closing = closing_of(mechanism, contact);
+  if (closing != nullptr) return {closing->a.body, closing->b.body};
+  return {mechanism.joints[contact.joint].parent, static_cast<int>(contact.joint)};
+}
+
+bool is_taken_by_drive(const Mechanism& mechanism, const FrictionContact& contact) {
+  return closing_of(mechanism, contact) == nullptr && is_driven(mechanism.joints[contact.joint]);
+}
+
+Eigen::Vector3d axis_of_contact(const Mechanism& mechanism, const FrictionContact& contact,
+                                const State& state) {
+  const ClosingJoint* const closing = closing_of(mechanism, contact);
+  const Eigen::Vector3d& axis =
+      closing != nullptr ? closing->axis : mechanism.joints[contact.joint].axis;
+  return in_world(state, bodies_of_contact(mechanism, contact).first, axis);
+}
+
+double sliding_velocity_of(const Mechanism& mechanism, const FrictionContact& contact,
+                           const State& state) {
+  const ClosingJoint* const closing = closing_of(mechanism, contact);
+  if (closing == nullptr) return state.coordinates[contact.joint].rate;
+  // The guide's body at the place of what slides.
+  const BodyMotion& guide = motion_of(state, closing->a.body);
+  const Eigen::Vector3d carried =
+      guide.velocity + guide.omega.cross(position_of(state, closing->b) - guide.position);
+  return axis_of_contact(mechanism, contact, state).dot(velocity_of(state, closing->b) - carried);
+}
+
+GuideLoad guide_load_of(const Mechanism& mechanism, const FrictionContact& contact,
+                        const State& state, const std::vector<Wrench>& joints) {
+  const Eigen::Vector3d a = axis_of_contact(mechanism, contact, state);
+  const Wrench& of = joints[contact.joint];
+  GuideLoad load;
+  load << of.force - a.dot(of.force) * a, of.moment.cross(a);
+  return load;
+}
+
+double couple_about_guide(const Mechanism& mechanism, const FrictionContact& contact,
+                          const State& state, const std::vector<Wrench>& joints) {
+  const Eigen::Vector3d a = axis_of_contact(mechanism, contact, state);
+  return a.dot(joints[contact.joint].moment);
+}
+
+void wrenches_beside_friction(const Tree& tree, const Loops* loops, const State& state,
+                              const std::vector<FrictionContact>& contacts,
+                              const std::vector<double>& forces, std::vector<Wrench>& joints) {
+  const Mechanism& mechanism = tree.mechanism();
+  std::vector<BodyWrench> acting;
+  for (std::size_t j = 0; j < forces.size(); ++j) {
+    const auto [guide, slides] = bodies_of_contact(mechanism, contacts[j]);
+    const Eigen::Vector3d place = place_of_contact(mechanism, contacts[j], state);
+    const Eigen::Vector3d force = forces[j] * axis_of_contact(mechanism, contacts[j], state);
+    acting.push_back({slides, place, {force, Eigen::Vector3d::Zero()}});
+    acting.push_back({guide, place, {-force, Eigen::Vector3d::Zero()}});
+  }
+  if (loops != nullptr)
+    loops->wrenches(tree, state, acting, joints);
+  else
+    tree.wrenches(state, acting, joints);
+}
+
+std::vector<double> friction_forces_of(const Tree& tree, const Loops* loops, const State& state,
+                                       const std::vector<FrictionContact>& contacts) {
+  const Mechanism& mechanism = tree.mechanism();
+  const auto count = static_cast<Eigen::Index>(contacts.size());
+  if (count == 0) return {};
+  std::vector<Wrench> joints;
+  wrenches_beside_friction(tree, loops, state, contacts, {}, joints);
+  const auto loads = [&] {
+    Eigen::VectorXd of(6 * count);
+    for (Eigen::Index j = 0; j < count; ++j)
+      of.segment<6>(6 * j) =
+          guide_load_of(mechanism, contacts[static_cast<std::size_t>(j)], state, joints);
+    return of;
+  };
+  // Of the size of what acts without friction, so that round-off of neither counts in the other.
+  double unit = 1.0;
+  for (const Wrench& joint : joints) unit = std::max(unit, joint.force.norm());
+  const Eigen::VectorXd load_0 = loads();
+  Eigen::MatrixXd response = Eigen::MatrixXd::Zero(6 * count, count);
+  Eigen::VectorXd velocity(count);
+  std::vector<Friction> laws;
+  for (Eigen::Index j = 0; j < count; ++j) {
+    const FrictionContact& contact = contacts[static_cast<std::size_t>(j)];
+    laws.push_back(contact.law);
+    velocity[j] = sliding_velocity_of(mechanism, contact, state);
+    if (loops == nullptr || is_taken_by_drive(mechanism, contact)) continue;
+    std::vector<double> forces(contacts.size(), 0.0);
+    forces[static_cast<std::size_t>(j)] = unit;
+    wrenches_beside_friction(tree, loops, state, contacts, forces, joints);
+    response.col(j) = (loads() - load_0) / unit;
+  }
+  const auto solved = solve_friction(laws, velocity, load_0, response);
+  if (solved) return {solved->begin(), solved->end()};
+  say_locked_contacts(mechanism, contacts, state.time);
+}
+
+void say_locked_contacts(const Mechanism& mechanism, const std::vector<FrictionContact>& contacts,
+                         double time) {
+  std::vector<std::string> names;
+  for (const FrictionContact& contact : contacts)
+    if (contact.law.coulomb != 0.0 && !is_taken_by_drive(mechanism, contact))
+      names.push_back(name_of_contact(mechanism, contact));
+  say_locked(names, time);
+}
+
+void require_known_pressure(const Mechanism& mechanism, const Loops& loops,
+                            const std::vector<FrictionContact>& contacts) {
+  for (const FrictionContact& contact : contacts) {
+    if (contact.law.coulomb == 0.0 || loops.unique()[contact.joint] != 0) continue;
+    const std::string& name = name_of_contact(mechanism, contact);
+    throw AnalysisError(
+        {fmt::format("what presses on joint \"{}\", which rubs, is not determined by rigid bodies: "
+                     "joints repeat each other ({}), and how they share their load depends on "
+                     "their stiffness; release one of them (\"spherical\" or \"cylindrical\" for "
+                     "\"revolute\")",
+                     name, fmt::join(names_not_unique(mechanism, loops), ", ")),
+         "joint " + name,
+         {},
+         {},
+         {},
+         {}});
+  }
+}
+
+void fit_creep(Mechanism& mechanism, const std::vector<std::size_t>& joints) {
+  constexpr int fewest = 96, most = 24576;
+  constexpr double of_a_wave = 8.0;
+  if (joints.empty() || std::any_of(mechanism.joints.begin(), mechanism.joints.end(), is_forced))
+    return;
+  const std::vector<FrictionContact> contacts = friction_contacts_of(mechanism);
+  // Drivers decide how it moves: no force is asked for.
+  Mechanism moved = mechanism;
+  for (const FrictionContact& contact : contacts) friction_in(moved, contact.joint) = {};
+  try {
+    const TimeSpan span = time_span_of(moved);
+    const double waves = waves_of(span, most);
+    const int instants = std::clamp(static_cast<int>(std::ceil(of_a_wave * waves)), fewest, most);
+    const Chain chain(moved);
+    std::vector<double> fastest(contacts.size(), 0.0);
+    State state;
+    for (int k = 0; k <= instants; ++k) {
+      chain.at(span.begin + span.length * k / instants, state);
+      for (std::size_t j = 0; j < contacts.size(); ++j)
+        fastest[j] = std::max(fastest[j], std::abs(sliding_velocity_of(moved, contacts[j], state)));
+    }
+    for (std::size_t j = 0; j < contacts.size(); ++j) {
+      if (std::find(joints.begin(), joints.end(), contacts[j].joint) == joints.end()) continue;
+      Friction& law = friction_in(mechanism, contacts[j].joint);
+      law.creep = fitted_creep(law, fastest[j], waves);
+    }
+  } catch (const AnalysisError&) {
+    // Its verification says why it cannot be followed.
+  }
+}
+
+}  // namespace boxbeam::spatial
