@@ -133,7 +133,7 @@ MUTATIONS = [
          ("friction-response", "response.col(j) = (loads() - load_0) / unit;", "response.col(j).setZero();",
           "friction changes what presses in loops", "friction_test")),
     *_in("src/mechanism/spatial", "chain.cpp",
-         ("drive-without-friction", "return axis.dot(wrench.force) - friction_by_joint(state)[joint];", "return axis.dot(wrench.force);",
+         ("drive-without-friction", "? all - friction_by_joint(state)[joint] : all;", "? all : all;",
           "a drive takes the friction of its joint", "friction_test")),
     *_in("src/mechanism/planar", "constraints.cpp",
          ("centripetal", "return velocity_of(point, q, a) - omega * omega * arm_of(point, q);", "return velocity_of(point, q, a) + omega * omega * arm_of(point, q);",
