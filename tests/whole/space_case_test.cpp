@@ -97,9 +97,9 @@ TEST_CASE("motion of a case in space: keys in their order, the values of the cha
   // The axle's C and the wheel's are the same to round-off; the first one is printed.
   CHECK((vector(at["points"]["C"]["acceleration"]) - spatial::acceleration_of(state, C)).norm() <
         1e-12);
-  CHECK(keys_of(at["joints"]["hinge"]) ==
-        std::vector<std::string>{"on", "force", "moment", "drive", "friction", "coordinate", "rate",
-                                 "unique"});
+  CHECK(keys_of(at["joints"]["hinge"]) == std::vector<std::string>{"on", "force", "moment", "drive",
+                                                                   "friction", "coordinate", "rate",
+                                                                   "unique"});
   CHECK(at["joints"]["hinge"]["friction"].is_null());
   CHECK(at["joints"]["hinge"]["on"] == "leg");
   CHECK(at["joints"]["foot"]["drive"].is_null());
