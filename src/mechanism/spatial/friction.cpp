@@ -12,6 +12,8 @@
 namespace boxbeam::spatial {
 namespace {
 
+constexpr int most_passes = 60;
+
 const ClosingJoint* closing_of(const Mechanism& mechanism, const FrictionContact& contact) {
   const std::size_t carrying = mechanism.joints.size();
   return contact.joint < carrying ? nullptr : &mechanism.closing[contact.joint - carrying];
@@ -141,9 +143,26 @@ std::vector<double> friction_forces_of(const Tree& tree, const Loops* loops, con
     wrenches_beside_friction(tree, loops, state, contacts, forces, joints);
     response.col(j) = (loads() - load_0) / unit;
   }
-  const auto solved = solve_friction(laws, velocity, load_0, response);
-  if (solved) return {solved->begin(), solved->end()};
+  // What pushes teeth apart goes by the size of their force, along either of them: where friction
+  // turns one round, loads are not what they were by steps from none.
+  Eigen::VectorXd straight = load_0;
+  for (int pass = 0; pass < most_passes; ++pass) {
+    const auto solved = solve_friction(laws, velocity, straight, response);
+    if (!solved) break;
+    std::vector<double> forces{solved->begin(), solved->end()};
+    if (loops == nullptr || !has_pushing_teeth(mechanism)) return forces;
+    wrenches_beside_friction(tree, loops, state, contacts, forces, joints);
+    const Eigen::VectorXd missed = loads() - straight - response * *solved;
+    if (missed.lpNorm<Eigen::Infinity>() <= 1e-11 * unit) return forces;
+    straight += missed;
+  }
   say_locked_contacts(mechanism, contacts, state.time);
+}
+
+bool has_pushing_teeth(const Mechanism& mechanism) {
+  return std::any_of(mechanism.closing.begin(), mechanism.closing.end(), [](const auto& joint) {
+    return has_teeth(joint.kind) && !joint.mesh.apart.isZero(0.0);
+  });
 }
 
 void say_locked_contacts(const Mechanism& mechanism, const std::vector<FrictionContact>& contacts,
@@ -157,6 +176,23 @@ void say_locked_contacts(const Mechanism& mechanism, const std::vector<FrictionC
 
 void require_known_pressure(const Mechanism& mechanism, const Loops& loops,
                             const std::vector<FrictionContact>& contacts) {
+  const auto dry = std::find_if(contacts.begin(), contacts.end(),
+                                [](const FrictionContact& of) { return of.law.coulomb != 0.0; });
+  const bool forced = std::any_of(mechanism.joints.begin(), mechanism.joints.end(), is_forced);
+  if (forced && dry != contacts.end() && has_pushing_teeth(mechanism)) {
+    const std::string& name = name_of_contact(mechanism, *dry);
+    throw AnalysisError(
+        {fmt::format(
+             "joint \"{}\" rubs in a motion by forces beside teeth that push apart, which is "
+             "not solved; write pressure_angle = \"0 deg\" where that push presses nothing "
+             "that rubs, or drive the mechanism",
+             name),
+         "joint " + name,
+         {},
+         {},
+         {},
+         {}});
+  }
   for (const FrictionContact& contact : contacts) {
     if (contact.law.coulomb == 0.0 || loops.unique()[contact.joint] != 0) continue;
     const std::string& name = name_of_contact(mechanism, contact);

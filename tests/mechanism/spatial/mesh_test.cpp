@@ -262,6 +262,42 @@ TEST_CASE("Forces drive a gear pair against both inertias, and a pinion its rack
   }
 }
 
+TEST_CASE(
+    "Teeth press a rack onto its guide, which rubs by their push, whichever way they drive it") {
+  // F = m a + s mu |F| tan 20, s the sense of the velocity: F = m a/(1 - s sgn(a) mu tan 20).
+  constexpr double r = 0.06, m = 7.0, mu = 0.3;
+  for (const double turning : {-40.0, 40.0}) {
+    Mechanism mechanism;
+    const int one = add(
+        mechanism,
+        joint_of("one", JointKind::revolute, ground, Vector3d::Zero(), Vector3d::UnitZ()), false);
+    // It turns back after half of the time.
+    mechanism.joints[0].driver = PolynomialDriver{{0.0, -0.5 * turning, 0.5 * turning}};
+    const int two = add(
+        mechanism,
+        joint_of("two", JointKind::prismatic, ground, {0.5, 0.0, 0.0}, Vector3d::UnitX()), true);
+    mechanism.joints[1].friction.coulomb = mu;
+    mechanism.joints[1].friction.creep = 1e-7;
+    add_gear(mechanism, "teeth", one, two, r);
+    mechanism.bodies[1].mass = m;
+    mechanism.duration.length = 1.0;
+    const Chain chain(mechanism);
+    for (const double time : {0.0, 0.2, 0.4, 0.6, 0.9}) {
+      const State state = chain.at(time);
+      const double a = r * turning, v = a * (time - 0.5);
+      const double along = m * a / (1.0 - std::copysign(1.0, v * a) * mu * tan_20);
+      const Wrench teeth = chain.joint_wrenches(state)[2];
+      CHECK(teeth.force.x() == Approx(along).epsilon(1e-9));
+      CHECK(teeth.force.y() == Approx(-std::abs(along) * tan_20).epsilon(1e-9));
+      CHECK(state.friction[0] == Approx(-std::copysign(mu * tan_20 * along, v)).epsilon(1e-9));
+      check_balance(chain, time);
+    }
+    // Without drivers it would have to be solved with the accelerations.
+    mechanism.joints[0].moved_by = MovedBy::forces;
+    CHECK_THROWS_AS(Chain(mechanism), AnalysisError);
+  }
+}
+
 namespace {
 
 /// A cage about x with a pinion about y on it between two side gears about x, all of radius r.

@@ -63,8 +63,11 @@ std::vector<double> friction_forces_of(const Tree& tree, const Loops* loops, con
 [[noreturn]] void say_locked_contacts(const Mechanism& mechanism,
                                       const std::vector<FrictionContact>& contacts, double time);
 
+/// Whether teeth push each other apart, by the size of the force along them.
+bool has_pushing_teeth(const Mechanism& mechanism);
+
 /// Throws AnalysisError where joints that repeat each other share what presses on a contact with
-/// dry friction.
+/// dry friction, or teeth push apart beside one in a motion by forces.
 void require_known_pressure(const Mechanism& mechanism, const Loops& loops,
                             const std::vector<FrictionContact>& contacts);
 
