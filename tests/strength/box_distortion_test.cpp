@@ -92,7 +92,8 @@ TEST_CASE("a cell of equal webs and equal flanges has the stiffness of the close
 
 // A couple of 100 kN on the webs, d = 100 kN b/2, of an infinite beam by hand elsewhere: 1/lambda
 // 4631 mm, 33.9 MPa along the beam, 810 N mm/mm in the corners, 76 MPa of it in the webs; of 1000 x
-// 1000 x 10 1/lambda 5248 mm and 39.4 MPa.
+// 1000 x 10 1/lambda 5248 mm and 39.4 MPa. Halfway between diaphragms 2 m apart that do not give
+// the first has P L/8, 7.3 MPa.
 TEST_CASE("the figures of two cells under a couple on their webs", "[distortion][regression]") {
   const auto along = [](const CellDistortion& of, double b, double h) {
     return 2.0 * 0.25 * b * h / of.warping_inertia * (50e3 * b) / (4.0 * of.decay);
@@ -100,6 +101,8 @@ TEST_CASE("the figures of two cells under a couple on their webs", "[distortion]
   const CellDistortion deep = distortion_of(equal_cell(0.6, 1.212, 0.012, 0.008));
   CHECK(1.0 / deep.decay == Approx(4.631).epsilon(2e-4));
   CHECK(along(deep, 0.6, 1.212) == Approx(33.9e6).epsilon(2e-3));
+  const double between = 4.0 * deep.decay * 2.0 / 8.0;  // L/8 for 1/(4 lambda)
+  CHECK(between * along(deep, 0.6, 1.212) == Approx(7.3e6).epsilon(5e-3));
   const double corner = deep.corner_moments[0] * 30e3 * deep.decay / (2.0 * deep.frame_stiffness);
   CHECK(corner == Approx(810.0).epsilon(1e-3));
   CHECK(6.0 * corner / (0.008 * 0.008) == Approx(76e6).epsilon(3e-3));

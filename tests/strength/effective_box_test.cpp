@@ -216,6 +216,63 @@ TEST_CASE("reference box: what it bears, N with its eccentricity and M_y") {
   CutForces bent{};
   bent.M_y = si<Moment>(-2987e3);
   CHECK(box.use(bent) == Approx(1.0).epsilon(5e-4));
+  bent.M_y = si<Moment>(-1500e3);
+  CHECK(box.use(bent) == Approx(0.50).margin(5e-3));
+}
+
+TEST_CASE("reference box under N, M_y and M_z together: the sum 4.15, term by term") {
+  // N at the gross centroid, M_y pressing the top, M_z the left web; by hand N/A_eff + N e_N/W_y +
+  // M_y/W_y + M_z/W_z with 17854 mm^2, 67.42 mm, 8413e3 mm^3 and 4125e3 mm^3. The section that is
+  // left under M_z alone is lopsided, so that M_z bends it obliquely: I_y = 6 949e6 or more, I_yz =
+  // -117.6e6 mm^4, by which W_z is 4010e3 mm^3 at the corner; the worse of both counts.
+  const EffectiveBox box(reference_box());
+  struct Point {
+    double N, M_y, M_z;  // kN, kN m
+    double plain, oblique;
+  };
+  for (const Point& of :
+       {Point{1000.0, 1000.0, 300.0, 0.7200, 0.7259}, Point{2000.0, 800.0, 200.0, 0.7651, 0.7690},
+        Point{500.0, 1500.0, 400.0, 0.8656, 0.8734}}) {
+    CAPTURE(of.N, of.M_y, of.M_z);
+    const auto sum = [&](double W_z) {
+      const double stress = of.N * 1e3 / 17854e-6 +
+                            (of.N * 1e3 * 67.42e-3 + of.M_y * 1e3) / 8413e-6 + of.M_z * 1e3 / W_z;
+      return stress / 355e6;
+    };
+    CHECK(sum(4125e-6) == Approx(of.plain).margin(1e-4));
+    CHECK(sum(4009.9e-6) == Approx(of.oblique).margin(1e-4));
+    CutForces cut{};
+    cut.N = si<Force>(-1e3 * of.N);
+    cut.M_y = cut.N * si<Length>(0.610 - 0.65611) - si<Moment>(1e3 * of.M_y);
+    cut.M_z = si<Moment>(1e3 * of.M_z);
+    const CornerUse found = box.worst_corner(cut);
+    CHECK(found.corner.flange == top_flange);
+    CHECK(found.corner.web == left_web);
+    CHECK(found.use >= of.plain * (1.0 - 2e-4));
+    CHECK(found.use == Approx(of.oblique).margin(2e-4));
+  }
+  // A_eff f_y alone.
+  CHECK(355e6 * box.alone(ActingAlone::compression).sums.area == Approx(6338e3).epsilon(1e-4));
+}
+
+TEST_CASE("where class 3 ends, at c = 42 eps t, a compressed plate has rho = 0.95 of 4.4(2)") {
+  // lambda_p = 42/(28.4 x 2) = 0.7394, (0.7394 - 0.22)/0.7394^2 = 0.9500; whole it is to 38.2 eps
+  // t.
+  const double eps = std::sqrt(235.0 / 355.0), t = 10.0, c = 42.0 * eps * t;
+  const auto box_of = [&](double clear) {
+    const Box of{mm(clear + 40.0), mm(300.0), mm(t), mm(t), mm(20.0), mm(20.0)};
+    return EffectiveBox(*four_walls_of(of, steel()));
+  };
+  const double rho = box_of(c).alone(ActingAlone::compression).of(top_flange).width.rho;
+  CHECK(rho == Approx(0.9500).margin(5e-5));
+  CHECK(box_of(38.2 * eps * t).alone(ActingAlone::compression).of(top_flange).width.rho ==
+        Approx(1.0).margin(1e-3));
+  // The stout webs are whole: what is lost is of the flanges.
+  CutForces cut{};
+  cut.N = si<Force>(-1e6);
+  const double gross = 2.0 * (c + 40.0) * t + 2.0 * 280.0 * 20.0;
+  CHECK(box_of(c).use(cut) * 355.0 * (gross - 2.0 * (1.0 - rho) * c * t) ==
+        Approx(1e6).epsilon(1e-4));
 }
 
 TEST_CASE("what a shift of the centroid relieves is not counted") {

@@ -187,6 +187,18 @@ TEST_CASE("a short panel in shear: 1000 x 12, a = 600 mm", "[validation]") {
   CHECK(found.lambda_w == Approx(0.631).epsilon(2e-3));
 }
 
+TEST_CASE("a web in shear: 1200 x 12 mm, a = 1800 mm, S355, as the standard has it",
+          "[validation]") {
+  // FrameAI's page on plate girders prints it with a k_tau of a/h_w upside down; right are k_tau =
+  // 5.34 + 4 (h_w/a)^2 = 7.118 (A.3), lambda_w = 1.232, V_bw = 1903 kN with gamma_M1 = 1.1 and
+  // rigid end posts.
+  const ShearPanel panel{1.2 * metre, 0.012 * metre, 355e6 * pascal, 1.8 * metre, true};
+  const ShearResistance found = shear_resistance_of(panel, 1.1);
+  CHECK(found.k_tau == Approx(7.118).epsilon(1e-4));
+  CHECK(found.lambda_w == Approx(1.232).epsilon(5e-4));
+  CHECK(found.resistance.value() == Approx(1903e3).epsilon(5e-4));
+}
+
 TEST_CASE("columns: published critical forces, slenderness and reduction", "[validation]") {
   constexpr double pi = std::numbers::pi;
   const auto critical = [](double cm4, double length) {
@@ -195,8 +207,15 @@ TEST_CASE("columns: published critical forces, slenderness and reduction", "[val
   // Steel Buildings in Europe, MSB04, A.5: HE 300 B (I_z = 8563 cm^4), 5.6 m; chi_y by curve b.
   CHECK(critical(8563.0, 5.6) == Approx(5657e3).epsilon(1e-3));
   CHECK(column_reduction(0.655, BucklingCurve::b) == Approx(0.808).epsilon(1e-3));
+  const auto slenderness = [](double cm2, double N_cr) {
+    return column_slenderness(si<Area>(1e-4 * cm2), 235e6 * pascal, si<Force>(N_cr));
+  };
+  // lambda_z of the same, A = 149.1 cm^2, S235.
+  CHECK(slenderness(149.1, critical(8563.0, 5.6)) == Approx(0.787).epsilon(1e-3));
   // Dlubal, formula 000700: I_z = 10140 cm^4, 6.5 m.
   CHECK(critical(10140.0, 6.5) == Approx(4974e3).epsilon(1e-3));
+  // Printed beside it: 0.924; HE 360 B by its I_z, A = 180.6 cm^2, S235.
+  CHECK(slenderness(180.6, critical(10140.0, 6.5)) == Approx(0.924).epsilon(1e-3));
   // xcfem/xc, test_buckling_resistance_02: CHS 244.5 x 10, S355, 4 m, pinned, curve a.
   const double outer = 0.2445, inner = 0.2245;
   const Area area = si<Area>(0.25 * pi * (outer * outer - inner * inner));

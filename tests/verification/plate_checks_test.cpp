@@ -71,6 +71,36 @@ TEST_CASE("a web of 1200 x 8 mm gets a verdict: effective section, shear and bot
   CHECK(!has_gate(of, "buckle in shear"));
 }
 
+// N alone: gross up to class 3, c = 42 eps t (EN 1993-1-1, table 5.2), by A_eff beyond it, where
+// rho = 0.9500 (EN 1993-1-5, 4.4(2), whole to 38.2 eps t): the jump is the code's own, and the only
+// one.
+TEST_CASE("class 3 meets class 4 without a jump beyond the code's own", "[plates]") {
+  const double eps = std::sqrt(235.0 / 355.0), t = 10.0, end = 42.0 * eps * t;
+  const auto use_at = [&](double c) {
+    const Verification of = verified(cantilever(box("a", c + 40.0, 300.0, t, 20.0),
+                                                segment(0.4, "a") + diaphragms({0.0, 0.4}, 30.0),
+                                                tip(0.4, 0.0, -1000.0)));
+    return std::max(use_of(of, Criterion::yield), use_of(of, Criterion::effective_section));
+  };
+  const double below = use_at(end * (1.0 - 1e-6)), above = use_at(end * (1.0 + 1e-6));
+  const double gross = 2.0 * (end + 40.0) * t + 2.0 * 280.0 * 20.0;
+  const double lambda = 42.0 / 56.8, rho = (lambda - 0.22) / (lambda * lambda);
+  CHECK(rho == Approx(0.9500).margin(5e-5));
+  CHECK(below * gross * 355.0 == Approx(1e6).epsilon(1e-5));
+  CHECK(above / below == Approx(gross / (gross - 2.0 * (1.0 - rho) * end * t)).epsilon(2e-5));
+  CHECK(above / below == Approx(1.0185).margin(1e-4));
+  // As plates go on to get slenderer the use grows steadily.
+  double before = above * (gross - 2.0 * (1.0 - rho) * end * t);
+  for (int k = 1; k <= 20; ++k) {
+    const double c = end * (1.0 + 0.02 * k), slenderness = c / t / (56.8 * eps);
+    const double kept = (slenderness - 0.22) / (slenderness * slenderness);
+    const double area = 2.0 * (kept * c + 40.0) * t + 2.0 * 280.0 * 20.0;
+    const double force = use_at(c) * area;
+    CHECK(force == Approx(before).epsilon(1e-4));
+    before = force;
+  }
+}
+
 TEST_CASE("shear above half of the resistance takes from the moment", "[plates]") {
   Project project = parse_project("slender.toml", cantilever(box("a", 600.0, 1224.0, 12.0, 8.0),
                                                              segment(2.0, "a"), tip(2.0, -1000.0)));

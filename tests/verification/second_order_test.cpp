@@ -250,10 +250,12 @@ double by_differences(const std::array<double, 4>& EI, int n) {
 // Source: Timoshenko, Gere, Theory of Elastic Stability (1961), section 2.14, n = 2; 1.5270, 2.1067
 // and 3.4155 times pi^2 for r = 1.5, 2 and 3.
 TEST_CASE("a column whose depth tapers buckles at the closed form", "[second_order]") {
-  for (const double r : {1.5, 2.0, 3.0}) {
+  for (const auto& [r, published] :
+       {std::pair(1.5, 1.5270), std::pair(2.0, 2.1067), std::pair(3.0, 3.4155)}) {
     const double d = (r - 1.0) / L;
     const double closed =
         std::pow(r - 1.0, 2) * (std::pow(pi / std::log(r), 2) + 0.25) * E * I / (L * L);
+    CHECK(closed * L * L / (pi * pi * E * I) == Approx(published).margin(5e-5));
     const std::array<double, 4> EI{E * I, 2.0 * d * E * I, d * d * E * I, 0.0};
     INFO("r = " << r);
     CHECK(column_stands(EI, (1.0 - 1e-4) * closed));
