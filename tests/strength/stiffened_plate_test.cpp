@@ -158,14 +158,6 @@ Band compare(int count, bool even, double least_psi, double most_psi) {
 
 }  // namespace
 
-TEST_CASE("published: column-like buckling of bare plates, and between both [eurocodedesign]") {
-  // domthom21/eurocodedesign, tests/standard/ec3/platebuckling: figures of its authors' by hand.
-  CHECK(in_MPa(plate_column_stress(mm(10.0), mm(600.0))) == Approx(52.78).epsilon(2e-3));
-  CHECK(std::sqrt(355.0 / 76.0) == Approx(2.16).margin(5e-3));
-  CHECK(column_like_reduction(2.16, 0.21) == Approx(0.194).margin(1e-3));
-  CHECK(interpolated_reduction(0.485, 0.194, 0.44) == Approx(0.394).margin(5e-4));
-}
-
 TEST_CASE("a flange with a flat in its middle, by hand") {
   // 1000 x 10 mm, a = 2 m, S355, flat 120 x 12; in mm and MPa. Subpanels (1000 - 12)/2 = 494:
   // lambda_p = 49.4/(28.4 x 0.8136 x 2) = 1.0690, rho = 0.7430. Column: plate 494 + 12 = 506, A =

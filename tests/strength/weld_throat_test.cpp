@@ -76,34 +76,6 @@ TEST_CASE("weld: with equal legs the first condition is the harder one, in every
   }
 }
 
-TEST_CASE(
-    "weld: two transverse fillets as strong as their plate, a/t = f_y beta_w gamma_M2/(sqrt(2) "
-    "f_u)",
-    "[validation]") {
-  // 0.46, 0.48 and 0.55 (f_u 510 MPa) for S235, S275 and S355 stand in textbooks; 0.60 for 470 MPa.
-  struct Steel {
-    double f_y, f_u, beta_w, ratio;
-  };
-  for (const Steel& steel : {Steel{235, 360, 0.8, 0.46}, Steel{275, 430, 0.85, 0.48},
-                             Steel{355, 510, 0.9, 0.55}, Steel{355, 470, 0.9, 0.60}}) {
-    const WeldStrength strength{MPa(steel.f_u), steel.beta_w, 1.25};
-    const double t = 12.0;
-    const WeldForce half{N_per_mm(0.5 * steel.f_y * t), N_per_mm(0), N_per_mm(0)};
-    const double needed =
-        5.0 * directional_utilisation(throat_stress_of(half, mm(5)), strength).largest();
-    CHECK(needed / t == Approx(steel.ratio).margin(0.005));
-  }
-}
-
-TEST_CASE("weld: 10 kN across 100 mm of 5 mm throat, 28.3 <= 417.8 MPa", "[validation]") {
-  // eurocodecalculations.com: S355, f_u 470 MPa, the throat at 45 degrees to the force.
-  const ThroatStress stress = throat_stress_of({N_per_mm(100), N_per_mm(0), N_per_mm(0)}, mm(5));
-  CHECK(equal_leg_stress(20.0, 0.0) == Approx(28.3).margin(0.05));
-  constexpr NoDerivation plainly;
-  CHECK(weld_strength(plainly, S355).value() == Approx(417.8e6).margin(0.05e6));
-  CHECK(directional_utilisation(stress, S355).combined == Approx(28.3 / 417.8).epsilon(1e-3));
-}
-
 TEST_CASE("weld: root of two fillets on a plate of 12 mm, a range of 40 MPa", "[validation]") {
   // n = 480 N/mm on two throats of 6 mm: sigma_wf = n/(2 a) = 40 MPa; N(36) = 2e6 (36/40)^3 =
   // 1.458e6; a damage of 1e6/(2e6 (36/(1.35 40))^3) = 1.6875 with gamma_Mf 1.35. By hand.

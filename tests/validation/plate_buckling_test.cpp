@@ -155,7 +155,8 @@ TEST_CASE("alpha_cr of stresses together against the Ritz solution", "[validatio
 }
 
 // The figures are those of the sources as their authors print them or test against them.
-TEST_CASE("plates in compression: published k_sigma, lambda_p and rho", "[validation]") {
+TEST_CASE("JRC EUR 22898 and FrameAI: k_sigma, lambda_p and rho of compressed plates",
+          "[validation]") {
   struct Published {
     const char* source;
     double width, thickness, yield, psi, k, lambda, rho, within, effective = 0.0;
@@ -176,7 +177,7 @@ TEST_CASE("plates in compression: published k_sigma, lambda_p and rho", "[valida
   }
 }
 
-TEST_CASE("a short panel in shear: 1000 x 12, a = 600 mm", "[validation]") {
+TEST_CASE("eurocodedesign: a short panel in shear, 1000 x 12, a = 600 mm", "[validation]") {
   // eurocodedesign, tests of plate buckling: k_tau = 18.833, tau_cr = 515.3 MPa, lambda_w = 0.631.
   const ShearPanel panel{1.0 * metre, 0.012 * metre, 355e6 * pascal, 0.6 * metre};
   const ShearResistance found = shear_resistance_of(panel, 1.0);
@@ -187,8 +188,7 @@ TEST_CASE("a short panel in shear: 1000 x 12, a = 600 mm", "[validation]") {
   CHECK(found.lambda_w == Approx(0.631).epsilon(2e-3));
 }
 
-TEST_CASE("a web in shear: 1200 x 12 mm, a = 1800 mm, S355, as the standard has it",
-          "[validation]") {
+TEST_CASE("FrameAI set right: a web of 1200 x 12 mm in shear, a = 1800 mm", "[validation]") {
   // FrameAI's page on plate girders prints it with a k_tau of a/h_w upside down; right are k_tau =
   // 5.34 + 4 (h_w/a)^2 = 7.118 (A.3), lambda_w = 1.232, V_bw = 1903 kN with gamma_M1 = 1.1 and
   // rigid end posts.
@@ -199,7 +199,8 @@ TEST_CASE("a web in shear: 1200 x 12 mm, a = 1800 mm, S355, as the standard has 
   CHECK(found.resistance.value() == Approx(1903e3).epsilon(5e-4));
 }
 
-TEST_CASE("columns: published critical forces, slenderness and reduction", "[validation]") {
+TEST_CASE("MSB04, Dlubal and xcfem: critical forces, slenderness and reduction of columns",
+          "[validation]") {
   constexpr double pi = std::numbers::pi;
   const auto critical = [](double cm4, double length) {
     return euler_force(210e9 * pascal, si<SecondMoment>(1e-8 * cm4), length * metre).value();
