@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "boxbeam/strength/member_buckling.hpp"
 #include "catch.hpp"
 
 namespace column_buckling_test {
@@ -75,7 +76,7 @@ TEST_CASE("column: chi falls with slenderness and from curve a0 to d") {
   }
 }
 
-TEST_CASE("column: Euler's force, slenderness and resistance of a bar by hand") {
+TEST_CASE("column: Euler's force, slenderness and use of a bar by hand") {
   // Square bar 40 x 40 mm, 1 m between pins, E = 210 GPa, f_y = 235 MPa: I = 2.1333e-7 m4,
   // N_cr = pi^2 210e9 2.1333e-7/1 = 442.2 kN, lambda = sqrt(376/442.2) = 0.9222.
   const Area area = si<Area>(1.6e-3);
@@ -85,10 +86,10 @@ TEST_CASE("column: Euler's force, slenderness and resistance of a bar by hand") 
   CHECK(critical.value() == Approx(442.2e3).epsilon(2e-4));
   CHECK(column_slenderness(area, yield, critical) == Approx(0.9222).epsilon(2e-4));
   // Curve c, Phi = [1 + 0.49*0.7222 + 0.8504]/2 = 1.1021, chi = 1/(1.1021 + 0.6034) = 0.5863.
-  CHECK(buckling_resistance(area, yield, critical, BucklingCurve::c, 1.0).value() ==
-        Approx(0.5863 * 376e3).epsilon(3e-4));
-  CHECK(buckling_resistance(area, yield, critical, BucklingCurve::c, 1.1).value() ==
-        Approx(0.5863 * 376e3 / 1.1).epsilon(3e-4));
+  // As a member under A f_y, which is used by 1/chi.
+  const MemberLoad squashed{1.0, 0.0, area * yield / critical};
+  CHECK(flexural_use(squashed, BucklingCurve::c, 1.0) == Approx(1.0 / 0.5863).epsilon(3e-4));
+  CHECK(flexural_use(squashed, BucklingCurve::c, 1.1) == Approx(1.1 / 0.5863).epsilon(3e-4));
 }
 
 }  // namespace column_buckling_test

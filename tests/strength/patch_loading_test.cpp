@@ -135,6 +135,11 @@ TEST_CASE("patch loading: properties that hold for every web") {
     other = of;
     other.flange_inside *= 1.2;
     never_less(other);
+    // Thinner webs always do.
+    other = of;
+    other.thickness *= 0.95;
+    const PatchResistance thinner = patch_resistance_of(other, 1.0);
+    if ((thinner.m_2 > 0.0) == (found.m_2 > 0.0)) CHECK(thinner.resistance < found.resistance);
     other = of;
     if (other.length) *other.length *= 0.9;
     // Of a panel shorter than l_y that is all there is.

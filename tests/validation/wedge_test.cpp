@@ -28,6 +28,24 @@ Taper taper_at(double x, double alpha) {
 
 }  // namespace
 
+TEST_CASE("wedge: the exact radial stresses balance the force and leave no thrust") {
+  for (const double degrees : {2.0, 10.0, 30.0}) {
+    const double alpha = degrees * std::numbers::pi / 180;
+    double across = 0.0, along = 0.0;
+    constexpr int steps = 2000;
+    for (int k = 0; k < steps; ++k) {
+      const double theta = alpha * (2.0 * (k + 0.5) / steps - 1.0);
+      const double force =
+          2 * std::sin(theta) / (2 * alpha - std::sin(2 * alpha)) * 2.0 * alpha / steps;
+      across += force * std::sin(theta);
+      along += force * std::cos(theta);
+    }
+    CAPTURE(degrees);
+    CHECK(across == Approx(1.0).epsilon(1e-6));
+    CHECK(std::abs(along) < 1e-12);
+  }
+}
+
 TEST_CASE("wedge: M/W is 0.9998, 0.9985, 0.9939, 0.9861 of the exact edge stress", "[validation]") {
   const double table[][2] = {{2, 0.9998}, {5, 0.9985}, {10, 0.9939}, {15, 0.9861}};
   const double x = 2.0, P = 1e4;
