@@ -47,11 +47,4 @@ double column_reduction(double slenderness, BucklingCurve curve) {
   return column::reduction(unrecorded, slenderness, curve);
 }
 
-Force buckling_resistance(Area area, Stress yield_strength, Force critical_force,
-                          BucklingCurve curve, double gamma_M1) {
-  const double slenderness = column_slenderness(area, yield_strength, critical_force);
-  return column::resistance(unrecorded, column_reduction(slenderness, curve), area, yield_strength,
-                            gamma_M1);
-}
-
 }  // namespace boxbeam

@@ -30,9 +30,4 @@ double column_slenderness(Area area, Stress yield_strength, Force critical_force
 /// Source: EN 1993-1-1:2005, 6.3.1.2(1), equation 6.49.
 double column_reduction(double slenderness, BucklingCurve curve);
 
-/// Buckling resistance N_b,Rd = chi A f_y/gamma_M1; A the effective area in class 4.
-/// Source: EN 1993-1-1:2005, 6.3.1.1(3), equations 6.47 and 6.48.
-Force buckling_resistance(Area area, Stress yield_strength, Force critical_force,
-                          BucklingCurve curve, double gamma_M1);
-
 }  // namespace boxbeam

@@ -20,24 +20,6 @@ double membrane_concentration(double diameter_to_width);
 /// from Norton, Machine Design, for the out-of-plane bending of a plate with a hole.
 double published_concentration(double diameter_to_width);
 
-/// Stresses of a plate bent in its own plane, with a round hole at mid-depth.
-struct InPlaneBendingStress {
-  Stress at_hole;   ///< at the top and the bottom of the hole
-  Stress at_edges;  ///< at the outer edges above and below the hole
-};
-
-/// Stresses by a moment in the plane of a plate with a round hole at mid-depth.
-///
-///     at_hole = 2 * 12 M r / [t (D^3 - d^3)],  at_edges = 6 M D / [t (D^3 - d^3)]
-///
-/// r = d/2. The factor 2 on the nominal stress M r/I_net is exact for a small hole (Airy function
-/// of a linear gradient) and conservative by up to 4 % for d/D to 0.7 (finite elements). Below
-/// d/D = 1/2 the outer edges govern. Valid for 0 < d/D <= 0.7: nothing is returned outside.
-/// Source: Roark's Formulas for Stress and Strain, table 17.1 (recalled, not confirmed; the factor
-/// is confirmed by the two comparisons).
-std::optional<InPlaneBendingStress> in_plane_bending_stress(Moment moment, Length depth,
-                                                            Length thickness, Length diameter);
-
 /// Stress concentration of a round hole in a plate bent out of its plane, on the nominal stress
 /// 6M/[(w-d) h^2].
 ///
