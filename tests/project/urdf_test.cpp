@@ -280,6 +280,10 @@ TEST_CASE("the beam is the heaviest moving link, or the one that is named, betwe
   CHECK(last.beam_body == body_index(spatial_of(last), "fore"));
   CHECK(last.beam.length().value() == Approx(2.0 * std::sqrt(0.14)).epsilon(1e-14));
   CHECK(last.placement.axes.col(0).cross(Vector3d(2, -1, 3)).norm() < 1e-14);
+  // A root that is not the ground may be it: fixed there as a cantilever, to the shoulder.
+  const Project root = project_of(arm_text, {}, "base");
+  CHECK(root.beam_body == body_index(spatial_of(root), "base"));
+  CHECK(root.beam.length().value() == Approx(std::sqrt(0.3)).epsilon(1e-14));
   // Joints on both sides of that which carries it: 1 m along z and 0.25 m the other way.
   const std::string both = "<robot name=\"r\">" + link("world") + "<link name=\"a\">" + box +
                            "</link>" + link("b") + link("c") +
@@ -310,7 +314,7 @@ TEST_CASE("names that keys of TOML or points do not take are quoted or changed")
       joined("j_1", "revolute", "arm &quot;1&quot;", "beam_start", "<origin xyz=\"-1 0 0\"/>") +
       joined("origin", "revolute", "origin", "\\") + "</robot>");
   CHECK(project.beam_body == body_index(spatial_of(project), "arm \"1\""));
-  CHECK(project.name == "--1-----");
+  CHECK(project.name == "--1-----with-placeholders");
   CHECK(joint(project, "j.1").at.x() - joint(project, "j_1").at.x() == 2.0);
   CHECK(body_index(spatial_of(project), "\\") >= 0);
   const spatial::Joint& last = joint(project, "origin");
@@ -390,7 +394,7 @@ TEST_CASE("what is wrong with a robot is said, with its line") {
        "joint \"j\": it has no child"},
       {robot(ab + joined("j", "hinge", "a", "b")), 4, "\"hinge\" is no type of joint"},
       {robot(ab), 3, "link \"b\": no joint carries it, nor link \"a\""},
-      {robot(link("a") + ab + j), 3, "another link has this name"},
+      {robot(link("a") + ab + j), 2, "another link has this name"},
       {robot(ab + link("c") + "\n" + j + "\n" + joined("j", "fixed", "a", "c")), 6,
        "another joint is called \"j\""},
       {robot(ab + link("c") + "\n" + joined("j", "planar", "a", "b") + "\n" +
@@ -401,7 +405,7 @@ TEST_CASE("what is wrong with a robot is said, with its line") {
       {robot(ab + link("c") + "\n" + joined("j", "fixed", "c", "b") + "\n" +
              joined("k", "fixed", "b", "c")),
        5, "in a ring"},
-      {robot(ab + j + "\n" + joined("k", "fixed", "b", "a")), 4, "in a ring"},
+      {robot(ab + j + "\n" + joined("k", "fixed", "b", "a")), 5, "in a ring"},
       {robot("<link name=\"a\"><inertial><mass value=\"-1\"/></inertial></link>"), 2,
        "its mass is -1 kg"},
       {robot("<link name=\"a\"><inertial/></link>"), 2, "<inertial> has no mass"},

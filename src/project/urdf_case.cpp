@@ -240,8 +240,8 @@ class CaseOfRobot {
       for (const auto& [element, count] : robot_.left_out)
         put("#   <{}> ({})\n", toml_key(element), count);
     }
-    put("\n[case]\nname = {}\n", toml_quoted(name.substr(0, 80)));
-    // It stands beside every verdict.
+    // Name and title stand beside every verdict.
+    put("\n[case]\nname = {}\n", toml_quoted(name.substr(0, 60) + "-with-placeholders"));
     put("title = {}\nkind = \"spatial\"\n",
         toml_quoted(robot_.name + ", with PLACEHOLDERS for section, steel and drivers"));
     put("assumptions = [\n"
