@@ -280,12 +280,23 @@ Entry init_entry(CLI::App& app) {
                   "where to, which must not be there yet (default: KIND.toml); - for standard "
                   "output")
       ->type_name("FILE.toml");
+  CLI::Option* const robot =
+      command
+          .add_option("--from-urdf", options->robot,
+                      "begin a case in space with the bodies and joints of this robot (URDF)")
+          ->type_name("FILE.urdf");
+  command
+      .add_option("--beam", options->beam,
+                  "the robot's link that is the beam (default: its heaviest but the root)")
+      ->needs(robot)
+      ->type_name("LINK");
   command.add_flag("--schema", options->schema,
                    "write the schema beside it, boxbeam-case.schema.json, by which editors of TOML "
                    "(Even Better TOML, taplo) complete and explain its keys");
-  return {&command, {"boxbeam init planar my.toml", "boxbeam init static --schema"}, [options] {
-            return run_init(*options);
-          }};
+  return {&command,
+          {"boxbeam init planar my.toml", "boxbeam init static --schema",
+           "boxbeam init --from-urdf arm.urdf my.toml"},
+          [options] { return run_init(*options); }};
 }
 
 Entry validate_entry(CLI::App& app) {

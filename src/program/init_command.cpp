@@ -7,6 +7,8 @@
 #include <iterator>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/project/project.hpp"
+#include "boxbeam/project/urdf.hpp"
 #include "boxbeam/report/case_schema.hpp"
 #include "boxbeam/report/files.hpp"
 #include "program/exit_code.hpp"
@@ -20,7 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The commented case of a kind, which is the first of its examples.
-const char* template_of(const std::string& kind) {
+std::string template_of(const std::string& kind) {
   return std::find_if(std::begin(template_data::examples), std::end(template_data::examples),
                       [&](const auto& example) { return example.kind == kind; })
       ->text;
@@ -29,21 +31,34 @@ const char* template_of(const std::string& kind) {
 /// The file that the first line of every template names for editors.
 constexpr const char* schema_file = "boxbeam-case.schema.json";
 
+/// The text of the case. That of a robot is read once, so that none is written that is no case.
+std::string text_of(const InitOptions& options) {
+  if (options.robot.empty()) return template_of(options.kind);
+  if (options.kind != "spatial") {
+    throw InputError("a robot moves in space", "write boxbeam init spatial, or leave the kind out");
+  }
+  std::string text = urdf::case_text(urdf::read_robot(options.robot), options.beam);
+  parse_project(options.robot + " as a case", text);
+  return text;
+}
+
 }  // namespace
 
 bool is_case_file(const std::string& word) { return word.ends_with(".toml"); }
 
 int run_init(const InitOptions& given) {
   InitOptions options = given;
+  const std::string usual = options.robot.empty() ? "planar" : "spatial";
   if (is_case_file(given.kind)) {
     if (!given.file.empty()) {
       throw InputError(fmt::format("two files: {} and {}", given.kind, given.file),
                        "name the kind first: boxbeam init planar FILE.toml");
     }
-    options.kind = "planar";
+    options.kind = usual;
     options.file = given.kind;
   }
-  const char* const text = template_of(options.kind);
+  if (options.kind.empty()) options.kind = usual;
+  const std::string text = text_of(options);
   if (options.file == "-") {
     if (options.schema) {
       throw InputError("the schema is written beside a case that is a file",

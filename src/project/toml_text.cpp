@@ -6,9 +6,8 @@
 #include <cmath>
 
 namespace boxbeam {
-namespace {
 
-std::string quoted(const std::string& text) {
+std::string toml_quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\')
@@ -21,12 +20,14 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-std::string key_text(const std::string& key) {
+std::string toml_key(const std::string& key) {
   const bool bare = !key.empty() && key.find_first_not_of(
                                         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
                                         "0123456789-_") == std::string::npos;
-  return bare ? key : quoted(key);
+  return bare ? key : toml_quoted(key);
 }
+
+namespace {
 
 std::string number_text(const Node& node) {
   if (node.whole) return fmt::format("{:.0f}", node.number);
@@ -43,7 +44,7 @@ std::string value_text(const Node& node) {
     case Node::Kind::number: return number_text(node);
     case Node::Kind::boolean: return node.boolean ? "true" : "false";
     case Node::Kind::text:
-    case Node::Kind::other: return quoted(node.text);
+    case Node::Kind::other: return toml_quoted(node.text);
     case Node::Kind::array: {
       std::string text;
       for (const Node& item : node.items) text += (text.empty() ? "" : ", ") + value_text(item);
@@ -53,7 +54,7 @@ std::string value_text(const Node& node) {
   }
   std::string text;
   for (const Node::Member& member : node.members)
-    text += fmt::format("{} {} = {}", text.empty() ? "" : ",", key_text(member.key),
+    text += fmt::format("{} {} = {}", text.empty() ? "" : ",", toml_key(member.key),
                         value_text(member.value));
   return text.empty() ? "{}" : "{" + text + " }";
 }
@@ -69,12 +70,12 @@ bool has_heading(const Node& node) { return node.kind == Node::Kind::table || is
 void write_table(const Node& table, const std::string& name, std::string& text) {
   for (const Node::Member& member : table.members) {
     if (!has_heading(member.value))
-      text += fmt::format("{} = {}\n", key_text(member.key), value_text(member.value));
+      text += fmt::format("{} = {}\n", toml_key(member.key), value_text(member.value));
   }
   for (const Node::Member& member : table.members) {
     if (!has_heading(member.value)) continue;
     const std::string whole =
-        name.empty() ? key_text(member.key) : name + "." + key_text(member.key);
+        name.empty() ? toml_key(member.key) : name + "." + toml_key(member.key);
     if (member.value.kind == Node::Kind::table) {
       // A table that only holds others needs no heading.
       const bool bare = !member.value.members.empty() &&

@@ -638,4 +638,12 @@ MUTATIONS = [
          ("hole-panel", "at.s > supports.behind.value_or(project.beam.length())",
           "at.s > station.s",
           "a hole counts in all of its panel", "cut_into_segments_test")),
+    *_in("src/project", "urdf_robot.cpp",
+         ("robot-inertia", "inertial.inertia = R * I * R.transpose();", "inertial.inertia = R.transpose() * I * R;",
+          "a link's inertia is turned into its frame", "urdf_test")),
+    *_in("src/project", "urdf_case.cpp",
+         ("robot-turns", "for (const int k : {2, 1, 0}) {", "for (const int k : {0, 1, 2}) {",
+          "yaw, pitch and roll one after the other", "urdf_test"),
+         ("robot-held", "value = std::max(value, *joint.limit.lower);", "value = std::min(value, *joint.limit.lower);",
+          "a joint is held within its limits", "urdf_test")),
 ]

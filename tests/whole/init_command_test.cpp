@@ -146,6 +146,58 @@ TEST_CASE("init: the schema that the first line names stands beside the case whe
   CHECK(test::run_program({"init", "static", "-", "--schema"}, folder.path()).exit_code == 2);
 }
 
+TEST_CASE("init: a case begun from a robot is valid, runs, and says what is a placeholder",
+          "[init]") {
+  const test::TemporaryFolder folder;
+  folder.write("arm.urdf",
+               "<robot name=\"arm\"><link name=\"world\"/>"
+               "<joint name=\"hinge\" type=\"revolute\"><parent link=\"world\"/><child "
+               "link=\"beam\"/><axis xyz=\"0 1 0\"/><limit lower=\"-1\" upper=\"1\"/></joint>"
+               "<link name=\"beam\"><inertial><origin xyz=\"1 0 0\"/><mass value=\"200\"/><inertia "
+               "ixx=\"1\" iyy=\"70\" izz=\"70\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>"
+               "<joint name=\"wrist\" type=\"fixed\"><origin xyz=\"2 0 0\"/><parent "
+               "link=\"beam\"/><child link=\"load\"/></joint>"
+               "<link name=\"load\"><inertial><mass value=\"100\"/></inertial></link></robot>");
+  const auto run = [&](std::vector<std::string> arguments) {
+    return test::run_program(arguments, folder.path());
+  };
+  CHECK(run({"init", "--from-urdf", "arm.urdf", "arm.toml", "--schema"}).exit_code == 0);
+  const std::string text = test::read_file(folder.path() / "arm.toml");
+  CHECK(text.starts_with("#:schema ./boxbeam-case.schema.json\n"));
+  CHECK(fs::exists(folder.path() / "boxbeam-case.schema.json"));
+  CHECK(run({"validate", "arm.toml"}).exit_code == 0);
+  CHECK(run({"motion", "arm.toml"}).exit_code == 0);
+  const test::ProgramResult verified =
+      run({"verify", "arm.toml", "--no-plots", "--no-pdf", "--json", "-"});
+  INFO(verified.err);
+  REQUIRE(verified.exit_code == 0);
+  const auto results = nlohmann::json::parse(verified.out);
+  CHECK(results["verdict"] == "pass");
+  CHECK(results["case"] == "arm-with-placeholders");
+  // Nothing is overwritten, and every way to name the case is that of other kinds.
+  CHECK(run({"init", "--from-urdf", "arm.urdf", "arm.toml"}).exit_code == 2);
+  CHECK(test::read_file(folder.path() / "arm.toml") == text);
+  CHECK(run({"init", "spatial", "-", "--from-urdf", "arm.urdf"}).out == text);
+  CHECK(run({"init", "--from-urdf", "arm.urdf"}).exit_code == 0);
+  CHECK(test::read_file(folder.path() / "spatial.toml") == text);
+  const test::ProgramResult load =
+      run({"init", "spatial", "-", "--from-urdf", "arm.urdf", "--beam", "load"});
+  CHECK(load.out.find("[beam]\nbody = \"load\"") != std::string::npos);
+  // What cannot be is refused, and leaves no file.
+  CHECK(run({"init", "planar", "p.toml", "--from-urdf", "arm.urdf"}).exit_code == 2);
+  CHECK(run({"init", "p.toml", "--from-urdf", "no.urdf"}).exit_code == 2);
+  CHECK(run({"init", "p.toml", "--from-urdf", "arm.urdf", "--beam", "hand"}).exit_code == 2);
+  CHECK(run({"init", "p.toml", "--beam", "load"}).exit_code == 2);
+  folder.write("far.urdf",
+               "<robot name=\"far\"><link name=\"world\"/><link name=\"a\"/><joint name=\"j\" "
+               "type=\"revolute\"><parent link=\"world\"/><child link=\"a\"/><origin xyz=\"1e9 0 "
+               "0\"/></joint></robot>");
+  const test::ProgramResult far = run({"init", "p.toml", "--from-urdf", "far.urdf"});
+  CHECK(far.exit_code == 2);
+  CHECK(far.err.find("far.urdf as a case:") != std::string::npos);
+  CHECK_FALSE(fs::exists(folder.path() / "p.toml"));
+}
+
 TEST_CASE("init: a file alone is that of a planar case", "[init]") {
   const test::TemporaryFolder folder;
   CHECK(test::run_program({"init", "my.toml"}, folder.path()).exit_code == 0);

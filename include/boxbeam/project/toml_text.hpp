@@ -11,4 +11,8 @@ namespace boxbeam {
 /// numbers were written are not kept; a date stands as text. Source: TOML 1.0.
 std::string toml_text(const Node& root);
 
+/// A text in quotes, and a key, in them where it needs them.
+std::string toml_quoted(const std::string& text);
+std::string toml_key(const std::string& key);
+
 }  // namespace boxbeam

@@ -1,0 +1,438 @@
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/project/limits.hpp"
+#include "boxbeam/project/quantity_text.hpp"
+#include "boxbeam/project/toml_text.hpp"
+#include "boxbeam/project/urdf.hpp"
+
+namespace boxbeam::urdf {
+namespace {
+
+constexpr double steel_density = 7850.0;  // [kg/m^3], EN 1991-1-1, table A.4: 77 to 78.5 kN/m^3
+
+/// A number that a case takes: what it would refuse as too small to be meant is none.
+double meant(double value, const WantedDimension& of) {
+  return std::abs(value) < limits::range_of(of).smallest ? 0.0 : value;
+}
+
+/// "0.25 m" in quotes.
+std::string quantity(double value, const WantedDimension& of, const char* unit) {
+  return fmt::format("\"{} {}\"", meant(value, of), unit);
+}
+
+std::string place_text(const Eigen::Vector3d& p) {
+  std::array<std::string, 3> parts;
+  for (int k = 0; k < 3; ++k)
+    parts[static_cast<std::size_t>(k)] = quantity(p[k], wanted::length, "m");
+  return fmt::format("[{}]", fmt::join(parts, ", "));
+}
+
+/// [xx, yy, zz], or three rows where there are products.
+std::string inertia_text(const Eigen::Matrix3d& I) {
+  const auto row = [](const Eigen::Vector3d& of) {
+    std::array<std::string, 3> parts;
+    for (int k = 0; k < 3; ++k)
+      parts[static_cast<std::size_t>(k)] = quantity(of[k], wanted::inertia, "kg m^2");
+    return fmt::format("[{}]", fmt::join(parts, ", "));
+  };
+  const auto is_none = [](double value) { return meant(value, wanted::inertia) == 0.0; };
+  if (is_none(I(0, 1)) && is_none(I(0, 2)) && is_none(I(1, 2))) return row(I.diagonal());
+  return fmt::format("[{}, {}, {}]", row(I.row(0)), row(I.row(1)), row(I.row(2)));
+}
+
+/// "x", "-z", or three numbers.
+std::string direction_text(const Eigen::Vector3d& given) {
+  const Eigen::Vector3d direction = given.normalized();
+  for (int k = 0; k < 3; ++k) {
+    if (std::abs(direction[k]) < 1.0 || direction.cwiseAbs().sum() > 1.0) continue;
+    return fmt::format("\"{}{}\"", direction[k] < 0.0 ? "-" : "", "xyz"[k]);
+  }
+  return fmt::format("[{}, {}, {}]", direction.x() + 0.0, direction.y() + 0.0, direction.z() + 0.0);
+}
+
+/// Turns about the axes that the body has by then, as the case writes them: Rz Ry Rx; or "".
+std::string turn_text(const Eigen::Vector3d& rpy) {
+  std::string turns;
+  for (const int k : {2, 1, 0}) {
+    if (meant(rpy[k], wanted::angle) == 0.0) continue;
+    turns += fmt::format("{}[\"{}\", {}]", turns.empty() ? "" : ", ", "xyz"[k],
+                         quantity(rpy[k], wanted::angle, "rad"));
+  }
+  return turns.empty() ? "" : fmt::format("turn = [{}]\n", turns);
+}
+
+/// A name that nothing else has yet.
+std::string free_name(std::string name, const std::set<std::string>& taken) {
+  while (taken.count(name) > 0) name += "_";
+  return name;
+}
+
+/// What a case would refuse, or does not mean, of a mass and an inertia; "" where all is well.
+struct InertiaDoubt {
+  std::string words;
+  bool refused = false;
+};
+
+InertiaDoubt doubt_of(const Inertial& of) {
+  if (of.inertia.isZero(0.0)) {
+    return {of.mass > 0.0 ? "no inertia about its centre: a point mass" : "", false};
+  }
+  if (of.mass == 0.0) return {"a body without mass has no inertia", true};
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(of.inertia);
+  const Eigen::Vector3d& moments = principal.eigenvalues();
+  const double slack = 1e-9 * moments.cwiseAbs().maxCoeff();
+  const std::string are = fmt::format("principal moments {:.4g}, {:.4g} and {:.4g} kg m^2",
+                                      moments[0], moments[1], moments[2]);
+  if (moments[0] < -slack) return {are + ": one is below zero", true};
+  if (moments[2] > moments[0] + moments[1] + slack)
+    return {are + ": one is above the sum of the other two", true};
+  if (moments[0] <= slack) return {are + ": only of a thin rod one is zero", false};
+  return {};
+}
+
+/// The placeholder beam in a link: where it lies, and a section as heavy as the link.
+struct PlaceholderBeam {
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
+  Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  double start = 0.0, length = 1.0;  ///< along the axis from the link's origin [m]
+  double width = 0.0, wall = 0.0;    ///< of a square box [m]
+  const char* why = "";
+};
+
+PlaceholderBeam placeholder_beam(const Robot& robot, std::size_t link) {
+  constexpr double nothing = 1e-6;  // [m]
+  PlaceholderBeam beam;
+  std::vector<Eigen::Vector3d> places;
+  for (const Joint& joint : robot.joints)
+    if (joint.parent == link) places.push_back(joint.xyz);
+  Eigen::Vector3d end = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& place : places)
+    if (place.norm() > end.norm()) end = place;
+  beam.why = "from the link's joint to the farthest one that it carries";
+  const std::optional<Inertial>& inertial = robot.links[link].inertial;
+  if (end.norm() <= nothing && inertial) {
+    end = 2.0 * inertial->centre;
+    places.push_back(end);
+    beam.why = "from the link's joint through its centre of mass, and as far again";
+  }
+  if (end.norm() > nothing) {
+    beam.axis = end.normalized();
+    double low = 0.0, high = 0.0;
+    for (const Eigen::Vector3d& place : places) {
+      low = std::min(low, place.dot(beam.axis));
+      high = std::max(high, place.dot(beam.axis));
+    }
+    beam.start = low;
+    beam.length = high - low;
+  } else {
+    beam.why = "1 m along x: joints and centre of mass of the link are at one place";
+  }
+  const Eigen::Vector3d up =
+      std::abs(beam.axis.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX();
+  beam.z = (up - up.dot(beam.axis) * beam.axis).normalized();
+  // Walls of a twentieth of the width: A = w^2 - (0.9 w)^2, m = density A L.
+  const double mass = inertial ? inertial->mass : 0.0;
+  beam.width =
+      mass > 0.0 ? std::sqrt(mass / (0.19 * steel_density * beam.length)) : beam.length / 20.0;
+  beam.wall = beam.width / 20.0;
+  return beam;
+}
+
+class CaseOfRobot {
+ public:
+  CaseOfRobot(const Robot& robot, const std::string& beam)
+      : robot_(robot), beam_(beam_link(beam)), placeholder_(placeholder_beam(robot, beam_)) {
+    std::set<std::string> joints;
+    for (const Joint& joint : robot.joints) joints.insert(joint.name);
+    base_ = free_name("base", joints);
+    name_points();
+  }
+
+  std::string text() {
+    write_head();
+    write_bodies();
+    write_joints();
+    write_drivers();
+    write_beam();
+    return std::move(text_);
+  }
+
+ private:
+  template <class... Values>
+  void put(fmt::format_string<Values...> format, Values&&... values) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
+  }
+  void rule(const std::string& name) {
+    put("\n# {} {}\n", std::string(97 - name.size(), '-'), name);
+  }
+
+  std::size_t beam_link(const std::string& wanted) const {
+    const std::vector<Link>& links = robot_.links;
+    const auto mass_of = [&](std::size_t i) {
+      return links[i].inertial ? links[i].inertial->mass : 0.0;
+    };
+    if (wanted.empty()) {
+      std::optional<std::size_t> heaviest;
+      for (std::size_t i = 0; i < links.size(); ++i)
+        if (i != robot_.root && (!heaviest || mass_of(i) > mass_of(*heaviest))) heaviest = i;
+      if (heaviest) return *heaviest;
+      throw InputError(fmt::format("{} has no link but its root: nothing moves", robot_.file),
+                       robot_.is_ground(robot_.root)
+                           ? "a beam is a link that a joint carries"
+                           : "name it where it is the beam: --beam " + links[robot_.root].name);
+    }
+    std::vector<std::string> known;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      if (robot_.is_ground(i)) continue;
+      if (links[i].name == wanted) return i;
+      known.push_back(links[i].name);
+    }
+    throw InputError(
+        fmt::format("{} has no link \"{}\" that could be the beam", robot_.file, wanted),
+        fmt::format("its links: {}", fmt::join(known, ", ")));
+  }
+
+  /// Points are called as the joints there; a reference "body.point" ends at its last dot.
+  void name_points() {
+    std::set<std::string> taken;
+    for (const Joint& joint : robot_.joints) {
+      std::string name = joint.name;
+      std::replace(name.begin(), name.end(), '.', '_');
+      points_.push_back(free_name(name, taken));
+      taken.insert(points_.back());
+    }
+    origin_ = free_name("origin", taken);
+    taken.insert(origin_);
+    start_ = free_name("beam_start", taken);
+  }
+
+  void write_head() {
+    std::string name;
+    for (const char c : robot_.name)
+      name += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_' ? c : '-';
+    const std::string file = toml_quoted(std::filesystem::path(robot_.file).filename().string());
+    put("#:schema ./boxbeam-case.schema.json\n"
+        "# A case of boxbeam begun from the robot {} of {}:\n"
+        "# its bodies, joints and axes. It runs as it is, and says nothing of the machine yet: "
+        "what is\n"
+        "# marked PLACEHOLDER is not the robot's. Write, in this order,\n"
+        "#\n"
+        "#   1. [beam], [sections]   which link is the beam, its axis, segments and "
+        "cross-sections\n"
+        "#   2. [drivers]            how each joint moves; here all stand still\n"
+        "#   3. [forces]             what acts beside weight and inertia, for example at a tool\n"
+        "#   4. [material], [strength], [fatigue]   its steel, and what is wanted\n"
+        "#\n"
+        "# `boxbeam validate` says what is wrong, line by line; `boxbeam init spatial` writes an "
+        "example\n"
+        "# of every part. Units of the robot's file: m, kg, s, rad.\n",
+        toml_quoted(robot_.name), file);
+    if (!robot_.left_out.empty()) {
+      put("#\n# Not read of the robot:\n");
+      for (const auto& [element, count] : robot_.left_out)
+        put("#   <{}> ({})\n", toml_key(element), count);
+    }
+    // Name and title stand beside every verdict.
+    put("\n[case]\nname = {}\n", toml_quoted(name.substr(0, 60) + "-with-placeholders"));
+    put("title = {}\nkind = \"spatial\"\n",
+        toml_quoted(robot_.name + ", with PLACEHOLDERS for section, steel and drivers"));
+    put("assumptions = [\n"
+        "  \"bodies and joints are those of a robot's description (URDF)\",\n"
+        "  \"PLACEHOLDER: beam, section, steel and drivers are not those of the machine "
+        "yet\",\n]\n");
+    put("\n[mechanism]\ngravity = [\"0 m/s^2\", \"0 m/s^2\", \"-9.81 m/s^2\"]\n");
+  }
+
+  void write_bodies() {
+    rule("bodies");
+    put("# In the axes of the link's frame, which is that of the joint that carries it.\n");
+    if (robot_.is_ground(robot_.root))
+      put("# The root {} has no mass: it is the ground.\n",
+          toml_quoted(robot_.links[robot_.root].name));
+    for (std::size_t i = 0; i < robot_.links.size(); ++i) {
+      if (robot_.is_ground(i)) continue;
+      const Link& link = robot_.links[i];
+      put("\n");
+      if (i == beam_) put("# The beam: its mass comes from its sections.\n");
+      put("[bodies.{}]\n", toml_key(link.name));
+      if (link.inertial)
+        write_mass(*link.inertial, i == beam_);
+      else if (i != beam_)
+        put("# without mass\n");
+      put("\n[bodies.{}.points]\n{} = {}\n", toml_key(link.name), origin_,
+          place_text(Eigen::Vector3d::Zero()));
+      for (std::size_t k = 0; k < robot_.joints.size(); ++k)
+        if (robot_.joints[k].parent == i)
+          put("{} = {}\n", toml_key(points_[k]), place_text(robot_.joints[k].xyz));
+      if (i == beam_ && placeholder_.start < 0.0)
+        put("{} = {}\n", start_, place_text(placeholder_.start * placeholder_.axis));
+    }
+  }
+
+  void write_mass(const Inertial& of, bool is_beam) {
+    const InertiaDoubt doubt = doubt_of(of);
+    const char* const out = is_beam ? "# the robot's: " : "";
+    put("{}mass = {}\n", out, quantity(of.mass, wanted::mass, "kg"));
+    put("{}centre = {}\n", out, place_text(of.centre));
+    if (!doubt.words.empty())
+      put("# WARNING: {}{}\n", doubt.words, doubt.refused && !is_beam ? "; left out" : "");
+    put("{}inertia = {}\n", doubt.refused && !is_beam ? "# " : out, inertia_text(of.inertia));
+  }
+
+  void write_joints() {
+    rule("joints");
+    put("# Axes are those of the carried link. Limits of a robot are not looked at.\n");
+    if (!robot_.is_ground(robot_.root)) {
+      put("\n[joints.{}]\nkind = \"fixed\"\nconnect = [\"ground\", {}]\n", toml_key(base_),
+          toml_quoted(robot_.links[robot_.root].name + "." + origin_));
+    }
+    for (std::size_t k = 0; k < robot_.joints.size(); ++k)
+      write_joint(robot_.joints[k], points_[k]);
+  }
+
+  void write_joint(const Joint& joint, const std::string& point) {
+    put("\n[joints.{}]\n", toml_key(joint.name));
+    const std::string to = toml_quoted(robot_.links[joint.child].name + "." + origin_);
+    const bool on_ground = robot_.is_ground(joint.parent);
+    const std::string from =
+        on_ground ? "\"ground\"" : toml_quoted(robot_.links[joint.parent].name + "." + point);
+    const auto kind = [&](const char* word) {
+      put("kind = \"{}\"\nconnect = [{}, {}]\n", word, from, to);
+      if (on_ground) put("at = {}\n", place_text(joint.xyz));
+      text_ += turn_text(joint.rpy);
+    };
+    switch (joint.type) {
+      case JointType::fixed: kind("fixed"); return;
+      case JointType::revolute: kind("revolute"); break;
+      case JointType::continuous:
+        put("# continuous: turns without end\n");
+        kind("revolute");
+        break;
+      case JointType::prismatic: kind("prismatic"); break;
+      case JointType::planar:
+        put("# planar: {0}.1 and {0}.2 shift square to the axis, {0}.3 turns about it\n",
+            toml_key(joint.name));
+        kind("planar");
+        break;
+      case JointType::floating:
+        put("# floating: nothing of the robot holds it; {0}.1 to {0}.3 shift, {0}.4 to {0}.6 "
+            "turn\n",
+            toml_key(joint.name));
+        kind("free");
+        return;
+    }
+    put("axis = {}\n", direction_text(joint.axis));
+  }
+
+  /// The coordinate at which a joint is held: zero, or what is next to it within its limits; of one
+  /// that mimics, what follows from the other's.
+  double held_at(const Joint& joint) const {
+    if (joint.mimic)
+      return joint.mimic->multiplier * held_at(robot_.joints[joint.mimic->joint]) +
+             joint.mimic->offset;
+    if (joint.type == JointType::continuous) return 0.0;
+    double value = 0.0;
+    if (joint.limit.lower) value = std::max(value, *joint.limit.lower);
+    if (joint.limit.upper) value = std::min(value, *joint.limit.upper);
+    return value;
+  }
+
+  void write_drivers() {
+    rule("drivers");
+    put("# PLACEHOLDER: all stand still. Kinds: harmonic, constant rate, polynomial, smooth step, "
+        "table (a\n"
+        "# CSV file), hold. Where a load moves a joint: moved_by = \"forces\" in the joint, and no "
+        "driver.\n");
+    for (const Joint& joint : robot_.joints) {
+      const std::vector<Coordinate> coordinates = coordinates_of(joint);
+      for (const Coordinate& of : coordinates) {
+        const double value = coordinates.size() == 1 ? held_at(joint) : 0.0;
+        put("\n[drivers.{}]\njoint = {}\n", toml_key(of.name), toml_quoted(of.name));
+        put("kind = \"hold\"\nvalue = {}\n", of.turns ? quantity(value, wanted::angle, "rad")
+                                                      : quantity(value, wanted::length, "m"));
+        if (coordinates.size() == 1) write_facts(joint, of.turns, value);
+      }
+    }
+  }
+
+  /// What the robot says of a joint's drive that a case does not.
+  void write_facts(const Joint& joint, bool turns, double value) {
+    std::string facts;
+    const auto fact = [&](const char* name, const std::optional<double>& of, const char* unit) {
+      if (of) facts += fmt::format("{}{} {} {}", facts.empty() ? "" : ", ", name, *of, unit);
+    };
+    fact("lower", joint.limit.lower, turns ? "rad" : "m");
+    fact("upper", joint.limit.upper, turns ? "rad" : "m");
+    fact("effort", joint.limit.effort, turns ? "N m" : "N");
+    fact("velocity", joint.limit.velocity, turns ? "rad/s" : "m/s");
+    fact("damping", joint.damping, turns ? "N m s/rad" : "N s/m");
+    fact("friction", joint.friction, turns ? "N m" : "N");
+    if (!facts.empty()) put("# the robot's: {}\n", facts);
+    const bool beyond =
+        joint.type != JointType::continuous && ((joint.limit.lower && value < *joint.limit.lower) ||
+                                                (joint.limit.upper && value > *joint.limit.upper));
+    if (beyond) put("# WARNING: this is beyond its limits\n");
+    if (!joint.mimic) return;
+    // No gear: a mimic says nothing of teeth, of where they meet, nor that the other's drive bears
+    // what moves this joint.
+    put("# mimics {}: {} times its coordinate, and {} more; write its driver so, or where teeth "
+        "do\n"
+        "# it a joint of kind = \"gear\" or \"rack\" and no driver here\n",
+        toml_quoted(robot_.joints[joint.mimic->joint].name), joint.mimic->multiplier,
+        joint.mimic->offset);
+  }
+
+  void write_beam() {
+    rule("beam");
+    const bool has_mass = robot_.links[beam_].inertial && robot_.links[beam_].inertial->mass > 0.0;
+    put("# PLACEHOLDER: a square box of steel, {}. Kinds: box, rectangular\n"
+        "# tube, round tube, plate, polygon, thin-walled, standard (\"RHS 200x100x8\"), nested.\n",
+        has_mass ? "as heavy as the robot's link" : "as deep as L/20");
+    const auto metres = [](double value) { return quantity(value, wanted::length, "m"); };
+    const auto millimetres = [](double value) { return fmt::format("\"{:.6g} mm\"", value * 1e3); };
+    put("[sections.placeholder]\nkind = \"box\"\nwidth = {0}\nheight = {0}\nflange = {1}\n"
+        "web = {1}\n",
+        millimetres(placeholder_.width), millimetres(placeholder_.wall));
+    put("\n# PLACEHOLDER: {}.\n", placeholder_.why);
+    put("[beam]\nbody = {}\nstart = {}\naxis = {}\nz = {}\ndensity = \"{} kg/m^3\"\n",
+        toml_quoted(robot_.links[beam_].name),
+        toml_quoted(placeholder_.start < 0.0 ? start_ : origin_), direction_text(placeholder_.axis),
+        direction_text(placeholder_.z), steel_density);
+    put("\n[[beam.segments]]\nlength = {}\nsection = \"placeholder\"\n",
+        metres(placeholder_.length));
+    put("\n# PLACEHOLDER: plates across the box, where torque comes in and goes.\n");
+    for (const double station : {0.0, placeholder_.length})
+      put("[[beam.diaphragms]]\nstation = {}\nthickness = {}\n\n", metres(station),
+          millimetres(placeholder_.wall));
+    put("# PLACEHOLDER\n[material]\nsteel = \"S355\"\n"
+        "\n# PLACEHOLDER: the factor against yielding.\n[strength]\nrequired = 1.5\n"
+        "\n# Where it moves again and again, with the cycles of its life:\n#\n"
+        "# [fatigue]\n# category = 71\n# cycles = 2e6\n# loading = \"spectrum\"\n"
+        "# gamma_Ff = 1.0\n# gamma_Mf = 1.35\n# required = 1.0\n"
+        "\n# PLACEHOLDER: how long drivers are looked at that do not repeat.\n"
+        "[motion]\nduration = \"1 s\"\n");
+  }
+
+  const Robot& robot_;
+  std::size_t beam_;
+  PlaceholderBeam placeholder_;
+  std::string base_, origin_, start_;
+  std::vector<std::string> points_;  ///< of every joint, on the link that carries by it
+  std::string text_;
+};
+
+}  // namespace
+
+std::string case_text(const Robot& robot, const std::string& beam) {
+  return CaseOfRobot(robot, beam).text();
+}
+
+}  // namespace boxbeam::urdf
