@@ -139,7 +139,8 @@ Entry motion_entry(CLI::App& app) {
                    "list all ways to assemble the mechanism at the first --at (default 0)");
   command
       .add_option("--axes", options->axes,
-                  "in space: give vectors in the axes of this body (default: world)")
+                  "in space: give vectors in the axes of this body, and see the scene of --gltf "
+                  "from it (default: world)")
       ->type_name("BODY");
   command
       .add_option("--gltf", options->gltf,

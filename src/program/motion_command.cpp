@@ -35,7 +35,8 @@ int run_motion(const MotionOptions& options) {
     return all_pass;
   }
   const AnyMotionResult motion = front_end->motion(options.at, options.axes);
-  if (!options.gltf.empty()) write_file(options.gltf, gltf_of(animation_of(project), project));
+  if (!options.gltf.empty())
+    write_file(options.gltf, gltf_of(animation_of(project, options.axes), project));
   put_result(options.json, motion_json(motion), motion_text(project, motion));
   return all_pass;
 }

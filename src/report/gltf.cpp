@@ -32,10 +32,10 @@ Json materials_of_scene() {
           material("rod", 0.7, 0.7, 0.7), material("ground", 0.15, 0.15, 0.15)};
 }
 
-Json json_of(const Eigen::Vector3d& v) { return {finite(v.x()), finite(v.y()), finite(v.z())}; }
+Json numbers_of(const Eigen::Vector3d& v) { return {finite(v.x()), finite(v.y()), finite(v.z())}; }
 
 /// x, y, z, w.
-Json json_of(const Eigen::Quaterniond& q) {
+Json numbers_of(const Eigen::Quaterniond& q) {
   return {finite(q.x()), finite(q.y()), finite(q.z()), finite(q.w())};
 }
 
@@ -66,7 +66,10 @@ class SceneWriter {
     std::vector<std::size_t> bodies;
     for (std::size_t i = 0; i < animation_->bodies.size(); ++i)
       bodies.push_back(add_body(static_cast<int>(i), root));
-    add_joints(root, bodies);
+    const std::size_t ground = animation_->ground.empty()
+                                   ? root
+                                   : add_moving("ground", Json::object(), animation_->ground, root);
+    add_joints(ground, bodies);
     for (const AnimatedRod& rod : animation_->rods) add_link(rod, root);
     Json document;
     document["asset"] = {{"version", "2.0"}, {"generator", "boxbeam"}};
@@ -213,26 +216,33 @@ class SceneWriter {
 
   std::size_t add_body(int index, std::size_t root) {
     const AnimatedBody& body = animation_->bodies[static_cast<std::size_t>(index)];
-    SmoothTurns turns;
-    Eigen::MatrixXd places(3, static_cast<Eigen::Index>(body.poses.size()));
-    for (std::size_t k = 0; k < body.poses.size(); ++k) {
-      turns.add(Eigen::Quaterniond(body.poses[k].R_WB));
-      places.col(static_cast<Eigen::Index>(k)) = body.poses[k].origin;
-    }
-    Json of{{"translation", json_of(body.poses.front().origin)},
-            {"rotation", json_of(turns.all().front())}};
+    Json of = Json::object();
     Json primitives = primitives_of(index);
     if (!primitives.empty()) of["mesh"] = add_mesh(body.name, std::move(primitives));
-    const std::size_t node = add_node(body.name, of, root);
+    return add_moving(body.name, std::move(of), body.poses, root);
+  }
+
+  /// A node that moves through poses.
+  std::size_t add_moving(const std::string& name, Json of, const std::vector<BodyPose>& poses,
+                         std::size_t root) {
+    SmoothTurns turns;
+    Eigen::MatrixXd places(3, static_cast<Eigen::Index>(poses.size()));
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      turns.add(Eigen::Quaterniond(poses[k].axes));
+      places.col(static_cast<Eigen::Index>(k)) = poses[k].origin;
+    }
+    of["translation"] = numbers_of(poses.front().origin);
+    of["rotation"] = numbers_of(turns.all().front());
+    const std::size_t node = add_node(name, of, root);
     add_channel(node, "translation", "VEC3", places);
     add_turns(node, turns.all());
     return node;
   }
 
-  void add_joints(std::size_t root, const std::vector<std::size_t>& bodies) {
+  void add_joints(std::size_t ground, const std::vector<std::size_t>& bodies) {
     std::optional<std::size_t> mesh;
     for (const AnimatedJoint& joint : animation_->joints) {
-      Json node{{"translation", json_of(joint.at.p)}};
+      Json node{{"translation", numbers_of(joint.at.p)}};
       if (joint.at.body != spatial::ground) {
         add_node(joint.name, node, bodies[static_cast<std::size_t>(joint.at.body)]);
         continue;
@@ -245,7 +255,7 @@ class SceneWriter {
         mesh = add_mesh("ground", std::move(primitives));
       }
       node["mesh"] = *mesh;
-      add_node(joint.name, node, root);
+      add_node(joint.name, node, ground);
     }
   }
 
@@ -277,9 +287,9 @@ class SceneWriter {
     }
     const std::size_t node = add_node(rod.name,
                                       {{"mesh", *link_},
-                                       {"translation", json_of(rod.ends.front().from)},
-                                       {"rotation", json_of(turns.all().front())},
-                                       {"scale", json_of(Eigen::Vector3d(scales.col(0)))}},
+                                       {"translation", numbers_of(rod.ends.front().from)},
+                                       {"rotation", numbers_of(turns.all().front())},
+                                       {"scale", numbers_of(Eigen::Vector3d(scales.col(0)))}},
                                       root);
     add_channel(node, "translation", "VEC3", places);
     add_turns(node, turns.all());

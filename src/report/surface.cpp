@@ -13,9 +13,9 @@ using Ring = std::vector<Eigen::Vector2d>;
 
 constexpr int pieces_of_quarter = 12;
 
-std::uint32_t index_of(std::size_t i) { return static_cast<std::uint32_t>(i); }
+std::uint32_t corner_index(std::size_t i) { return static_cast<std::uint32_t>(i); }
 
-double across(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+double turn_across(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
@@ -64,7 +64,7 @@ std::vector<Ring> rings_of(const Profile& profile) {
 /// other. Source: Meisters, Polygons have ears, Amer. Math. Monthly 82 (1975).
 std::vector<std::array<std::uint32_t, 3>> triangles_in(const Ring& ring) {
   std::vector<std::uint32_t> left;
-  for (std::size_t i = 0; i < ring.size(); ++i) left.push_back(index_of(i));
+  for (std::size_t i = 0; i < ring.size(); ++i) left.push_back(corner_index(i));
   std::vector<std::array<std::uint32_t, 3>> triangles;
   const auto triangle_at = [&](std::size_t k) {
     const std::size_t n = left.size();
@@ -72,12 +72,12 @@ std::vector<std::array<std::uint32_t, 3>> triangles_in(const Ring& ring) {
   };
   const auto is_ear = [&](const std::array<std::uint32_t, 3>& of) {
     const Eigen::Vector2d &a = ring[of[0]], &b = ring[of[1]], &c = ring[of[2]];
-    if (across(b - a, c - b) <= 0.0) return false;
+    if (turn_across(b - a, c - b) <= 0.0) return false;
     return std::none_of(left.begin(), left.end(), [&](std::uint32_t i) {
       if (i == of[0] || i == of[1] || i == of[2]) return false;
       const Eigen::Vector2d& p = ring[i];
-      return across(b - a, p - a) >= 0.0 && across(c - b, p - b) >= 0.0 &&
-             across(a - c, p - c) >= 0.0;
+      return turn_across(b - a, p - a) >= 0.0 && turn_across(c - b, p - b) >= 0.0 &&
+             turn_across(a - c, p - c) >= 0.0;
     });
   };
   while (left.size() > 2) {
@@ -92,7 +92,8 @@ std::vector<std::array<std::uint32_t, 3>> triangles_in(const Ring& ring) {
 
 /// The body between two sections of as many corners.
 void add_between(Surface& surface, double from, const Ring& at_from, double to, const Ring& at_to) {
-  const std::uint32_t first = index_of(surface.corners.size()), n = index_of(at_from.size());
+  const std::uint32_t first = corner_index(surface.corners.size()),
+                      n = corner_index(at_from.size());
   for (const Eigen::Vector2d& p : at_from) surface.corners.emplace_back(from, p.x(), p.y());
   for (const Eigen::Vector2d& p : at_to) surface.corners.emplace_back(to, p.x(), p.y());
   for (std::uint32_t i = 0; i < n; ++i) {
@@ -106,7 +107,7 @@ void add_between(Surface& surface, double from, const Ring& at_from, double to, 
     surface.triangles.push_back({first + n + a, first + n + b, first + n + c});
 }
 
-bool alike(const std::vector<Ring>& a, const std::vector<Ring>& b) {
+bool same_corners(const std::vector<Ring>& a, const std::vector<Ring>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const Ring& p, const Ring& q) { return p.size() == q.size(); });
 }
@@ -120,7 +121,7 @@ Surface surface_of(const TaperedBeam& beam) {
       return rings_of(interpolate(segment.from, segment.to, fraction).outer);
     };
     std::vector<Ring> from = rings_at(0.0), to = rings_at(1.0);
-    if (!alike(from, to)) {  // a radius begins or ends: just beside that it is there
+    if (!same_corners(from, to)) {  // a radius begins or ends: just beside that it is there
       constexpr double aside = 1e-6;
       from = rings_at(aside);
       to = rings_at(1.0 - aside);
@@ -142,7 +143,7 @@ void add_rod(Surface& surface, const Eigen::Vector3d& from, const Eigen::Vector3
   Surface prism;
   add_between(prism, 0.0, ring, (to - from).norm(), ring);
   const Eigen::Vector3d y = along.unitOrthogonal(), z = along.cross(y);
-  const std::uint32_t first = index_of(surface.corners.size());
+  const std::uint32_t first = corner_index(surface.corners.size());
   for (const Eigen::Vector3d& p : prism.corners)
     surface.corners.emplace_back(from + p.x() * along + p.y() * y + p.z() * z);
   for (const auto& [a, b, c] : prism.triangles)
@@ -154,7 +155,7 @@ void add_block(Surface& surface, const Eigen::Vector3d& centre, double side) {
   Surface block;
   const Ring ring{{-half, -half}, {half, -half}, {half, half}, {-half, half}};
   add_between(block, -half, ring, half, ring);
-  const std::uint32_t first = index_of(surface.corners.size());
+  const std::uint32_t first = corner_index(surface.corners.size());
   for (const Eigen::Vector3d& p : block.corners) surface.corners.emplace_back(centre + p);
   for (const auto& [a, b, c] : block.triangles)
     surface.triangles.push_back({first + a, first + b, first + c});

@@ -18,17 +18,19 @@
 namespace boxbeam {
 namespace {
 
-using Stroke = PostureFigure::Stroke;
+using DrawnStroke = PostureFigure::Stroke;
 
 constexpr std::size_t fewest_frames = 60, most_frames = 3840;
 
-/// The poses of all bodies at instants.
+/// The poses of all bodies at instants, the ground behind them.
 using FramePoses = std::vector<std::vector<BodyPose>>;
 using FramesAt = std::function<FramePoses(const std::vector<double>&)>;
 
-Eigen::Vector3d in_space(const Eigen::Vector2d& p) { return {p.x(), p.y(), 0.0}; }
+Eigen::Vector3d lifted_in_space(const Eigen::Vector2d& p) { return {p.x(), p.y(), 0.0}; }
 
-spatial::Attachment in_space(const planar::Attachment& at) { return {at.body, in_space(at.p)}; }
+spatial::Attachment lifted_in_space(const planar::Attachment& at) {
+  return {at.body, lifted_in_space(at.p)};
+}
 
 /// From the beam's axis to what stands off it, and the axis itself.
 void add_beam_strokes(const Project& project, const spatial::BeamPlacement& placement,
@@ -69,9 +71,19 @@ spatial::BeamPlacement planar_placement_of(const Project& project) {
 }
 
 Eigen::Vector3d place_in_frame(const std::vector<BodyPose>& poses, const spatial::Attachment& at) {
-  if (at.body == spatial::ground) return at.p;
-  const BodyPose& pose = poses[static_cast<std::size_t>(at.body)];
-  return pose.origin + pose.R_WB * at.p;
+  const BodyPose& pose =
+      at.body == spatial::ground ? poses.back() : poses[static_cast<std::size_t>(at.body)];
+  return pose.origin + pose.axes * at.p;
+}
+
+/// Bodies and ground as one of them sees them.
+void turn_into_axes_of(std::size_t body, std::vector<BodyPose>& poses) {
+  const BodyPose seen_from = poses[body];
+  const Eigen::Matrix3d turn = seen_from.axes.transpose();
+  for (BodyPose& pose : poses) {
+    pose = {turn * (pose.origin - seen_from.origin), turn * pose.axes,
+            turn * (pose.omega - seen_from.omega)};
+  }
 }
 
 /// Whether the straight line and the even turn from each instant to the next but one pass through
@@ -79,34 +91,34 @@ Eigen::Vector3d place_in_frame(const std::vector<BodyPose>& poses, const spatial
 bool leads_through(const FramePoses& frames, double step, double size) {
   constexpr double astray = 0.01, turned_astray = 0.02, largest_turn = 0.5 * std::numbers::pi;
   for (std::size_t k = 0; k + 2 < frames.size(); k += 2) {
-    for (std::size_t i = 0; i < frames[k].size(); ++i) {
+    // The ground, which may be far away from what it is seen from, does not count.
+    for (std::size_t i = 0; i + 1 < frames[k].size(); ++i) {
       const BodyPose &from = frames[k][i], &middle = frames[k + 1][i], &to = frames[k + 2][i];
       // By its rate, too: a whole turn from one instant to the next is none to be seen.
-      const double rate = std::max({from.rate, middle.rate, to.rate});
-      const Eigen::Vector3d turn = spatial::turn_of(from.R_WB.transpose() * to.R_WB);
+      const double rate = std::max({from.omega.norm(), middle.omega.norm(), to.omega.norm()});
+      const Eigen::Vector3d turn = spatial::turn_of(from.axes.transpose() * to.axes);
       if (std::max(rate * step, turn.norm()) > largest_turn) return false;
-      const Eigen::Matrix3d half_way = from.R_WB * spatial::rotation_about(0.5 * turn);
+      const Eigen::Matrix3d half_way = from.axes * spatial::rotation_about(0.5 * turn);
       if ((0.5 * (from.origin + to.origin) - middle.origin).norm() > astray * size) return false;
-      if (spatial::turn_of(half_way.transpose() * middle.R_WB).norm() > turned_astray) return false;
+      if (spatial::turn_of(half_way.transpose() * middle.axes).norm() > turned_astray) return false;
     }
   }
   return true;
 }
 
-double size_at(const Animation& animation, const std::vector<BodyPose>& poses,
-               const std::vector<std::pair<spatial::Attachment, spatial::Attachment>>& rods) {
+double size_of_scene(const Animation& animation, const std::vector<BodyPose>& poses,
+                     const std::vector<std::pair<spatial::Attachment, spatial::Attachment>>& rods) {
   Eigen::AlignedBox3d box;
   for (std::size_t i = 0; i < animation.bodies.size(); ++i) {
     const auto take = [&](const Eigen::Vector3d& p) {
       box.extend(place_in_frame(poses, {static_cast<int>(i), p}));
     };
     for (const Eigen::Vector3d& point : animation.bodies[i].drawn.points) take(point);
-    for (const Stroke& stroke : animation.bodies[i].drawn.strokes) {
+    for (const DrawnStroke& stroke : animation.bodies[i].drawn.strokes) {
       take(stroke.from);
       take(stroke.to);
     }
   }
-  for (const AnimatedJoint& joint : animation.joints) box.extend(place_in_frame(poses, joint.at));
   for (const auto& [a, b] : rods) {
     box.extend(place_in_frame(poses, a));
     box.extend(place_in_frame(poses, b));
@@ -118,6 +130,7 @@ double size_at(const Animation& animation, const std::vector<BodyPose>& poses,
 struct StillScene {
   Animation animation;
   std::vector<std::pair<spatial::Attachment, spatial::Attachment>> rods;  ///< in their order
+  int seen_from = spatial::ground;
 
   void add_rod(const std::string& name, const spatial::Attachment& a,
                const spatial::Attachment& b) {
@@ -154,12 +167,18 @@ Animation animated(StillScene scene, const TimeSpan& span, const FramesAt& frame
                            {},
                            {}});
     }
-    const FramePoses frames = frames_at(times_of(2 * steps));
-    of.size = size_at(of, frames.front(), scene.rods);
+    FramePoses frames = frames_at(times_of(2 * steps));
+    const bool turned = scene.seen_from != spatial::ground;
+    for (std::vector<BodyPose>& poses : frames) {
+      poses.emplace_back();
+      if (turned) turn_into_axes_of(static_cast<std::size_t>(scene.seen_from), poses);
+    }
+    of.size = size_of_scene(of, frames.front(), scene.rods);
     if (!leads_through(frames, span.length / static_cast<double>(steps), of.size)) continue;
     of.times = times_of(steps);
     for (std::size_t k = 0; k < frames.size(); k += 2) {
       for (std::size_t i = 0; i < of.bodies.size(); ++i) of.bodies[i].poses.push_back(frames[k][i]);
+      if (turned) of.ground.push_back(frames[k].back());
       for (std::size_t i = 0; i < of.rods.size(); ++i) {
         of.rods[i].ends.push_back({place_in_frame(frames[k], scene.rods[i].first),
                                    place_in_frame(frames[k], scene.rods[i].second)});
@@ -169,8 +188,14 @@ Animation animated(StillScene scene, const TimeSpan& span, const FramesAt& frame
   }
 }
 
-Animation animation_for(const spatial::Mechanism& mechanism, const Project& project) {
+Animation animation_for(const spatial::Mechanism& mechanism, const Project& project,
+                        const std::string& seen_from) {
   StillScene scene;
+  if (!seen_from.empty() && seen_from != "world") {
+    scene.seen_from = spatial::body_index(mechanism, seen_from);
+    if (scene.seen_from == spatial::ground)
+      throw InputError(fmt::format("there is no body \"{}\" to see the motion from", seen_from));
+  }
   scene.animation.beam = project.placement;
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     scene.animation.bodies.push_back({mechanism.bodies[i].name,
@@ -198,13 +223,16 @@ Animation animation_for(const spatial::Mechanism& mechanism, const Project& proj
                       const spatial::State state = chain.at(time);
                       std::vector<BodyPose>& poses = frames.emplace_back();
                       for (const spatial::BodyMotion& body : state.bodies)
-                        poses.push_back({body.position, body.R_WB, body.omega.norm()});
+                        poses.push_back({body.position, body.R_WB, body.omega});
                     }
                     return frames;
                   });
 }
 
-Animation animation_for(const planar::Mechanism& mechanism, const Project& project) {
+Animation animation_for(const planar::Mechanism& mechanism, const Project& project,
+                        const std::string& seen_from) {
+  if (!seen_from.empty() && seen_from != "world")
+    throw InputError("a planar mechanism is seen from its world only", "leave out --axes");
   StillScene scene;
   scene.animation.z_up = false;
   scene.animation.beam = planar_placement_of(project);
@@ -217,41 +245,43 @@ Animation animation_for(const planar::Mechanism& mechanism, const Project& proje
   for (const planar::Joint& joint : mechanism.joints) {
     const auto [a, b] = planar::ends_of(joint);
     if (planar::is_rod(joint)) {
-      scene.add_rod(joint.name, in_space(a), in_space(b));
+      scene.add_rod(joint.name, lifted_in_space(a), lifted_in_space(b));
     } else if (!planar::is_driver(joint)) {  // which moves a coordinate, and is nowhere
-      scene.animation.joints.push_back({joint.name, in_space(b.body == planar::ground ? b : a)});
+      scene.animation.joints.push_back(
+          {joint.name, lifted_in_space(b.body == planar::ground ? b : a)});
     }
   }
   for (const planar::AppliedForce& force : mechanism.forces) {
     if (const auto* spring = std::get_if<planar::Spring>(&force.kind))
-      scene.add_rod(force.name, in_space(spring->a), in_space(spring->b));
+      scene.add_rod(force.name, lifted_in_space(spring->a), lifted_in_space(spring->b));
   }
-  return animated(
-      std::move(scene), planar::time_span_of(mechanism), [&](const std::vector<double>& times) {
-        FramePoses frames;
-        for (const InstantResult& state : motion_of(project, times).states) {
-          std::vector<BodyPose>& poses = frames.emplace_back();
-          for (const BodyMotion& body : state.bodies) {
-            const Eigen::Vector3d turn(0.0, 0.0, body.position.z());
-            poses.push_back({in_space(body.position.head<2>().eval()),
-                             spatial::rotation_about(turn), std::abs(body.velocity.z())});
-          }
-        }
-        return frames;
-      });
+  return animated(std::move(scene), planar::time_span_of(mechanism),
+                  [&](const std::vector<double>& times) {
+                    FramePoses frames;
+                    for (const InstantResult& state : motion_of(project, times).states) {
+                      std::vector<BodyPose>& poses = frames.emplace_back();
+                      for (const BodyMotion& body : state.bodies) {
+                        const Eigen::Vector3d turn(0.0, 0.0, body.position.z());
+                        poses.push_back({lifted_in_space(body.position.head<2>().eval()),
+                                         spatial::rotation_about(turn),
+                                         Eigen::Vector3d(0.0, 0.0, body.velocity.z())});
+                      }
+                    }
+                    return frames;
+                  });
 }
 
 Animation no_animation(const Project& project) {
   throw InputError(front_end_of(project)->obstacle_to_instants(), "leave out --gltf");
 }
 
-Animation animation_for(const flexible::Mechanism&, const Project& project) {
+Animation animation_for(const flexible::Mechanism&, const Project& project, const std::string&) {
   return no_animation(project);
 }
-Animation animation_for(const frame::Structure&, const Project& project) {
+Animation animation_for(const frame::Structure&, const Project& project, const std::string&) {
   return no_animation(project);
 }
-Animation animation_for(const recorded::Loads&, const Project& project) {
+Animation animation_for(const recorded::Loads&, const Project& project, const std::string&) {
   return no_animation(project);
 }
 
@@ -287,7 +317,7 @@ DrawnBody drawn_body_of(const Project& project, const spatial::Mechanism& mechan
 DrawnBody drawn_body_of(const Project& project, const planar::Mechanism& mechanism, int body) {
   DrawnBody drawn;
   for (const BodyPoint& point : mechanism.bodies[static_cast<std::size_t>(body)].points)
-    add_place(project, in_space(point.p), drawn);
+    add_place(project, lifted_in_space(point.p), drawn);
   if (body == project.beam_body) {
     add_beam_strokes(project, planar_placement_of(project), drawn);
   } else {
@@ -296,8 +326,9 @@ DrawnBody drawn_body_of(const Project& project, const planar::Mechanism& mechani
   return drawn;
 }
 
-Animation animation_of(const Project& project) {
-  return std::visit([&](const auto& of) { return animation_for(of, project); }, project.mechanism);
+Animation animation_of(const Project& project, const std::string& seen_from) {
+  return std::visit([&](const auto& of) { return animation_for(of, project, seen_from); },
+                    project.mechanism);
 }
 
 }  // namespace boxbeam

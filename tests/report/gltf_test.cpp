@@ -13,6 +13,8 @@
 #include <numbers>
 #include <set>
 
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/spatial/chain.hpp"
 #include "boxbeam/verification/chain_motion_result.hpp"
 #include "boxbeam/verification/motion_result.hpp"
 #include "catch.hpp"
@@ -328,6 +330,41 @@ TEST_CASE("cylinders of a scene reach from the ground to the platform", "[space]
     }
     CHECK(blocks == 1);  // the joint on the ground
   }
+}
+
+TEST_CASE("seen from a body it stays, and all else moves about it", "[space]") {
+  const Project project = read_project(test::project_file(retraction));
+  const spatial::Mechanism& mechanism = spatial_of(project);
+  const Animation animation = animation_of(project, "aircraft");
+  const Scene scene(gltf_of(animation, project));
+  const auto aircraft = static_cast<std::size_t>(spatial::body_index(mechanism, "aircraft"));
+  const spatial::Chain chain(mechanism);
+  const std::size_t ground = scene.node("ground", "rotation");
+  for (std::size_t k = 0; k < animation.times.size(); ++k) {
+    const auto at = static_cast<Eigen::Index>(k);
+    const spatial::State state = chain.at(animation.times[k]);
+    const spatial::BodyMotion& from = state.bodies[aircraft];
+    const auto seen = [&](const Eigen::Vector3d& p) {
+      return turned_up(from.R_WB.transpose() * (p - from.position));
+    };
+    for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+      const std::size_t node = scene.node(mechanism.bodies[i].name, "rotation");
+      for (const spatial::BodyPoint& point : mechanism.bodies[i].points) {
+        const Eigen::Vector3d here =
+            seen(spatial::position_of(state, {static_cast<int>(i), point.p}));
+        if ((scene.place(node, at, point.p) - here).norm() >
+            1e-6 * std::max(animation.size, here.norm()))
+          FAIL_CHECK(point.name);
+      }
+    }
+    const Eigen::Vector3d origin = seen(Eigen::Vector3d::Zero());
+    CHECK((scene.place(ground, at, Eigen::Vector3d::Zero()) - origin).norm() <=
+          1e-6 * std::max(1.0, origin.norm()));
+    CHECK(scene.place(scene.node("aircraft", "rotation"), at, Eigen::Vector3d::Zero()).norm() <
+          1e-12);
+  }
+  CHECK_THROWS_AS(animation_of(project, "airship"), InputError);
+  CHECK_THROWS_AS(animation_of(read_project(test::project_file(sledge)), "blade"), InputError);
 }
 
 TEST_CASE("in the plane y is up as it is", "[planar]") {
