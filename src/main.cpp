@@ -139,11 +139,18 @@ Entry motion_entry(CLI::App& app) {
                    "list all ways to assemble the mechanism at the first --at (default 0)");
   command
       .add_option("--axes", options->axes,
-                  "in space: give vectors in the axes of this body (default: world)")
+                  "in space: give vectors in the axes of this body, and see the scene of --gltf "
+                  "from it (default: world)")
       ->type_name("BODY");
+  command
+      .add_option("--gltf", options->gltf,
+                  "also write the whole motion as an animated scene (glTF 2.0) to this file, which "
+                  "viewers show")
+      ->type_name("FILE");
   add_json(command, options->json, "motion", "the tables");
-  return {
-      &command, {"boxbeam motion rig.toml --at 1.071"}, [options] { return run_motion(*options); }};
+  return {&command,
+          {"boxbeam motion rig.toml --at 1.071", "boxbeam motion rig.toml --gltf rig.gltf"},
+          [options] { return run_motion(*options); }};
 }
 
 Entry section_entry(CLI::App& app) {

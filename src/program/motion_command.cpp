@@ -2,9 +2,13 @@
 
 #include <memory>
 
+#include "boxbeam/core/error.hpp"
 #include "boxbeam/project/project.hpp"
+#include "boxbeam/report/files.hpp"
+#include "boxbeam/report/gltf.hpp"
 #include "boxbeam/report/json.hpp"
 #include "boxbeam/report/motion_text.hpp"
+#include "boxbeam/verification/animation.hpp"
 #include "boxbeam/verification/front_end.hpp"
 #include "program/exit_code.hpp"
 #include "program/outputs.hpp"
@@ -17,6 +21,11 @@ int run_motion(const MotionOptions& options) {
   // the chain can be moved as well.
   const Project project = read_case(options.of_case);
   require_file(options.json);
+  require_file(options.gltf);
+  if (options.gltf == "-")
+    throw InputError("a scene is written to a file", "give --gltf the name of one");
+  if (options.assemblies && !options.gltf.empty())
+    throw InputError("assemblies at an instant are no motion", "leave out --assemblies or --gltf");
   const std::unique_ptr<const FrontEnd> front_end = front_end_of(project);
   if (options.assemblies) {
     const double time = options.at.empty() ? 0.0 : options.at.front();
@@ -26,6 +35,8 @@ int run_motion(const MotionOptions& options) {
     return all_pass;
   }
   const AnyMotionResult motion = front_end->motion(options.at, options.axes);
+  if (!options.gltf.empty())
+    write_file(options.gltf, gltf_of(animation_of(project, options.axes), project));
   put_result(options.json, motion_json(motion), motion_text(project, motion));
   return all_pass;
 }

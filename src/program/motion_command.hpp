@@ -13,6 +13,7 @@ struct MotionOptions {
   bool assemblies = false;
   std::string axes;
   std::string json;
+  std::string gltf;
 };
 
 /// `boxbeam motion`: the mechanism alone. Returns the exit code.

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "boxbeam/mechanism/planar/constraints.hpp"
+#include "boxbeam/verification/animation.hpp"
 #include "planar_pictures.hpp"
 
 namespace boxbeam {
@@ -71,13 +72,9 @@ PostureFigure posture_figure(const Project& project, const planar::Mechanism& me
     }
     line.beam = body == project.beam_body;
     if (line.beam) {
-      const double centre = mass_properties_of(project.beam).centre.value();
-      const double length = project.beam.length().value();
-      line.strokes.push_back(
-          {place({body, {-centre, 0.0}}), place({body, {length - centre, 0.0}})});
-      for (const BodyPoint& point : mechanism.bodies[i].points) {
-        if (std::abs(point.p.y()) < 1e-9 * length) continue;
-        line.strokes.push_back({place({body, {point.p.x(), 0.0}}), place({body, point.p})});
+      for (const PostureFigure::Stroke& stroke : drawn_body_of(project, mechanism, body).strokes) {
+        line.strokes.push_back(
+            {place({body, stroke.from.head<2>()}), place({body, stroke.to.head<2>()})});
       }
     }
     figure.bodies.push_back(std::move(line));

@@ -8,6 +8,7 @@
 #include "boxbeam/mechanism/spatial/beam_loads.hpp"
 #include "boxbeam/mechanism/spatial/chain.hpp"
 #include "boxbeam/mechanism/spatial/motion.hpp"
+#include "boxbeam/verification/animation.hpp"
 #include "boxbeam/verification/chain_motion_result.hpp"
 #include "front_ends.hpp"
 #include "stopped_in_space.hpp"
@@ -44,8 +45,7 @@ std::vector<BeamLoadRow> load_rows(const Project& project, const spatial::Mechan
 PostureFigure posture_figure(const Project& project, const spatial::Mechanism& mechanism,
                              const spatial::State& state, const std::string& why) {
   const Eigen::Vector3d origin = origin_of(project, mechanism, state);
-  const spatial::BeamPlacement placement = placement_in(project, mechanism);
-  const int beam = placement.body;
+  const int beam = placement_in(project, mechanism).body;
   const spatial::Joint& root = mechanism.joints[static_cast<std::size_t>(beam)];
   PostureFigure figure;
   figure.time = si<Time>(state.time);
@@ -64,43 +64,10 @@ PostureFigure posture_figure(const Project& project, const spatial::Mechanism& m
     };
     PostureFigure::Line line;
     line.beam = body == beam;
-    const auto add_point = [&](const Eigen::Vector3d& p) {
-      const bool known = std::any_of(line.points.begin(), line.points.end(), [&](const auto& of) {
-        return (of - place(p)).norm() < 1e-9 * project.beam.length().value();
-      });
-      if (!known) line.points.push_back(place(p));
-    };
-    add_point(joint.point);
-    for (const spatial::BodyPoint& point : mechanism.bodies[i].points) add_point(point.p);
-    for (const spatial::Joint& carried : mechanism.joints) {
-      if (carried.parent == body) add_point(carried.at);
-    }
-    for (const spatial::ClosingJoint& closing : mechanism.closing) {
-      if (spatial::has_teeth(closing.kind)) continue;
-      if (closing.a.body == body) add_point(closing.a.p);
-      if (closing.b.body == body) add_point(closing.b.p);
-    }
-    for (const spatial::Spring& spring : mechanism.springs) {
-      if (spring.a.body == body) add_point(spring.a.p);
-      if (spring.b.body == body) add_point(spring.b.p);
-    }
-    if (line.beam) {
-      const auto on_axis = [&](double s) {
-        return place(placement.start + s * placement.axes.col(0));
-      };
-      const double length = project.beam.length().value();
-      const Eigen::Vector3d axis = (on_axis(length) - on_axis(0.0)) / length;
-      line.strokes.push_back({on_axis(0.0), on_axis(length)});
-      for (const Eigen::Vector3d& point : line.points) {
-        const double s = std::clamp(axis.dot(point - on_axis(0.0)), 0.0, length);
-        if ((point - on_axis(s)).norm() < 1e-9 * length) continue;
-        line.strokes.push_back({on_axis(s), point});
-      }
-    } else {
-      for (std::size_t k = 1; k < line.points.size(); ++k) {
-        line.strokes.push_back({line.points.front(), line.points[k]});
-      }
-    }
+    const DrawnBody drawn = drawn_body_of(project, mechanism, body);
+    for (const Eigen::Vector3d& point : drawn.points) line.points.push_back(place(point));
+    for (const PostureFigure::Stroke& stroke : drawn.strokes)
+      line.strokes.push_back({place(stroke.from), place(stroke.to)});
     // From a wheel's axis, or the rack's point, to where the teeth meet others.
     for (const spatial::ClosingJoint& closing : mechanism.closing) {
       if (!spatial::has_teeth(closing.kind)) continue;

@@ -1,0 +1,334 @@
+#include "boxbeam/verification/animation.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "boxbeam/core/angle.hpp"
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/spatial/chain.hpp"
+#include "boxbeam/mechanism/spatial/rotation.hpp"
+#include "boxbeam/verification/front_end.hpp"
+#include "boxbeam/verification/motion_result.hpp"
+
+namespace boxbeam {
+namespace {
+
+using DrawnStroke = PostureFigure::Stroke;
+
+constexpr std::size_t fewest_frames = 60, most_frames = 3840;
+
+/// The poses of all bodies at instants, the ground behind them.
+using FramePoses = std::vector<std::vector<BodyPose>>;
+using FramesAt = std::function<FramePoses(const std::vector<double>&)>;
+
+Eigen::Vector3d lifted_in_space(const Eigen::Vector2d& p) { return {p.x(), p.y(), 0.0}; }
+
+spatial::Attachment lifted_in_space(const planar::Attachment& at) {
+  return {at.body, lifted_in_space(at.p)};
+}
+
+/// From the beam's axis to what stands off it, and the axis itself.
+void add_beam_strokes(const Project& project, const spatial::BeamPlacement& placement,
+                      DrawnBody& drawn) {
+  const double length = project.beam.length().value();
+  const Eigen::Vector3d axis = placement.axes.col(0);
+  drawn.strokes.push_back({placement.start, placement.start + length * axis});
+  for (const Eigen::Vector3d& point : drawn.points) {
+    const double s = std::clamp(axis.dot(point - placement.start), 0.0, length);
+    const Eigen::Vector3d on_axis = placement.start + s * axis;
+    if ((point - on_axis).norm() < 1e-9 * length) continue;
+    drawn.strokes.push_back({on_axis, point});
+  }
+}
+
+void add_star(DrawnBody& drawn) {
+  for (std::size_t k = 1; k < drawn.points.size(); ++k)
+    drawn.strokes.push_back({drawn.points.front(), drawn.points[k]});
+}
+
+void add_place(const Project& project, const Eigen::Vector3d& p, DrawnBody& drawn) {
+  const bool known = std::any_of(drawn.points.begin(), drawn.points.end(), [&](const auto& of) {
+    return (of - p).norm() < 1e-9 * project.beam.length().value();
+  });
+  if (!known) drawn.points.push_back(p);
+}
+
+/// Where the beam lies in its body of a planar mechanism, whose origin is its centre of mass.
+spatial::BeamPlacement planar_placement_of(const Project& project) {
+  spatial::BeamPlacement placement;
+  placement.body = project.beam_body;
+  if (placement.body == planar::ground) return placement;
+  placement.start.x() = -mass_properties_of(project.beam).centre.value();
+  placement.axes << 1.0, 0.0, 0.0,  //
+      0.0, 0.0, 1.0,                //
+      0.0, -1.0, 0.0;
+  return placement;
+}
+
+Eigen::Vector3d place_in_frame(const std::vector<BodyPose>& poses, const spatial::Attachment& at) {
+  const BodyPose& pose =
+      at.body == spatial::ground ? poses.back() : poses[static_cast<std::size_t>(at.body)];
+  return pose.origin + pose.axes * at.p;
+}
+
+/// Bodies and ground as one of them sees them.
+void turn_into_axes_of(std::size_t body, std::vector<BodyPose>& poses) {
+  const BodyPose seen_from = poses[body];
+  const Eigen::Matrix3d turn = seen_from.axes.transpose();
+  for (BodyPose& pose : poses) {
+    pose = {turn * (pose.origin - seen_from.origin), turn * pose.axes,
+            turn * (pose.omega - seen_from.omega)};
+  }
+}
+
+/// Whether the straight line and the even turn from each instant to the next but one pass through
+/// the one between, and no step between these is too large a turn.
+bool leads_through(const FramePoses& frames, double step, double size) {
+  constexpr double astray = 0.01, turned_astray = 0.02, largest_turn = 0.5 * std::numbers::pi;
+  for (std::size_t k = 0; k + 2 < frames.size(); k += 2) {
+    // The ground, which may be far away from what it is seen from, does not count.
+    for (std::size_t i = 0; i + 1 < frames[k].size(); ++i) {
+      const BodyPose &from = frames[k][i], &middle = frames[k + 1][i], &to = frames[k + 2][i];
+      // By its rate, too: a whole turn from one instant to the next is none to be seen.
+      const double rate = std::max({from.omega.norm(), middle.omega.norm(), to.omega.norm()});
+      const Eigen::Vector3d turn = spatial::turn_of(from.axes.transpose() * to.axes);
+      if (std::max(rate * step, turn.norm()) > largest_turn) return false;
+      const Eigen::Matrix3d half_way = from.axes * spatial::rotation_about(0.5 * turn);
+      if ((0.5 * (from.origin + to.origin) - middle.origin).norm() > astray * size) return false;
+      if (spatial::turn_of(half_way.transpose() * middle.axes).norm() > turned_astray) return false;
+    }
+  }
+  return true;
+}
+
+double size_of_scene(const Animation& animation, const std::vector<BodyPose>& poses,
+                     const std::vector<std::pair<spatial::Attachment, spatial::Attachment>>& rods) {
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = 0; i < animation.bodies.size(); ++i) {
+    const auto take = [&](const Eigen::Vector3d& p) {
+      box.extend(place_in_frame(poses, {static_cast<int>(i), p}));
+    };
+    for (const Eigen::Vector3d& point : animation.bodies[i].drawn.points) take(point);
+    for (const DrawnStroke& stroke : animation.bodies[i].drawn.strokes) {
+      take(stroke.from);
+      take(stroke.to);
+    }
+  }
+  for (const auto& [a, b] : rods) {
+    box.extend(place_in_frame(poses, a));
+    box.extend(place_in_frame(poses, b));
+  }
+  return box.isEmpty() ? 1.0 : std::max(box.sizes().maxCoeff(), 1e-3);
+}
+
+/// An animation in the making: all but the motion.
+struct StillScene {
+  Animation animation;
+  std::vector<std::pair<spatial::Attachment, spatial::Attachment>> rods;  ///< in their order
+  int seen_from = spatial::ground;
+
+  void add_rod(const std::string& name, const spatial::Attachment& a,
+               const spatial::Attachment& b) {
+    animation.rods.push_back({name, {}});
+    rods.emplace_back(a, b);
+    for (const spatial::Attachment& end : {a, b}) {
+      if (end.body == spatial::ground) animation.joints.push_back({name, end});
+    }
+  }
+};
+
+Animation animated(StillScene scene, const TimeSpan& span, const FramesAt& frames_at) {
+  Animation& of = scene.animation;
+  const auto times_of = [&](std::size_t steps) {
+    std::vector<double> times;
+    for (std::size_t i = 0; i <= steps; ++i) {
+      const double part = static_cast<double>(i) / static_cast<double>(steps);
+      times.push_back(span.begin + span.length * part);
+    }
+    return times;
+  };
+  constexpr double waves_apart = 16.0;
+  const double wanted = waves_apart * std::ceil(span.highest_omega * span.length / full_turn);
+  std::size_t steps = static_cast<std::size_t>(
+      std::clamp(wanted, static_cast<double>(fewest_frames), static_cast<double>(most_frames)));
+  for (;; steps *= 2) {
+    if (steps > most_frames) {
+      throw AnalysisError({fmt::format("{} instants do not show the motion, which lasts {:.6g} s: "
+                                       "ask for less of it, [motion] duration",
+                                       most_frames + 1, span.length),
+                           "mechanism",
+                           {},
+                           {},
+                           {},
+                           {}});
+    }
+    FramePoses frames = frames_at(times_of(2 * steps));
+    const bool turned = scene.seen_from != spatial::ground;
+    for (std::vector<BodyPose>& poses : frames) {
+      poses.emplace_back();
+      if (turned) turn_into_axes_of(static_cast<std::size_t>(scene.seen_from), poses);
+    }
+    of.size = size_of_scene(of, frames.front(), scene.rods);
+    if (!leads_through(frames, span.length / static_cast<double>(steps), of.size)) continue;
+    of.times = times_of(steps);
+    for (std::size_t k = 0; k < frames.size(); k += 2) {
+      for (std::size_t i = 0; i < of.bodies.size(); ++i) of.bodies[i].poses.push_back(frames[k][i]);
+      if (turned) of.ground.push_back(frames[k].back());
+      for (std::size_t i = 0; i < of.rods.size(); ++i) {
+        of.rods[i].ends.push_back({place_in_frame(frames[k], scene.rods[i].first),
+                                   place_in_frame(frames[k], scene.rods[i].second)});
+      }
+    }
+    return std::move(of);
+  }
+}
+
+Animation animation_for(const spatial::Mechanism& mechanism, const Project& project,
+                        const std::string& seen_from) {
+  StillScene scene;
+  if (!seen_from.empty() && seen_from != "world") {
+    scene.seen_from = spatial::body_index(mechanism, seen_from);
+    if (scene.seen_from == spatial::ground)
+      throw InputError(fmt::format("there is no body \"{}\" to see the motion from", seen_from));
+  }
+  scene.animation.beam = project.placement;
+  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+    scene.animation.bodies.push_back({mechanism.bodies[i].name,
+                                      mechanism.bodies[i].mass > 0.0,
+                                      drawn_body_of(project, mechanism, static_cast<int>(i)),
+                                      {}});
+    const spatial::Joint& joint = mechanism.joints[i];
+    scene.animation.joints.push_back({joint.name, {joint.parent, joint.at}});
+  }
+  for (const spatial::ClosingJoint& joint : mechanism.closing) {
+    if (joint.kind == spatial::ClosingKind::distance) {
+      scene.add_rod(joint.name, joint.a, joint.b);
+    } else {
+      const bool on_a = joint.a.body == spatial::ground && !spatial::has_teeth(joint.kind);
+      scene.animation.joints.push_back({joint.name, on_a ? joint.a : spatial::place_of(joint)});
+    }
+  }
+  for (const spatial::Spring& spring : mechanism.springs)
+    scene.add_rod(spring.name, spring.a, spring.b);
+  const spatial::Chain chain(mechanism);
+  return animated(std::move(scene), spatial::time_span_of(mechanism),
+                  [&](const std::vector<double>& times) {
+                    FramePoses frames;
+                    for (const double time : times) {
+                      const spatial::State state = chain.at(time);
+                      std::vector<BodyPose>& poses = frames.emplace_back();
+                      for (const spatial::BodyMotion& body : state.bodies)
+                        poses.push_back({body.position, body.R_WB, body.omega});
+                    }
+                    return frames;
+                  });
+}
+
+Animation animation_for(const planar::Mechanism& mechanism, const Project& project,
+                        const std::string& seen_from) {
+  if (!seen_from.empty() && seen_from != "world")
+    throw InputError("a planar mechanism is seen from its world only", "leave out --axes");
+  StillScene scene;
+  scene.animation.z_up = false;
+  scene.animation.beam = planar_placement_of(project);
+  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+    scene.animation.bodies.push_back({mechanism.bodies[i].name,
+                                      mechanism.bodies[i].mass > 0.0,
+                                      drawn_body_of(project, mechanism, static_cast<int>(i)),
+                                      {}});
+  }
+  for (const planar::Joint& joint : mechanism.joints) {
+    const auto [a, b] = planar::ends_of(joint);
+    if (planar::is_rod(joint)) {
+      scene.add_rod(joint.name, lifted_in_space(a), lifted_in_space(b));
+    } else if (!planar::is_driver(joint)) {  // which moves a coordinate, and is nowhere
+      scene.animation.joints.push_back(
+          {joint.name, lifted_in_space(b.body == planar::ground ? b : a)});
+    }
+  }
+  for (const planar::AppliedForce& force : mechanism.forces) {
+    if (const auto* spring = std::get_if<planar::Spring>(&force.kind))
+      scene.add_rod(force.name, lifted_in_space(spring->a), lifted_in_space(spring->b));
+  }
+  return animated(std::move(scene), planar::time_span_of(mechanism),
+                  [&](const std::vector<double>& times) {
+                    FramePoses frames;
+                    for (const InstantResult& state : motion_of(project, times).states) {
+                      std::vector<BodyPose>& poses = frames.emplace_back();
+                      for (const BodyMotion& body : state.bodies) {
+                        const Eigen::Vector3d turn(0.0, 0.0, body.position.z());
+                        poses.push_back({lifted_in_space(body.position.head<2>().eval()),
+                                         spatial::rotation_about(turn),
+                                         Eigen::Vector3d(0.0, 0.0, body.velocity.z())});
+                      }
+                    }
+                    return frames;
+                  });
+}
+
+Animation no_animation(const Project& project) {
+  throw InputError(front_end_of(project)->obstacle_to_instants(), "leave out --gltf");
+}
+
+Animation animation_for(const flexible::Mechanism&, const Project& project, const std::string&) {
+  return no_animation(project);
+}
+Animation animation_for(const frame::Structure&, const Project& project, const std::string&) {
+  return no_animation(project);
+}
+Animation animation_for(const recorded::Loads&, const Project& project, const std::string&) {
+  return no_animation(project);
+}
+
+}  // namespace
+
+DrawnBody drawn_body_of(const Project& project, const spatial::Mechanism& mechanism, int body) {
+  DrawnBody drawn;
+  const auto add = [&](const Eigen::Vector3d& p) { add_place(project, p, drawn); };
+  const auto index = static_cast<std::size_t>(body);
+  add(mechanism.joints[index].point);
+  for (const spatial::BodyPoint& point : mechanism.bodies[index].points) add(point.p);
+  for (const spatial::Joint& carried : mechanism.joints) {
+    if (carried.parent == body) add(carried.at);
+  }
+  for (const spatial::ClosingJoint& closing : mechanism.closing) {
+    if (spatial::has_teeth(closing.kind)) continue;
+    if (closing.a.body == body) add(closing.a.p);
+    if (closing.b.body == body) add(closing.b.p);
+  }
+  for (const spatial::Spring& spring : mechanism.springs) {
+    if (spring.a.body == body) add(spring.a.p);
+    if (spring.b.body == body) add(spring.b.p);
+  }
+  const spatial::BeamPlacement placement = placement_in(project, mechanism);
+  if (body == placement.body) {
+    add_beam_strokes(project, placement, drawn);
+  } else {
+    add_star(drawn);
+  }
+  return drawn;
+}
+
+DrawnBody drawn_body_of(const Project& project, const planar::Mechanism& mechanism, int body) {
+  DrawnBody drawn;
+  for (const BodyPoint& point : mechanism.bodies[static_cast<std::size_t>(body)].points)
+    add_place(project, lifted_in_space(point.p), drawn);
+  if (body == project.beam_body) {
+    add_beam_strokes(project, planar_placement_of(project), drawn);
+  } else {
+    add_star(drawn);
+  }
+  return drawn;
+}
+
+Animation animation_of(const Project& project, const std::string& seen_from) {
+  return std::visit([&](const auto& of) { return animation_for(of, project, seen_from); },
+                    project.mechanism);
+}
+
+}  // namespace boxbeam
