@@ -161,7 +161,7 @@ class SceneWriter {
     return meshes_.size() - 1;
   }
 
-  std::size_t add_node(const std::string& name, Json of, std::optional<std::size_t> parent) {
+  std::size_t add_node(const std::string& name, const Json& of, std::optional<std::size_t> parent) {
     Json node{{"name", name}};
     node.update(of);
     nodes_.push_back(std::move(node));
@@ -243,8 +243,12 @@ class SceneWriter {
     std::optional<std::size_t> mesh;
     for (const AnimatedJoint& joint : animation_->joints) {
       Json node{{"translation", numbers_of(joint.at.p)}};
-      if (joint.at.body != spatial::ground) {
-        add_node(joint.name, node, bodies[static_cast<std::size_t>(joint.at.body)]);
+      const bool grounded = joint.at.body == spatial::ground;
+      const std::size_t parent =
+          grounded ? ground : bodies[static_cast<std::size_t>(joint.at.body)];
+      // Seen from a body that travels the ground may be far away: no block where nobody looks.
+      if (!grounded || !animation_->ground.empty()) {
+        add_node(joint.name, node, parent);
         continue;
       }
       if (!mesh) {
