@@ -107,6 +107,15 @@ void add_between(Surface& surface, double from, const Ring& at_from, double to, 
     surface.triangles.push_back({first + n + a, first + n + b, first + n + c});
 }
 
+/// A part, each of its corners at its place.
+template <class Place>
+void add_placed(const Surface& part, const Place& place, Surface& surface) {
+  const std::uint32_t first = corner_index(surface.corners.size());
+  for (const Eigen::Vector3d& p : part.corners) surface.corners.emplace_back(place(p));
+  for (const auto& [a, b, c] : part.triangles)
+    surface.triangles.push_back({first + a, first + b, first + c});
+}
+
 bool same_corners(const std::vector<Ring>& a, const std::vector<Ring>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const Ring& p, const Ring& q) { return p.size() == q.size(); });
@@ -143,11 +152,10 @@ void add_rod(Surface& surface, const Eigen::Vector3d& from, const Eigen::Vector3
   Surface prism;
   add_between(prism, 0.0, ring, (to - from).norm(), ring);
   const Eigen::Vector3d y = along.unitOrthogonal(), z = along.cross(y);
-  const std::uint32_t first = corner_index(surface.corners.size());
-  for (const Eigen::Vector3d& p : prism.corners)
-    surface.corners.emplace_back(from + p.x() * along + p.y() * y + p.z() * z);
-  for (const auto& [a, b, c] : prism.triangles)
-    surface.triangles.push_back({first + a, first + b, first + c});
+  const auto place = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+    return from + p.x() * along + p.y() * y + p.z() * z;
+  };
+  add_placed(prism, place, surface);
 }
 
 void add_block(Surface& surface, const Eigen::Vector3d& centre, double side) {
@@ -155,10 +163,8 @@ void add_block(Surface& surface, const Eigen::Vector3d& centre, double side) {
   Surface block;
   const Ring ring{{-half, -half}, {half, -half}, {half, half}, {-half, half}};
   add_between(block, -half, ring, half, ring);
-  const std::uint32_t first = corner_index(surface.corners.size());
-  for (const Eigen::Vector3d& p : block.corners) surface.corners.emplace_back(centre + p);
-  for (const auto& [a, b, c] : block.triangles)
-    surface.triangles.push_back({first + a, first + b, first + c});
+  const auto place = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d { return centre + p; };
+  add_placed(block, place, surface);
 }
 
 }  // namespace boxbeam

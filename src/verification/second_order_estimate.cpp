@@ -247,8 +247,9 @@ class Estimating {
     if (project_->in_space) compare(held.across, false, in_plane(loads, Plane::y), factor, across);
   }
 
-  /// Whether instants between those looked at may matter. Of a tenth of what leaves a member alone
-  /// and of what is tolerated it is known that they do not: forces between peaks are smaller.
+  /// Whether instants between those looked at may matter: the beam's compression and bending have
+  /// no higher peak there, and a tenth of what leaves a member alone, and of what is tolerated,
+  /// leaves room for postures that hold it worse.
   bool reaches_anything(const BothCompared& compared, const BothCompared& across) const {
     constexpr double slight = 0.1;
     const auto counts = [](double part) { return part > slight * no_buckling_below; };

@@ -26,6 +26,7 @@ using namespace boxbeam;
 using namespace boxbeam::spatial;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+using test::set_mass;
 
 namespace {
 
@@ -33,22 +34,9 @@ constexpr double g = 9.81;
 
 int add(Mechanism& mechanism, const char* name, JointKind kind, int parent, const Vector3d& at,
         const Vector3d& axis, MovedBy moved_by) {
-  Joint joint;
-  joint.name = name;
-  joint.kind = kind;
-  joint.parent = parent;
-  joint.at = at;
-  joint.axis = axis.normalized();
-  joint.moved_by = moved_by;
-  mechanism.bodies.emplace_back().name = name;
-  mechanism.joints.push_back(joint);
-  return static_cast<int>(mechanism.bodies.size()) - 1;
-}
-
-void set_mass(spatial::Body& body, double mass, const Vector3d& centre, const Vector3d& inertia) {
-  body.mass = mass;
-  body.centre = centre;
-  body.inertia = inertia.asDiagonal();
+  const int body = test::add(mechanism, test::joint_of(name, kind, parent, at, axis), false);
+  mechanism.joints.back().moved_by = moved_by;
+  return body;
 }
 
 /// The contact forces at both ends of a guide, by its wrench: N/2 and the pair whose couple is the
