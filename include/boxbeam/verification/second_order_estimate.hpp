@@ -75,8 +75,8 @@ struct SecondOrderEstimate {
   bool whole = false;  ///< the mechanism holds the beam in all of this
 };
 
-/// Of the loads of rigid bodies, or of elastic links, at up to 48 instants of every situation and
-/// those of its largest compressions.
+/// Of the loads of rigid bodies, or of elastic links, at up to 48 instants of every situation, 12
+/// where second order reaches nothing, and those of its largest compressions and moments.
 SecondOrderEstimate estimate_second_order(const Project& project,
                                           const std::deque<SituationRun>& runs);
 
