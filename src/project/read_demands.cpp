@@ -15,8 +15,22 @@ StrengthDemand read_strength(TableReader table) {
   StrengthDemand demand;
   demand.gamma_M0 = table.number({"gamma_M0", "on yielding, EN 1993-1-1"}, 1.0);
   demand.gamma_M1 = table.number(
-      {"gamma_M1", "on plates that buckle, in shear and by reduced stresses, EN 1993-1-5"}, 1.0);
+      {"gamma_M1",
+       "on members that buckle, EN 1993-1-1, and plates, in shear and by reduced stresses, EN "
+       "1993-1-5"},
+      1.0);
   demand.gamma_M2 = table.number({"gamma_M2", "on welds, pins and net sections"}, 1.25);
+  const auto moment_factor = [&](const char* name, const char* meaning) {
+    const double C_m = table.number({name, meaning}, 1.0);
+    if (C_m < 0.4 || C_m > 1.0)
+      table.problem(name, "an equivalent uniform moment factor lies between 0.4 and 1",
+                    "EN 1993-1-1, table B.3; 1 is on the safe side");
+    return C_m;
+  };
+  demand.C_my = moment_factor("C_my",
+                              "of M_y of the beam as a member, EN 1993-1-1, table B.3, by how M_y "
+                              "runs along it: 0.6 from an end to none; 0.9 where it sways");
+  demand.C_mz = moment_factor("C_mz", "the same of M_z");
   demand.shear_lag =
       table.boolean({"shear_lag", "wide flanges are reduced, EN 1993-1-5, 3.2"}, true);
   demand.plates = static_cast<PlateRoute>(table.choice(

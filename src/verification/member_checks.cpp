@@ -42,17 +42,17 @@ CheckResult check_of(const Project& project, double use, const std::string& poin
   check.safety_factor = demanded_of(project) / use;
   check.required = project.strength.required;
   check.source =
-      fmt::format("EN 1993-1-1:2005, {}6.3.4, curve {}", basis.turns_over ? "" : "6.3.1 and ",
+      fmt::format("EN 1993-1-1:2005, {}, curve {}", basis.turns_over ? "6.3.4" : "6.3.1 and 6.3.3",
                   basis.curve == BucklingCurve::d ? "d" : "c");
   result.member = std::move(basis);
   return result;
 }
 
 /// What slender plates and shear lag take from a member, the most of some stations of each segment:
-/// A/A_eff and W/W_eff, by which N/(A f_y) and M/(W f_y) grow, and how much of the latter the shift
-/// of N's centroid makes of the former.
+/// A/A_eff and W/W_eff, by which N/(A f_y) and M/(W f_y) grow, and how much of the latter, about y
+/// and about z, the shift of N's centroid makes of the former.
 struct MemberLoss {
-  double area = 1.0, modulus = 1.0, shift = 0.0;
+  double area = 1.0, modulus = 1.0, shift_y = 0.0, shift_z = 0.0;
 };
 
 void add_loss(const Project& project, const std::vector<BendingZone>& zones, const Station& station,
@@ -64,7 +64,6 @@ void add_loss(const Project& project, const std::vector<BendingZone>& zones, con
   const Extent extent = extent_of(judged_section_at(project, station).outer);
   const double area = of.alone(ActingAlone::compression).sums.area;
   loss.area = std::max(loss.area, gross.area / area);
-  double shift = 0.0;
   for (const bool about_y : {true, false}) {
     const double first = about_y ? gross.z : gross.y, second = about_y ? gross.zz : gross.yy;
     const Length depth = about_y ? extent.z_high - extent.z_low : extent.y_high - extent.y_low;
@@ -73,9 +72,9 @@ void add_loss(const Project& project, const std::vector<BendingZone>& zones, con
     const double left = of.least_modulus(about_y).value();
     loss.modulus = std::max(loss.modulus, whole / left);
     const Length e = about_y ? of.centroid().shift_z : of.centroid().shift_y;
-    shift += area * std::abs(e.value()) / left;
+    double& shift = about_y ? loss.shift_y : loss.shift_z;
+    shift = std::max(shift, area * std::abs(e.value()) / left);
   }
-  loss.shift = std::max(loss.shift, shift);
 }
 
 double least_modulus_of(const EffectiveBox& box, bool about_y) {
@@ -115,13 +114,13 @@ void add_box_loss(const Project& project, const std::vector<BendingZone>& zones,
   const double area = of.alone(ActingAlone::compression).sums.area;
   loss.area = std::max(loss.area, of.box().gross.area / area);
   const SectionProperties whole = properties_of(judged_section_at(project, station));
-  double shift = 0.0;
   for (const bool about_y : {true, false}) {
     const double left = least_modulus_of(of, about_y);
     loss.modulus = std::max(loss.modulus, (about_y ? whole.W_y : whole.W_z).value() / left);
-    shift += area * std::abs((about_y ? of.shift_z() : of.shift_y()).value()) / left;
+    double& shift = about_y ? loss.shift_y : loss.shift_z;
+    shift =
+        std::max(shift, area * std::abs((about_y ? of.shift_z() : of.shift_y()).value()) / left);
   }
-  loss.shift = std::max(loss.shift, shift);
 }
 
 MemberLoss loss_of(const Project& project, const std::vector<BendingZone>& zones) {
@@ -175,27 +174,36 @@ std::vector<CheckResult> check_member(const Project& project, const std::vector<
                          counts(estimate.lateral, no_turning_over_below);
   if (!looked_at) return checks;
   const MemberLoss loss = loss_of(project, zones);
-  MemberLoad load{loss.area * estimate.compressed, 0.0, 0.0};
-  load.bent = loss.modulus * bent_by(estimate) + loss.shift * load.compressed;
+  MemberLoad load{loss.area * estimate.compressed};
+  const double of_y = loss.shift_y * load.compressed, of_z = loss.shift_z * load.compressed;
+  load.bent = loss.modulus * bent_by(estimate) + of_y + of_z;
+  MemberLoad::Straight& straight = load.straight;
+  straight.m_y = loss.modulus * estimate.straight + of_y;
+  straight.m_z = loss.modulus * estimate.bending_across + of_z;
+  straight.turning = estimate.lateral ? estimate.lateral->part : 0.0;
+  straight.twists = std::any_of(
+      project.beam.segments.begin(), project.beam.segments.end(),
+      [](const Segment& of) { return std::holds_alternative<ThinWalled>(of.from.outer); });
+  straight.C_my = project.strength.C_my;
+  straight.C_mz = project.strength.C_mz;
   const BucklingCurve curve = bending_curve_of(project.beam);
-  const auto bends = [&](const BucklingLoad& of, const char* plane) {
-    if (of.part <= no_buckling_below || of.part >= 1.0) return;
+  const double in_plane = estimate.in_plane.part;
+  const double across = estimate.across ? estimate.across->part : 0.0;
+  const auto bends = [&](const BucklingLoad& of, const char* how, bool about_z) {
     load.critical = of.part;
+    straight.about_z = about_z;
+    straight.other = about_z ? in_plane : across;
     const double use = flexural_use(load, curve, gamma_M1);
     checks.push_back(
-        check_of(project, use, plane, of.situation, of.when, {false, curve, of.held, load}));
+        check_of(project, use, how, of.situation, of.when, {false, curve, of.held, load}));
   };
-  bends(estimate.in_plane, project.in_space ? "along z" : "in the plane of motion");
-  if (estimate.across)
-    bends(*estimate.across, project.in_space ? "along y" : "across the plane of motion");
-  if (twisting) {
-    load.critical = twisting->part;
-    const double use = flexural_use(load, curve, gamma_M1);
-    checks.push_back(check_of(project, use, "by twisting", twisting->situation, twisting->when,
-                              {false, curve, twisting->held, load}));
-  }
+  const auto counted = [](double part) { return part > no_buckling_below && part < 1.0; };
+  if (counted(in_plane))
+    bends(estimate.in_plane, project.in_space ? "along z" : "in the plane of motion", false);
+  if (counted(across))
+    bends(*estimate.across, project.in_space ? "along y" : "across the plane of motion", true);
+  if (twisting) bends(*twisting, "by twisting", true);
   if (const auto& of = estimate.lateral; of && of->part > no_turning_over_below && of->part < 1.0) {
-    const double across = estimate.across ? estimate.across->part : 0.0;
     load.critical = of->part + (twisting ? std::max(across, twisting->part) : across);
     const double use = lateral_use(load, BucklingCurve::d, gamma_M1);
     const bool given = std::holds_alternative<recorded::Loads>(project.mechanism);

@@ -145,7 +145,7 @@ class Estimating {
         !(result_.across && counts(result_.across->part)) &&
         !(result_.lateral && result_.lateral->part > no_turning_over_below))
       return;
-    double straight = 0.0;
+    double& straight = result_.straight;
     // What is counted across grows as a bow across does; the excess by the plane that is worse, and
     // as under N beside the axis all along, by sec(pi/2 sqrt(n)), which (1 + 0.28 n)/(1 - n) is not
     // below (Timoshenko, Gere, section 1.13).

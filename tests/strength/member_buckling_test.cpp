@@ -22,6 +22,57 @@ TEST_CASE("a member under compression and bending, by hand") {
   CHECK(lateral_use(load, BucklingCurve::d, 1.0) == Approx(0.6817).margin(2e-4));
 }
 
+TEST_CASE("equations 6.61 and 6.62 by hand") {
+  // n = 0.2, N/N_cr,y = 0.16, N/N_cr,z = 0.05; m_y = 0.25, m_z = 0.1, gamma_M1 = 1.1. As above
+  // chi_y = 0.6033 at lambda_y = 0.8944, n_y = 1.1 0.2/0.6033 = 0.3647, k_yy = 1 + 0.6 0.8944
+  // 0.3647 = 1.1957. lambda_z = 0.5: phi = 0.5 (1 + 0.49 0.3 + 0.25) = 0.6985, chi_z = 1/(0.6985 +
+  // sqrt(0.4879 - 0.25)) = 0.8430, n_z = 0.2610, k_zz = 1 + 0.6 0.5 0.2610 = 1.0783.
+  MemberLoad load{0.2, 0.0, 0.16};
+  MemberLoad::Straight& of = load.straight;
+  of.m_y = 0.25;
+  of.m_z = 0.1;
+  of.other = 0.05;
+  const auto use = [&] { return flexural_use(load, BucklingCurve::c, 1.1); };
+  // 0.3647 + 1.1 (1.1957 0.25 + 1.0783 0.1) = 0.8121.
+  CHECK(use() == Approx(0.8121).margin(2e-4));
+  // The bent beam counts where it is bent more.
+  load.bent = 0.45;
+  CHECK(use() == Approx(0.3647 + 1.1 * 0.45).margin(2e-4));
+  load.bent = 0.35;
+  // C_my = 0.6: 0.3647 + 1.1 max(0.35, 0.6 0.2989 + 0.1078) = 0.7497.
+  of.C_my = 0.6;
+  CHECK(use() == Approx(0.7497).margin(2e-4));
+  of.C_my = 1.0;
+  // M_y/M_cr = 0.09: lambda_LT = 0.6, curve d: phi = 0.5 (1 + 0.76 0.4 + 0.36) = 0.8320, chi_LT =
+  // 1/(0.8320 + sqrt(0.6922 - 0.36)) = 0.7100: 0.3647 + 1.1 (0.2989/0.7100 + 0.1078) = 0.9464.
+  of.turning = 0.09;
+  CHECK(use() == Approx(0.9464).margin(2e-4));
+  of.turning = 0.04;
+  CHECK(use() == Approx(0.8121).margin(2e-4));
+  // In the other plane N/N_cr is too little to count: chi_z = 1, lambda_z = sqrt(0.03/0.2) =
+  // 0.3873, k_zz = 1 + 0.6 0.3873 0.22 = 1.0511.
+  of.other = 0.03;
+  CHECK(use() == Approx(0.3647 + 1.1 * (0.2989 + 0.1051)).margin(2e-4));
+  // Across, 6.62: 0.2610 + 1.1 (0.8 1.1957 0.25 + 1.0783 0.1) = 0.6426; of open walls k_zy = 1.
+  load.critical = 0.05;
+  load.bent = 0.0;
+  of.other = 0.16;
+  of.about_z = true;
+  CHECK(use() == Approx(0.6426).margin(2e-4));
+  of.twists = true;
+  CHECK(use() == Approx(0.6546).margin(2e-4));
+  // What is printed is what counts.
+  for (const bool twists : {false, true})
+    for (const bool about_z : {false, true}) {
+      of.twists = twists;
+      of.about_z = about_z;
+      of.turning = 0.09;
+      Derivation steps;
+      CHECK(derive_flexural_use(steps, load, BucklingCurve::c, 1.1).value() ==
+            Approx(use()).epsilon(1e-14));
+    }
+}
+
 TEST_CASE("a published column: chi = 0.878, 2297 kN") {
   // xcfem/xc, verif/tests/materials/ec3/test_buckling_resistance_02.py: CHS 244.5 x 10, S355, 4 m,
   // curve a. A = 73.67 cm^2, I = 5073 cm^4: N_cr = 6571 kN.

@@ -101,9 +101,11 @@ enum class PlateRoute {
 
 struct StrengthDemand {
   double gamma_M0 = 1.0;
-  double gamma_M1 = 1.0;   ///< of plates that buckle
+  double gamma_M1 = 1.0;   ///< of plates and members that buckle
   double gamma_M2 = 1.25;  ///< of welds and pins
   WidthRule effective_widths = WidthRule::at_yield;
+  /// Equivalent uniform moment factors of members, EN 1993-1-1, table B.3; 1 on the safe side.
+  double C_my = 1.0, C_mz = 1.0;
   bool shear_lag = true;  ///< whether wide flanges are reduced, EN 1993-1-5 3.2
   PlateRoute plates = PlateRoute::effective_widths;  ///< steep segments by reduced stresses anyway
   double required = 1.0;

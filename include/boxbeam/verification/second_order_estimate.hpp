@@ -8,6 +8,7 @@
 
 #include "boxbeam/beam/tapered_beam.hpp"
 #include "boxbeam/core/units.hpp"
+#include "boxbeam/strength/member_buckling.hpp"
 
 namespace boxbeam {
 
@@ -69,9 +70,9 @@ struct SecondOrderEstimate {
   double turn = 0.0;  ///< largest turn of a section by bending [rad]
   /// Times the load factor of its situation and the safety factor that is asked for: the largest
   /// N/(A f_y), and M/(W f_y) in the plane, of the bent beam, of the straight one where it buckles;
-  /// and across it, of the straight one. Over all instants where N/N_cr or M/M_cr is above
-  /// `no_buckling_below`, and of beams of open thin walls; else at those looked at.
-  double compressed = 0.0, bending = 0.0, bending_across = 0.0;
+  /// and of the straight one in the plane and across it. Over all instants where N/N_cr or M/M_cr
+  /// is above `no_buckling_below`, and of beams of open thin walls; else at those looked at.
+  double compressed = 0.0, bending = 0.0, straight = 0.0, bending_across = 0.0;
   bool whole = false;  ///< the mechanism holds the beam in all of this
 };
 
@@ -80,12 +81,8 @@ struct SecondOrderEstimate {
 SecondOrderEstimate estimate_second_order(const Project& project,
                                           const std::deque<SituationRun>& runs);
 
-/// Compression below which a code lets buckling be ignored: N/N_cr of 0.04 (EN 1993-1-1,
-/// 6.3.1.2(4)), and second order: 0.1 (5.2.1(3)).
-inline constexpr double no_buckling_below = 0.04;
+/// N/N_cr below which a code lets second order be ignored: EN 1993-1-1, 5.2.1(3).
 inline constexpr double first_order_below = 0.1;
-/// Of M/M_cr: 6.3.2.2(4) with lambda_LT,0 = 0.2, the plateau of its curves; 6.3.2.3 has 0.4.
-inline constexpr double no_turning_over_below = 0.04;
 
 /// What second order is estimated to add to the stress, or to its range, at a station, by what it
 /// is there: the larger of the places on either side of it and of the sway. Where it buckles:
