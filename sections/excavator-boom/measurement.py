@@ -16,9 +16,9 @@ FOOT = (0.55, -0.9)   # of the cylinder, from A [m]
 LUG = (2.1, -0.45)    # of the cylinder on the boom: along it, to its left [m]
 TIP = 5.2             # of the boom [m]
 CYCLE = 12.0          # [s]
-# Boxes b x h with flanges 12 and webs 10 mm: width is constant, the height is linear between stations.
-STATIONS = [(0.0, 0.34), (2.1, 0.46), (5.2, 0.24)]
-WIDTH, FLANGE, WEB = 0.26, 0.012, 0.010
+# Boxes b x h with flanges 12 and webs 8 mm: width is constant, the height is linear between stations.
+STATIONS = [(0.0, 0.34), (2.1, 0.524), (5.2, 0.24)]
+WIDTH, FLANGE, WEB = 0.26, 0.012, 0.008
 # The boom's angle [deg] and the stick's force on its tip, world axes [kN]: cycloidal steps between.
 ANGLE = [(0.0, 0.0), (3.0, 0.0), (6.0, 45.0), (9.0, 45.0), (12.0, 0.0)]
 FORCE_X = [(0.0, 0.0), (1.0, 0.0), (1.5, -22.0), (2.5, -22.0), (3.0, 0.0), (12.0, 0.0)]

@@ -153,20 +153,6 @@ bool PatchSearch::feels_couple(Length s, Moment couple, bool about_y) {
          near.meet(about_y, {about_y ? force : Force{}, about_y ? Force{} : force, {}, false});
 }
 
-bool PatchSearch::stands_between_diaphragms(Length s, bool about_y) {
-  Patch at;
-  at.s = s;
-  at.along_z = about_y;
-  const Length depth = depth_at(at);
-  bool before = false, behind = false;
-  for (const Diaphragm& of : project_->beam.diaphragms) {
-    if (abs(of.s - s) > depth || !holds(of, about_y)) continue;
-    before = before || of.s < s;
-    behind = behind || of.s > s;
-  }
-  return before && behind;
-}
-
 std::optional<Moment> PatchSearch::unjudged_moment_of(const PointLoad& load) {
   const bool at_end = is_at_end(load.s);
   // At an end of the beam by joints alone; those in line with it, or judged as knees, lead all on.
@@ -177,10 +163,7 @@ std::optional<Moment> PatchSearch::unjudged_moment_of(const PointLoad& load) {
   for (const bool about_y : {true, false}) {
     if (!about_y && !project_->in_space) continue;
     const Moment couple = si<Moment>(std::abs(about_y ? load.moment.y() : load.moment.z()));
-    if (!feels_couple(load.s, couple, about_y) ||
-        (!at_end && stands_between_diaphragms(load.s, about_y)))
-      continue;
-    most = std::max(most.value_or(Moment{}), couple);
+    if (feels_couple(load.s, couple, about_y)) most = std::max(most.value_or(Moment{}), couple);
   }
   return most;
 }

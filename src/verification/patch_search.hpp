@@ -156,8 +156,9 @@ class PatchSearch {
   bool lacks_diaphragm_along_y(Length s, Force along_y);
   /// The moment about y, in space the larger one of both axes, that is not judged as forces where
   /// webs would feel it as two of them as far apart as the section is deep: of a load between the
-  /// beam's ends, but where diaphragms stand within that length on both its sides; at an end of a
-  /// joint that leads it on into a body whose plates are not known, lie elsewhere or are turned.
+  /// beam's ends, whatever diaphragms stand beside it, for what it puts into these is not judged;
+  /// at an end of a joint that leads it on into a body whose plates are not known, lie elsewhere or
+  /// are turned.
   std::optional<Moment> unjudged_moment_of(const PointLoad& load);
   bool is_at_end(Length s) const;
 
@@ -227,7 +228,6 @@ class PatchSearch {
   /// The torque beside the forces along an axis: both ways, for it may come by either flange.
   void add_torque(const PointLoad& load, bool along_z, std::vector<Patch>& patches) const;
   bool feels_couple(Length s, Moment couple, bool about_y);
-  bool stands_between_diaphragms(Length s, bool about_y);
   /// The middles of both webs of a section along a force; nothing where there are not two.
   std::optional<Length> webs_apart_at(const Station& station, bool along_z) const;
   /// What plates that turn off between segments put into those beside them. kinked_flanges.cpp

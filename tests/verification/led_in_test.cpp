@@ -268,13 +268,14 @@ TEST_CASE("a seam that gets thinner within the loaded length counts in fatigue",
 }
 
 TEST_CASE("moments that plates of other bodies bring are said", "[patch]") {
-  // One diaphragm in the middle of a couple takes none of its forces.
+  // One diaphragm in the middle of a couple takes none of its forces; those beside it take them,
+  // 450/0.4 = 1125 kN each, which no check counts.
   Beam beam = on_two({600, 1000, 25, 8, 0.0}, 6.0);
   beam.forces = {{"k", 3.0, 150.0, 0.0, 0.0, 450.0}};
   beam.diaphragms = {0.0, 3.0, 6.0};
   CHECK(says(beam.verified(), "its moment, 450 kN m"));
   beam.diaphragms = {0.0, 2.8, 3.2, 6.0};
-  CHECK_FALSE(says(beam.verified(), "its moment"));
+  CHECK(says(beam.verified(), "its moment, 450 kN m"));
 
   const std::string jib =
       "[case]\nname = \"jib\"\nkind = \"planar\"\n[mechanism]\ngravity = [\"0 m/s^2\", \"0 "

@@ -745,36 +745,24 @@ TEST_CASE("a flange that is pressed all over breathes below b/t = 120 as well", 
   CHECK(has_gate(at(1268.0), "breathes"));
 }
 
-TEST_CASE("an excavator's boom with webs of 500 x 8 mm between diaphragms gets a verdict",
-          "[plates]") {
-  // The shipped one with 524 mm in its middle, so that its webs are clear 500 mm there, and 8 mm.
-  const std::string path = test::project_file("sections/excavator-boom/boom.toml");
-  std::string text = test::read_file(path);
-  const auto replace = [&](const std::string& from, const std::string& to) {
-    std::size_t at = text.find(from);
-    REQUIRE(at != std::string::npos);
-    for (; at != std::string::npos; at = text.find(from, at + to.size()))
-      text.replace(at, from.size(), to);
-  };
-  replace("height = \"460 mm\"", "height = \"524 mm\"");
-  replace("web = \"10 mm\"", "web = \"8 mm\"");
-  const auto verdict = [&](const std::string& more) {
-    std::string whole = text;
-    whole.insert(whole.find("[material]"), more);
-    return verify(parse_project(path, whole));
-  };
-  std::string said;
-  for (const double s : {0.0, 2.1, 5.2})
-    said += fmt::format(
-        "[[beam.diaphragms]]\nstation = \"{} m\"\nthickness = \"10 mm\"\nthroat = \"8 mm\"\n", s);
-  // Nothing says what bears the forces that come into slender webs.
-  CHECK(verdict("").verdict == Verdict::not_applicable);
-  const Verification of = verdict(said);
-  for (const Gate& gate : of.gates) UNSCOPED_INFO(gate.finding);
+TEST_CASE("the excavator's slender webs get a verdict between diaphragms alone", "[plates]") {
+  Project project = read_project(test::project_file("sections/excavator-boom/boom.toml"));
+  const Verification of = verify(project);
   CHECK(of.verdict == Verdict::pass);
+  // Nothing says what bears the forces that come into slender webs.
+  project.beam.diaphragms.clear();
+  CHECK(verify(project).verdict == Verdict::not_applicable);
+  // By hand, N and mm, as README.md of the case: N = -22 kN and M = 128.15 kN m where the force of
+  // the cylinder comes in; webs of 500 x 8 under N alone.
+  const CheckResult* const effective = of.governing(Criterion::effective_section);
+  REQUIRE(effective != nullptr);
+  const double lambda_p = 62.5 / (28.4 * std::sqrt(235.0 / 355.0) * 2.0);
+  const double idle = (1.0 - (lambda_p - 0.22) / (lambda_p * lambda_p)) * 500.0;
+  CHECK(1e-6 * effective->check.acting.value() ==
+        Approx(22e3 / (14240.0 - 2.0 * idle * 8.0) + 128.15e6 * 256.0 / 5.753e8).epsilon(1e-3));
   const CheckResult* const shear = of.governing(Criterion::shear_buckling);
   REQUIRE(shear != nullptr);
-  // By hand, N and mm: the clear depth falls from 500 by 284 over the 3100 of the upper panel.
+  // The clear depth falls from 500 by 284 over the 3100 of the upper panel.
   const double depth = 500.0 - 284.0 * (shear->check.station.s.value() - 2.1) / 3.1;
   const double k_tau = 5.34 + 4.0 * std::pow(depth / 3100.0, 2);
   const double lambda = depth / 8.0 / (37.4 * std::sqrt(235.0 / 355.0) * std::sqrt(k_tau));
