@@ -87,15 +87,16 @@ double peak_near(const std::vector<double>& values, std::size_t i, double sign,
 }
 
 double largest_of(const std::vector<double>& values, const SampledInstants& instants) {
-  double largest = 0.0, before = values.back();
+  double largest = 0.0;
   const std::size_t n = values.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const double here = values[i];
-    const bool peak = here >= before && here >= values[i + 1 < n ? i + 1 : 0];
-    // None is above its neighbours that is not a peak.
-    if (peak) largest = std::max(largest, peak_near(values, i, 1.0, instants));
-    before = here;
-  }
+  // None is above its neighbours that is not a peak.
+  const auto look_at = [&](std::size_t before, std::size_t i, std::size_t behind) {
+    if (values[i] >= values[before] && values[i] >= values[behind])
+      largest = std::max(largest, peak_near(values, i, 1.0, instants));
+  };
+  look_at(n - 1, 0, n > 1 ? 1 : 0);
+  for (std::size_t i = 1; i + 1 < n; ++i) look_at(i - 1, i, i + 1);
+  if (n > 1) look_at(n - 2, n - 1, 0);
   return largest;
 }
 
@@ -111,15 +112,6 @@ void find_turns(const std::vector<double>& values, const SampledInstants& instan
     const double sign = maximum ? 1.0 : -1.0;
     of.turns.push_back({Time{}, sign * peak_near(values, i, sign, instants), maximum});
   }
-}
-
-std::vector<Cycle> cycles_of(const Project& project, const Turns& turns, bool reduced) {
-  std::vector<SituationCycles> life = life_cycles_of(project, turns, reduced);
-  if (life.size() == 1) return std::move(life.front().cycles);
-  std::vector<Cycle> cycles;
-  for (const SituationCycles& of : life)
-    cycles.insert(cycles.end(), of.cycles.begin(), of.cycles.end());
-  return cycles;
 }
 
 double largest_range_of(const std::vector<Cycle>& cycles) {
@@ -191,19 +183,26 @@ StationSamples::StationSamples(const Project& project,
 void StationSamples::find_stresses(const Run& run,
                                    const std::array<double, cut_force::count>& factors,
                                    std::vector<double>& stresses) const {
-  stresses.resize(run.instants.times.size());
-  bool any = false;
+  std::array<const double*, cut_force::count> cuts{};
+  std::array<double, cut_force::count> by{};
+  std::size_t count = 0;
   for (std::size_t j = 0; j < acting_.size(); ++j) {
     const double factor = factors[acting_[j]];
     if (factor == 0.0) continue;
-    const double* const cut = run.cuts[j].data();
-    if (any)
-      for (std::size_t i = 0; i < stresses.size(); ++i) stresses[i] += factor * cut[i];
-    else
-      for (std::size_t i = 0; i < stresses.size(); ++i) stresses[i] = factor * cut[i];
-    any = true;
+    cuts[count] = run.cuts[j].data();
+    by[count++] = factor;
   }
-  if (!any) std::fill(stresses.begin(), stresses.end(), 0.0);
+  const std::size_t n = run.instants.times.size();
+  stresses.resize(n);
+  double* const sums = stresses.data();
+  // Two at once, in the order in which they stand.
+  if (count == 0) std::fill(stresses.begin(), stresses.end(), 0.0);
+  if (count == 1)
+    for (std::size_t i = 0; i < n; ++i) sums[i] = by[0] * cuts[0][i];
+  if (count > 1)
+    for (std::size_t i = 0; i < n; ++i) sums[i] = by[0] * cuts[0][i] + by[1] * cuts[1][i];
+  for (std::size_t k = 2; k < count; ++k)
+    for (std::size_t i = 0; i < n; ++i) sums[i] += by[k] * cuts[k][i];
 }
 
 Turns StationSamples::shear_turns_of(const StressInfluence& influence) const {
@@ -349,7 +348,7 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
   const auto look = [&](Criterion criterion, const Turns& turns, const Detail& detail,
                         bool reduced) {
     std::vector<Cycle>& counted = room_.cycles[channels];
-    counted = cycles_of(*project_, turns, reduced);
+    count_life_cycles(*project_, turns, reduced, counted);
     if (largest_range_of(counted) < no_stress_at(point)) return;
     loads[channels] = {counted, &line_of(detail, point.in_plate)};
     if (asked(criterion))
