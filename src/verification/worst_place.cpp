@@ -286,6 +286,17 @@ std::vector<StressPoint> at_worst_edges(const StationSamples& samples, const Str
   return moved;
 }
 
+StationPoints station_points_of(const StationSamples& samples, std::vector<StressPoint> points) {
+  StationPoints of{std::move(points), {}};
+  for (StressPoint& point : of.points) {
+    std::vector<StressPoint>& worst = of.on_edges.emplace_back();
+    if (point.edges.empty()) continue;
+    worst = at_worst_edges(samples, point, stress_criteria);
+    point.edges.clear();
+  }
+  return of;
+}
+
 StressPoint at_worst_on_stretch(const StationSamples& samples, const StressPoint& point,
                                 Criterion criterion) {
   const AlongStretch along(point);
