@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "boxbeam/fatigue/reduced_range.hpp"
 #include "sn_formulas.hpp"
@@ -82,13 +81,15 @@ class Bracket {
   bool holds(double factor) const { return factor > lives * (1.0 - aside) && factor < fails; }
   bool is_close() const { return fails < lives * (1.0 + 4.0 * aside); }
 
-  /// Where the damage is 1 in a close bracket in which it does not jump: so near, a curve is its
-  /// chord. In logarithmic axes it rises by the slopes of curves, at most some ten.
-  std::optional<double> crossing() const {
-    constexpr double steepest = 100.0;
+  /// Narrower around where the damage is 1, in a close bracket in which it does not jump: so near,
+  /// a curve is its chord. In logarithmic axes it rises by the slopes of curves, at most some ten.
+  void narrow() {
+    constexpr double steepest = 100.0, clear = 2e-14;
     const double rise = damage_above_ - damage_below_, width = fails - lives;
-    if (!(rise * lives < steepest * width)) return std::nullopt;
-    return lives + (1.0 - damage_below_) / rise * width;
+    if (!(rise * lives < steepest * width)) return;
+    const double crossing = lives + (1.0 - damage_below_) / rise * width;
+    lives = std::max(lives, crossing * (1.0 - clear));
+    fails = std::min(fails, crossing * (1.0 + clear));
   }
 
  private:
@@ -164,9 +165,7 @@ double largest_factor_of(std::span<const Prepared> channels, const FatigueDemand
   Bracket known(below, above);
   look_at_jumps(channels, demand.gamma_Ff * demand.gamma_Mf, damage, known);
   if (!known.is_close()) look_between(damage, below, above, known);
-  if (known.is_close()) {
-    if (const std::optional<double> crossing = known.crossing()) return *crossing;
-  }
+  if (known.is_close()) known.narrow();
   low = below.factor;
   double high = above.factor;
   while (high - low > 1e-15 * high) {

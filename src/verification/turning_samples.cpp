@@ -14,17 +14,17 @@ TurningSample follow(const double* values, std::size_t from, std::size_t to, dou
   auto [candidate, rises] = furthest;
   double best = values[candidate];
   for (std::size_t i = from; i < to; ++i) {
-    const double value = values[i];
-    if (rises ? value > best : value < best) {
-      candidate = i;
-    } else if (std::abs(value - best) > noise) {
-      turns.push_back({candidate, rises});
-      rises = !rises;
-      candidate = i;
-    } else {
-      continue;
-    }
-    best = value;
+    const std::size_t start = i;
+    if (rises)
+      while (i < to && values[i] > best) best = values[i++];
+    else
+      while (i < to && values[i] < best) best = values[i++];
+    if (i > start) candidate = i - 1;
+    if (i == to || !(std::abs(values[i] - best) > noise)) continue;
+    turns.push_back({candidate, rises});
+    rises = !rises;
+    candidate = i;
+    best = values[i];
   }
   return {candidate, rises};
 }
