@@ -81,13 +81,14 @@ class Bracket {
   bool holds(double factor) const { return factor > lives * (1.0 - aside) && factor < fails; }
   bool is_close() const { return fails < lives * (1.0 + 4.0 * aside); }
 
-  /// Narrower around where the damage is 1, in a close bracket in which it does not jump: so near,
-  /// a curve is its chord. In logarithmic axes it rises by the slopes of curves, at most some ten.
-  void narrow() {
-    constexpr double steepest = 100.0, clear = 2e-14;
-    const double rise = damage_above_ - damage_below_, width = fails - lives;
-    if (!(rise * lives < steepest * width)) return;
-    const double crossing = lives + (1.0 - damage_below_) / rise * width;
+  /// Narrower around where the chord of a close bracket has the damage 1, if it is 1 there: it
+  /// grows at least as the factor does, so that what lies farther aside is clear of 1.
+  template <class Damage>
+  void narrow(const Damage& damage) {
+    constexpr double clear = 2e-14;
+    const double part = (1.0 - damage_below_) / (damage_above_ - damage_below_);
+    const double crossing = lives + part * (fails - lives);
+    if (!(std::abs(damage(crossing) - 1.0) <= clear)) return;
     lives = std::max(lives, crossing * (1.0 - clear));
     fails = std::min(fails, crossing * (1.0 + clear));
   }
@@ -165,7 +166,7 @@ double largest_factor_of(std::span<const Prepared> channels, const FatigueDemand
   Bracket known(below, above);
   look_at_jumps(channels, demand.gamma_Ff * demand.gamma_Mf, damage, known);
   if (!known.is_close()) look_between(damage, below, above, known);
-  if (known.is_close()) known.narrow();
+  if (known.is_close()) known.narrow(damage);
   low = below.factor;
   double high = above.factor;
   while (high - low > 1e-15 * high) {
