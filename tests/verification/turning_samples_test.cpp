@@ -45,8 +45,8 @@ TEST_CASE("samples turn where both neighbours are below, or both above, once rou
   std::mt19937 random(5);
   for (int run = 0; run < 2000; ++run) {
     // Whole numbers, of which each change is larger than round-off; many are equal.
-    const std::size_t n = 1 + random() % 40;
-    const unsigned levels = 1 + random() % 9;
+    const auto n = static_cast<std::size_t>(1 + random() % 40);
+    const auto levels = 1 + random() % 9;
     std::vector<double> values(n);
     for (double& value : values) value = static_cast<double>(random() % levels) - 3.0;
     const TurningSamples found = turning_samples_of(values);
