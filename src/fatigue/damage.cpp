@@ -45,28 +45,57 @@ double count_of(std::span<const Cycle> cycles) {
   return count;
 }
 
+/// A factor and the damage it does.
+struct Tried {
+  double factor = 0.0, damage = 0.0;
+};
+
 /// Factors at which the damage is below and above 1 by more than its sum is rounded: as it grows
 /// with the factor, it is so below the one and above the other as well.
 class Bracket {
  public:
-  Bracket(double low, double high) : lives(low), fails(high) {}
+  Bracket(const Tried& low, const Tried& high)
+      : lives(low.factor),
+        fails(high.factor),
+        damage_below_(low.damage),
+        damage_above_(high.damage) {}
 
   double lives, fails;
 
   void take(double factor, double damage) {
     constexpr double clear = 1e-12;
-    if (damage <= 1.0 - clear) lives = std::max(lives, factor);
-    if (damage >= 1.0 + clear) fails = std::min(fails, factor);
+    if (damage <= 1.0 - clear && factor > lives) {
+      lives = factor;
+      damage_below_ = damage;
+    }
+    if (damage >= 1.0 + clear && factor < fails) {
+      fails = factor;
+      damage_above_ = damage;
+    }
   }
   /// Just below a factor and just above.
   template <class Damage>
   void take_beside(double factor, const Damage& damage) {
     for (const double at : {factor * (1.0 - aside), factor * (1.0 + aside)}) take(at, damage(at));
   }
+  bool holds(double factor) const { return factor > lives * (1.0 - aside) && factor < fails; }
   bool is_close() const { return fails < lives * (1.0 + 4.0 * aside); }
+
+  /// Narrower around where the chord of a close bracket has the damage 1, if it is 1 there: it
+  /// grows at least as the factor does, so that what lies farther aside is clear of 1.
+  template <class Damage>
+  void narrow(const Damage& damage) {
+    constexpr double clear = 2e-14;
+    const double part = (1.0 - damage_below_) / (damage_above_ - damage_below_);
+    const double crossing = lives + part * (fails - lives);
+    if (!(std::abs(damage(crossing) - 1.0) <= clear)) return;
+    lives = std::max(lives, crossing * (1.0 - clear));
+    fails = std::min(fails, crossing * (1.0 + clear));
+  }
 
  private:
   static constexpr double aside = 4e-12;
+  double damage_below_, damage_above_;
 };
 
 /// Where a range passes the limit or the cut-off of its curve the damage may jump past 1.
@@ -91,21 +120,21 @@ void look_at_jumps(std::span<const Prepared> channels, double gamma, const Damag
 /// As close as secants come in logarithmic axes, in which a branch of a curve is a straight line:
 /// mostly at once.
 template <class Damage>
-void look_between(const Damage& damage, Bracket& bracket) {
-  constexpr int most = 6;
+void look_between(const Damage& damage, const Tried& low, const Tried& high, Bracket& bracket) {
+  constexpr int most = 12;
   constexpr double near = 1e-5;
-  double at = bracket.fails, exponent = 3.0;
-  double before = 0.0, damage_before = 0.0;
-  for (int i = 0; i < most; ++i) {
-    const double of = damage(at);
-    bracket.take(at, of);
-    if (i > 0) exponent = std::log(of / damage_before) / std::log(at / before);
-    const double next = at * std::pow(of, -1.0 / exponent);
-    if (!(next > bracket.lives && next < bracket.fails)) return;
-    if (std::abs(next - at) < near * at) return bracket.take_beside(next, damage);
+  Tried at = low, before = high;
+  for (int i = 0; i < most && !bracket.is_close(); ++i) {
+    const double exponent =
+        std::log(at.damage / before.damage) / std::log(at.factor / before.factor);
+    double next = at.factor * std::pow(at.damage, -1.0 / exponent);
+    if (!bracket.holds(next))
+      next = std::sqrt(bracket.lives * bracket.fails);
+    else if (std::abs(next - at.factor) < near * at.factor)
+      return bracket.take_beside(next, damage);
     before = at;
-    damage_before = of;
-    at = next;
+    at = {next, damage(next)};
+    bracket.take(at.factor, at.damage);
   }
 }
 
@@ -128,14 +157,18 @@ double largest_factor_of(std::span<const Prepared> channels, const FatigueDemand
   };
   // Damage grows with the factor, and jumps where a range passes the cut-off: bisect for the last
   // factor with damage <= 1.
-  double high = 2.0 * low;
-  while (damage(high) <= 1.0) {
-    low = high;
-    high *= 2.0;
+  Tried below{low, damage(low)}, above{2.0 * low, damage(2.0 * low)};
+  while (above.damage <= 1.0) {
+    below = above;
+    above.factor *= 2.0;
+    above.damage = damage(above.factor);
   }
-  Bracket known(low, high);
+  Bracket known(below, above);
   look_at_jumps(channels, demand.gamma_Ff * demand.gamma_Mf, damage, known);
-  if (!known.is_close()) look_between(damage, known);
+  if (!known.is_close()) look_between(damage, below, above, known);
+  if (known.is_close()) known.narrow(damage);
+  low = below.factor;
+  double high = above.factor;
   while (high - low > 1e-15 * high) {
     const double middle = 0.5 * (low + high);
     if (middle <= low || middle >= high) break;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <span>
 
 #include "opened_walls.hpp"
 
@@ -18,15 +20,28 @@ constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Walls at each node.
-std::vector<std::vector<std::size_t>> neighbours_of(const WallGraph& graph) {
-  std::vector<std::vector<std::size_t>> at(graph.nodes.size());
-  for (std::size_t i = 0; i < graph.walls.size(); ++i) {
-    at[graph.walls[i].from].push_back(i);
-    at[graph.walls[i].to].push_back(i);
+/// Walls at each node, in their order, of all nodes in one list.
+class WallsAtNodes {
+ public:
+  explicit WallsAtNodes(const WallGraph& graph)
+      : begin_(graph.nodes.size() + 2, 0), walls_(2 * graph.walls.size()) {
+    for (const Wall& wall : graph.walls) {
+      ++begin_[wall.from + 2];
+      ++begin_[wall.to + 2];
+    }
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    for (std::size_t i = 0; i < graph.walls.size(); ++i) {
+      walls_[begin_[graph.walls[i].from + 1]++] = i;
+      walls_[begin_[graph.walls[i].to + 1]++] = i;
+    }
   }
-  return at;
-}
+  std::span<const std::size_t> operator[](std::size_t node) const {
+    return std::span(walls_).subspan(begin_[node], begin_[node + 1] - begin_[node]);
+  }
+
+ private:
+  std::vector<std::size_t> begin_, walls_;
+};
 
 std::size_t other_end(const Wall& wall, std::size_t node) {
   return wall.from == node ? wall.to : wall.from;
@@ -34,10 +49,11 @@ std::size_t other_end(const Wall& wall, std::size_t node) {
 
 /// Breadth-first trees; fills upstream, component and total.
 void cut_open(const WallGraph& graph, WallCells& cells) {
-  const auto at = neighbours_of(graph);
+  const WallsAtNodes at(graph);
   std::vector<std::size_t> parent(graph.nodes.size(), none);  // wall towards the root
   std::vector<std::size_t> component(graph.nodes.size(), none);
   std::vector<std::size_t> order;
+  order.reserve(graph.nodes.size());
   for (std::size_t root = 0; root < graph.nodes.size(); ++root) {
     if (component[root] != none) continue;
     component[root] = cells.total.size();

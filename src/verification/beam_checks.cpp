@@ -28,12 +28,13 @@ class StationChecks {
 
   /// Every criterion at every point; along walls where each is worst. In the plane, where most of
   /// a section is level or has its maximum at a named point, only where it is worse there.
-  void look_at(const std::vector<StressPoint>& points) {
+  void look_at(const StationPoints& of) {
+    const std::vector<StressPoint>& points = of.points;
     Utilisations named;
-    for (const StressPoint& point : points) {
-      if (point.stretch) continue;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if (points[k].stretch) continue;
       const std::size_t before = results.size();
-      look_at_point(point);
+      look_at_point(points[k], of.on_edges[k]);
       for (std::size_t i = before; i < results.size(); ++i) {
         double& most = named.of(results[i].check.criterion);
         most = std::max(most, results[i].check.utilisation());
@@ -59,19 +60,22 @@ class StationChecks {
     }
   }
 
+  const StationSamples& samples() const { return samples_; }
+
   std::vector<CheckResult> results;
 
  private:
-  void look_at_point(const StressPoint& point) {
+  /// A point, or by each criterion the worst on its edge.
+  void look_at_point(const StressPoint& point, const std::vector<StressPoint>& worst) {
     static constexpr std::array ranges{Criterion::fatigue, Criterion::shear_fatigue,
                                        Criterion::combined_fatigue, Criterion::stress_range};
-    static constexpr std::array all{Criterion::fatigue, Criterion::shear_fatigue,
-                                    Criterion::combined_fatigue, Criterion::stress_range,
-                                    Criterion::yield};
-    if (!point.edges.empty()) {
-      const std::vector<StressPoint> worst =
-          at_worst_edges(samples_, point, point.yield ? std::span<const Criterion>(all) : ranges);
-      for (std::size_t k = 0; k < worst.size(); ++k) add(all[k], worst[k]);
+    if (!worst.empty()) {
+      const auto add_worst = [&](Criterion criterion) {
+        const auto at = std::find(stress_criteria.begin(), stress_criteria.end(), criterion);
+        add(criterion, worst[static_cast<std::size_t>(at - stress_criteria.begin())]);
+      };
+      for (const Criterion criterion : ranges) add_worst(criterion);
+      if (point.yield) add_worst(Criterion::yield);
       return;
     }
     PointHistory of(*project_, *histories_, point);
@@ -132,9 +136,12 @@ void add_route(const Project& project, const Station& station, PlateRoute route,
 /// Every criterion at every point of a station.
 void check_station(const Project& project, const std::vector<BendingZone>& zones,
                    const Station& station, const std::vector<SituationHistory>& histories,
-                   StressFields& fields, BeamChecks& beam) {
+                   const StationPoints* known, StressFields& fields, BeamChecks& beam) {
   StationChecks checks(project, histories);
-  checks.look_at(stress_points_at(project, zones, station, fields));
+  checks.look_at(
+      known != nullptr
+          ? *known
+          : station_points_of(checks.samples(), stress_points_at(project, zones, station, fields)));
   append(std::move(checks.results), beam.checks);
   if (const auto plates = slender_plates_at(project, zones, station)) {
     PlateChecks of = check_plates(project, station, plates, histories);
@@ -271,7 +278,7 @@ void count_near_largest(const Project& project, const std::deque<SituationRun>& 
 }  // namespace
 
 BeamChecks check_beam(const Project& project, const std::deque<SituationRun>& runs,
-                      const std::vector<BendingZone>& zones, const std::vector<Station>& stations,
+                      const std::vector<BendingZone>& zones, const VerifiedStations& verified,
                       const ModelChoice& model) {
   const bool computed = project.given_stresses.empty();
   BeamChecks beam;
@@ -281,11 +288,13 @@ BeamChecks check_beam(const Project& project, const std::deque<SituationRun>& ru
     beam.stations.push_back(envelope_at(project, station, histories_at(runs, station)));
   };
   add_outside({Length{}, Side::before});
-  for (const Station& station : stations) {
+  for (const Station& station : verified.stations) {
     const std::vector<SituationHistory> histories = histories_at(runs, station);
     beam.stations.push_back(envelope_at(project, station, histories));
     if (!computed) continue;
-    check_station(project, zones, station, histories, fields, beam);
+    const auto known = verified.points.find({station.s.value(), station.side});
+    check_station(project, zones, station, histories,
+                  known != verified.points.end() ? &known->second : nullptr, fields, beam);
     gates.look_at(station, histories);
   }
   add_outside({project.beam.length(), Side::behind});

@@ -42,7 +42,7 @@ std::vector<CutForceLine> envelope_lines(const std::deque<SituationRun>& runs) {
   std::vector<CutForceLine> lines{{Time{}, "smallest", stations, {}},
                                   {Time{}, "largest", stations, {}}};
   for (const Station& station : stations) {
-    CutForces low = runs.front().loads.cuts_at(station).front();
+    CutForces low = runs.front().loads.diagram(0).at(station);
     CutForces high = low;
     for (const SituationRun& run : runs) {
       for (const CutForces& cut : run.loads.cuts_at(station)) {

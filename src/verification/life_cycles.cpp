@@ -7,12 +7,43 @@
 namespace boxbeam {
 namespace {
 
-std::vector<Cycle> periodic_cycles_of(const std::vector<Stress>& points) {
-  // Between its highest and its lowest point a history of two has one cycle.
-  if (points.size() != 2) return count_periodic_cycles(points);
-  const Stress range = abs(points[0] - points[1]);
-  if (range == Stress{}) return {};
-  return {{range, 0.5 * (points[0] + points[1]), 1.0}};
+/// The cycles of a situation that has any, as often as the wanted life asks for.
+void add_cycles_of(const Project& project, std::size_t index, const Turns& turns,
+                   std::vector<Cycle>& all) {
+  const Situation& situation = project.situations[index];
+  if (situation.is_change()) {
+    const auto [highest, lowest] = extremes_in(project, index, turns);
+    const auto [high, low] = extremes_in(project, situation.between.front(), turns);
+    const Cycle whole{si<Stress>(highest.value - lowest.value),
+                      si<Stress>(0.5 * (highest.value + lowest.value)), 1.0};
+    const std::vector<Cycle> cycles =
+        change_cycles(situation, whole, si<Stress>(0.5 * (high.value + low.value)));
+    all.insert(all.end(), cycles.begin(), cycles.end());
+    return;
+  }
+  const std::vector<TurningPoint>& own = turns[index].turns;
+  if (!situation.in_order && own.size() == 2) {
+    // Between its highest and its lowest point a history of two has one cycle.
+    const double range = std::abs(own[0].value - own[1].value);
+    const double mean = 0.5 * (own[0].value + own[1].value);
+    if (range != 0.0) all.push_back({si<Stress>(range), si<Stress>(mean), situation.cycles});
+    return;
+  }
+  std::vector<Stress> stresses;
+  const auto take = [&](double value) { stresses.push_back(si<Stress>(value)); };
+  if (!situation.in_order) {
+    for (const TurningPoint& turn : own) take(turn.value);
+  }
+  for (const std::size_t part : situation.between) {
+    // Where one situation follows another, an end may be a turning point as well.
+    take(turns[part].begin);
+    for (const TurningPoint& turn : turns[part].turns) take(turn.value);
+    take(turns[part].end);
+  }
+  for (Cycle& cycle : count_periodic_cycles(stresses)) {
+    cycle.count *= situation.cycles;
+    all.push_back(cycle);
+  }
 }
 
 }  // namespace
@@ -61,38 +92,23 @@ std::vector<Cycle> change_cycles(const Situation& change, const Cycle& whole, St
 std::vector<SituationCycles> life_cycles_of(const Project& project, const Turns& turns,
                                             bool compression_reduced) {
   std::vector<SituationCycles> life;
-  const auto add = [&](std::size_t index, std::vector<Cycle> cycles) {
-    if (compression_reduced) cycles = boxbeam::compression_reduced(std::move(cycles));
-    life.push_back({index, std::move(cycles)});
-  };
   for (std::size_t i = 0; i < project.situations.size(); ++i) {
-    const Situation& situation = project.situations[i];
-    if (situation.cycles == 0.0) continue;
-    if (situation.is_change()) {
-      const auto [highest, lowest] = extremes_in(project, i, turns);
-      const auto [high, low] = extremes_in(project, situation.between.front(), turns);
-      add(i, change_cycles(situation,
-                           {si<Stress>(highest.value - lowest.value),
-                            si<Stress>(0.5 * (highest.value + lowest.value)), 1.0},
-                           si<Stress>(0.5 * (high.value + low.value))));
-      continue;
-    }
-    std::vector<Stress> stresses;
-    const auto take = [&](double value) { stresses.push_back(si<Stress>(value)); };
-    if (!situation.in_order) {
-      for (const TurningPoint& turn : turns[i].turns) take(turn.value);
-    }
-    for (const std::size_t part : situation.between) {
-      // Where one situation follows another, an end may be a turning point as well.
-      take(turns[part].begin);
-      for (const TurningPoint& turn : turns[part].turns) take(turn.value);
-      take(turns[part].end);
-    }
-    std::vector<Cycle> cycles = periodic_cycles_of(stresses);
-    for (Cycle& cycle : cycles) cycle.count *= situation.cycles;
-    add(i, std::move(cycles));
+    if (project.situations[i].cycles == 0.0) continue;
+    std::vector<Cycle> cycles;
+    add_cycles_of(project, i, turns, cycles);
+    if (compression_reduced) cycles = boxbeam::compression_reduced(std::move(cycles));
+    life.push_back({i, std::move(cycles)});
   }
   return life;
+}
+
+void count_life_cycles(const Project& project, const Turns& turns, bool compression_reduced,
+                       std::vector<Cycle>& cycles) {
+  cycles.clear();
+  for (std::size_t i = 0; i < project.situations.size(); ++i) {
+    if (project.situations[i].cycles != 0.0) add_cycles_of(project, i, turns, cycles);
+  }
+  if (compression_reduced) cycles = boxbeam::compression_reduced(std::move(cycles));
 }
 
 }  // namespace boxbeam

@@ -124,12 +124,23 @@ FrameTerms frame_terms(const PostureModes& modes, const planar::State& state) {
   return terms;
 }
 
-Eigen::VectorXd modal_loads(const PostureModes& modes, const CutForceDiagram& rigid) {
+Eigen::Matrix3Xd means_over(const CutForceDiagram& diagram,
+                            const std::vector<flexible::SpringElement>& springs) {
+  Eigen::Matrix3Xd means(3, static_cast<Eigen::Index>(springs.size()));
+  Eigen::Index i = 0;
+  for (const flexible::SpringElement& spring : springs) means.col(i++) = mean_over(diagram, spring);
+  return means;
+}
+
+Eigen::VectorXd modal_loads(const PostureModes& modes, const Eigen::Matrix3Xd& means) {
   Eigen::VectorXd p = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(modes.diagrams.size()));
-  for (std::size_t i = 0; i < modes.strains.size(); ++i) {
-    p += modes.strains[i].transpose() * mean_over(rigid, modes.beam.springs[i]);
-  }
+  for (std::size_t i = 0; i < modes.strains.size(); ++i)
+    p.noalias() += modes.strains[i].transpose() * means.col(static_cast<Eigen::Index>(i));
   return p;
+}
+
+Eigen::VectorXd modal_loads(const PostureModes& modes, const CutForceDiagram& rigid) {
+  return modal_loads(modes, means_over(rigid, modes.beam.springs));
 }
 
 }  // namespace boxbeam

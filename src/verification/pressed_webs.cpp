@@ -115,27 +115,34 @@ bool PressedWebs::acts(const Place& place, std::size_t force) const {
   return place.sense > 0.0 ? most > 0.0 : least < 0.0;
 }
 
-double PressedWebs::stress_at(const Place& place, const std::vector<Pressing>& forces) const {
+std::vector<bool> PressedWebs::acting_on(const Place& place) const {
+  std::vector<bool> acting;
+  for (std::size_t i = 0; i < sources_.size(); ++i) acting.push_back(acts(place, i));
+  return acting;
+}
+
+double PressedWebs::stress_at(const Place& place, const std::vector<bool>& acting,
+                              std::span<const Pressing> forces) {
   double stress = 0.0;
   for (const Pressing& of : forces) {
+    if (!acting[of.force]) continue;
     double own = 0.0;
     for (const PressedWeb& web : of.of(place.diaphragm))
       if (place.is_of(web) && reaches(web, of.s, place.s)) own += web.stress.value();
-    if (own != 0.0 && acts(place, of.force)) stress += own;
+    stress += own;
   }
   return stress;
 }
 
 /// Between two instants the stress changes where a loaded length begins or ends to reach the place:
 /// it is looked at just beside all of these.
-void PressedWebs::add_passages(const Place& place, const Instant& before, const Instant& behind,
-                               Series& series) const {
+void PressedWebs::add_passages(const Place& place, const std::vector<bool>& acting,
+                               const Instant& before, const Instant& behind, Series& series) const {
   struct Moving {
     double from, to;  // [m]
     PressedWeb web;   // the one pressed more
   };
   std::vector<Moving> moving;
-  std::vector<Pressing> still;
   std::vector<double> parts;
   const double near = at_one_place * project_->beam.length().value();
   for (const Pressing& of : before.forces) {
@@ -143,7 +150,7 @@ void PressedWebs::add_passages(const Place& place, const Instant& before, const 
     const auto same = std::find_if(behind.forces.begin(), behind.forces.end(),
                                    [&](const Pressing& at) { return at.force == of.force; });
     if (same == behind.forces.end() || std::abs(same->s - of.s) <= near) continue;
-    if (!acts(place, of.force)) continue;
+    if (!acting[of.force]) continue;
     // The larger stress over all that it loads at either instant; where it comes in otherwise at
     // both, that of the nearer one. On a diaphragm it presses no web.
     const bool later = std::abs(same->s - place.s) < std::abs(of.s - place.s);
@@ -176,7 +183,7 @@ void PressedWebs::add_passages(const Place& place, const Instant& before, const 
             std::any_of(behind.forces.begin(), behind.forces.end(), [&](const Pressing& at) {
               return at.force == of.force && std::abs(at.s - of.s) > near;
             });
-        if (!moves) stress += stress_at(place, {of});
+        if (!moves) stress += stress_at(place, acting, {&of, 1});
       }
       for (const Moving& of : moving) {
         if (reaches(of.web, of.from + part * (of.to - of.from), place.s))
@@ -189,12 +196,15 @@ void PressedWebs::add_passages(const Place& place, const Instant& before, const 
 }
 
 PressedWebs::Series PressedWebs::series_at(const Place& place, const Run& run) const {
+  const std::vector<bool> acting = acting_on(place);
   Series series;
+  series.times.reserve(run.instants.size());
+  series.values.reserve(run.instants.size());
   for (std::size_t i = 0; i < run.instants.size(); ++i) {
     const Instant& instant = run.instants[i];
-    if (instant.goes_on) add_passages(place, run.instants[i - 1], instant, series);
+    if (instant.goes_on) add_passages(place, acting, run.instants[i - 1], instant, series);
     series.times.push_back(instant.time.value());
-    series.values.push_back(stress_at(place, instant.forces));
+    series.values.push_back(stress_at(place, acting, instant.forces));
   }
   return series;
 }
@@ -261,8 +271,7 @@ std::vector<double> PressedWebs::places() const {
 
 template <class Look>
 void PressedWebs::for_all_at(const Place& place, const Look& look) const {
-  std::vector<bool> acting;
-  for (std::size_t i = 0; i < sources_.size(); ++i) acting.push_back(acts(place, i));
+  const std::vector<bool> acting = acting_on(place);
   for (const Run& run : runs_) {
     if (!run.counted) continue;
     for (const Instant& at : run.instants) {

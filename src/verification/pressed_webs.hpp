@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -122,11 +123,14 @@ class PressedWebs {
   };
   void add(const Patch& patch, std::optional<std::size_t> side, Instant& instant);
   bool acts(const Place& place, std::size_t force) const;
+  /// Of each force.
+  std::vector<bool> acting_on(const Place& place) const;
   /// The stress of a place under some loads.
-  double stress_at(const Place& place, const std::vector<Pressing>& forces) const;
+  static double stress_at(const Place& place, const std::vector<bool>& acting,
+                          std::span<const Pressing> forces);
   Series series_at(const Place& place, const Run& run) const;
-  void add_passages(const Place& place, const Instant& before, const Instant& behind,
-                    Series& series) const;
+  void add_passages(const Place& place, const std::vector<bool>& acting, const Instant& before,
+                    const Instant& behind, Series& series) const;
   /// Whether it presses plates themselves, not diaphragms alone.
   static bool presses_plates(const Source& of);
   /// Where plates are looked at, all of them alike, for web and flange meet in seams.

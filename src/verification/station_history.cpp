@@ -326,9 +326,12 @@ std::vector<TurningPoint> StationHistory::turning_points(const CutForceFunction&
     values.push_back(f(cut));
     looked.push_back(at);
   };
-  auto passage = passages().begin();
+  const std::vector<Passage>& passed = passages();
+  values.reserve(samples_.size() + 2 * passed.size());
+  looked.reserve(samples_.size() + 2 * passed.size());
+  auto passage = passed.begin();
   for (std::size_t i = 0; i < samples_.size(); ++i) {
-    for (; passage != passages().end() && passage->instant == i; ++passage) {
+    for (; passage != passed.end() && passage->instant == i; ++passage) {
       add(passage->before, {i, &*passage, false});
       add(passage->behind, {i, &*passage, true});
     }

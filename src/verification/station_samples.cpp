@@ -56,10 +56,10 @@ class Neighbours {
 /// it and one on each side, or, where the history jumps or bends beside it, two on the other side.
 /// Without it the largest sample would change from place to place, and what varies smoothly along
 /// the beam or a wall would have many small maxima.
-double peak_near(const std::vector<double>& values, std::size_t i, double sign,
-                 const SampledInstants& of) {
-  const double at = sign * values[i];
-  const double step = of.period / static_cast<double>(values.size());
+template <class ValueAt>
+double peak_near(const ValueAt& value_at, std::size_t i, double sign, const SampledInstants& of) {
+  const double at = sign * value_at(i);
+  const double step = of.period / static_cast<double>(of.times.size());
   const Neighbours neighbours(of, i);
   using Place = Neighbours::Place;
   const Place own{i, of.times[i]};
@@ -75,7 +75,7 @@ double peak_near(const std::vector<double>& values, std::size_t i, double sign,
   }
   if (!further) return at;
   const Place& near = before ? *before : *behind;
-  const auto rise_to = [&](const Place& place) { return sign * values[place.instant] - at; };
+  const auto rise_to = [&](const Place& place) { return sign * value_at(place.instant) - at; };
   const double h = near.time - own.time, k = further->time - own.time;
   const double bend = (rise_to(near) / h - rise_to(*further) / k) / (h - k);
   const double slope = rise_to(near) / h - bend * h;
@@ -86,17 +86,26 @@ double peak_near(const std::vector<double>& values, std::size_t i, double sign,
   return std::max(at, at + top * (slope + bend * top));
 }
 
-double largest_of(const std::vector<double>& values, const SampledInstants& instants) {
-  double largest = 0.0, before = values.back();
+/// The largest of what grows with `values` and is no less than zero.
+template <class ValueAt>
+double largest_of(const std::vector<double>& values, const ValueAt& value_at,
+                  const SampledInstants& instants) {
+  double largest = 0.0;
   const std::size_t n = values.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const double here = values[i];
-    const bool peak = here >= before && here >= values[i + 1 < n ? i + 1 : 0];
-    // None is above its neighbours that is not a peak.
-    if (peak) largest = std::max(largest, peak_near(values, i, 1.0, instants));
-    before = here;
-  }
+  // None is above its neighbours that is not a peak.
+  const auto look_at = [&](std::size_t before, std::size_t i, std::size_t behind) {
+    if (values[i] >= values[before] && values[i] >= values[behind])
+      largest = std::max(largest, peak_near(value_at, i, 1.0, instants));
+  };
+  look_at(n - 1, 0, n > 1 ? 1 : 0);
+  for (std::size_t i = 1; i + 1 < n; ++i) look_at(i - 1, i, i + 1);
+  if (n > 1) look_at(n - 2, n - 1, 0);
   return largest;
+}
+
+double largest_of(const std::vector<double>& values, const SampledInstants& instants) {
+  return largest_of(
+      values, [&](std::size_t i) { return values[i]; }, instants);
 }
 
 /// The turning points of a stress in order of time, without their instants.
@@ -109,17 +118,9 @@ void find_turns(const std::vector<double>& values, const SampledInstants& instan
   if (found.turns.empty()) of.turns.push_back({Time{}, values[found.highest], true});
   for (const auto& [i, maximum] : found.turns) {
     const double sign = maximum ? 1.0 : -1.0;
-    of.turns.push_back({Time{}, sign * peak_near(values, i, sign, instants), maximum});
+    const auto value_at = [&](std::size_t k) { return values[k]; };
+    of.turns.push_back({Time{}, sign * peak_near(value_at, i, sign, instants), maximum});
   }
-}
-
-std::vector<Cycle> cycles_of(const Project& project, const Turns& turns, bool reduced) {
-  std::vector<SituationCycles> life = life_cycles_of(project, turns, reduced);
-  if (life.size() == 1) return std::move(life.front().cycles);
-  std::vector<Cycle> cycles;
-  for (const SituationCycles& of : life)
-    cycles.insert(cycles.end(), of.cycles.begin(), of.cycles.end());
-  return cycles;
 }
 
 double largest_range_of(const std::vector<Cycle>& cycles) {
@@ -174,7 +175,7 @@ StationSamples::StationSamples(const Project& project,
       instants.times.push_back(time.value());
       instants.begins.push_back(begins);
     };
-    const std::vector<StationHistory::Passage> passages = at.history.passages();
+    const std::vector<StationHistory::Passage>& passages = at.history.passages();
     auto passage = passages.begin();
     for (std::size_t i = 0; i < at.history.samples().size(); ++i) {
       for (; passage != passages.end() && passage->instant == i; ++passage) {
@@ -191,19 +192,26 @@ StationSamples::StationSamples(const Project& project,
 void StationSamples::find_stresses(const Run& run,
                                    const std::array<double, cut_force::count>& factors,
                                    std::vector<double>& stresses) const {
-  stresses.resize(run.instants.times.size());
-  bool any = false;
+  std::array<const double*, cut_force::count> cuts{};
+  std::array<double, cut_force::count> by{};
+  std::size_t count = 0;
   for (std::size_t j = 0; j < acting_.size(); ++j) {
     const double factor = factors[acting_[j]];
     if (factor == 0.0) continue;
-    const double* const cut = run.cuts[j].data();
-    if (any)
-      for (std::size_t i = 0; i < stresses.size(); ++i) stresses[i] += factor * cut[i];
-    else
-      for (std::size_t i = 0; i < stresses.size(); ++i) stresses[i] = factor * cut[i];
-    any = true;
+    cuts[count] = run.cuts[j].data();
+    by[count++] = factor;
   }
-  if (!any) std::fill(stresses.begin(), stresses.end(), 0.0);
+  const std::size_t n = run.instants.times.size();
+  stresses.resize(n);
+  double* const sums = stresses.data();
+  // Two at once, in the order in which they stand.
+  if (count == 0) std::fill(stresses.begin(), stresses.end(), 0.0);
+  if (count == 1)
+    for (std::size_t i = 0; i < n; ++i) sums[i] = by[0] * cuts[0][i];
+  if (count > 1)
+    for (std::size_t i = 0; i < n; ++i) sums[i] = by[0] * cuts[0][i] + by[1] * cuts[1][i];
+  for (std::size_t k = 2; k < count; ++k)
+    for (std::size_t i = 0; i < n; ++i) sums[i] += by[k] * cuts[k][i];
 }
 
 Turns StationSamples::shear_turns_of(const StressInfluence& influence) const {
@@ -278,10 +286,12 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
     if (direct || yield) find_stresses(run, influence.normal, normal);
     if (along || yield || weld) find_stresses(run, influence.shear, shear);
     if (yield) {
+      // Roots are taken of the largest squares alone.
       both.resize(normal.size());
       for (std::size_t i = 0; i < both.size(); ++i)
-        both[i] = equivalent_stress(normal[i], shear[i]);
-      equivalent = std::max(equivalent, run.load_factor * largest_of(both, run.instants));
+        both[i] = normal[i] * normal[i] + 3.0 * shear[i] * shear[i];
+      const auto value_at = [&](std::size_t i) { return equivalent_stress(normal[i], shear[i]); };
+      equivalent = std::max(equivalent, run.load_factor * largest_of(both, value_at, run.instants));
     }
     if (weld) {
       both.resize(shear.size());
@@ -349,7 +359,7 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
   const auto look = [&](Criterion criterion, const Turns& turns, const Detail& detail,
                         bool reduced) {
     std::vector<Cycle>& counted = room_.cycles[channels];
-    counted = cycles_of(*project_, turns, reduced);
+    count_life_cycles(*project_, turns, reduced, counted);
     if (largest_range_of(counted) < no_stress_at(point)) return;
     loads[channels] = {counted, &line_of(detail, point.in_plate)};
     if (asked(criterion))

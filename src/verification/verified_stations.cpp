@@ -111,11 +111,14 @@ class AlongBeam {
     for (std::size_t k = 0; k < beside_stress; ++k) group_of_.push_back(stress_criteria.size() + k);
   }
 
-  FunctionValues at(const Station& station) {
+  /// At a station; what was found of its points is kept on request.
+  FunctionValues at(const Station& station, bool keep = false) {
     ++evaluations_;
     const std::vector<SituationHistory> histories = histories_at(*runs_, station);
     const StationSamples samples(*project_, histories);
-    const std::vector<StressPoint> points = stress_points_at(*project_, *zones_, station, fields_);
+    StationPoints of_station =
+        station_points_of(samples, stress_points_at(*project_, *zones_, station, fields_));
+    const std::vector<StressPoint>& points = of_station.points;
     FunctionValues values(group_of_.size());
     add_cut_forces(samples, values);
     values[of_class] = class_3_use_at(*project_, station, histories);
@@ -136,10 +139,10 @@ class AlongBeam {
         values[functions[k]] = std::max(values[functions[k]], found.of(stress_criteria[k]));
     };
     Utilisations named;
-    for (const StressPoint& point : points) {
-      if (point.stretch) continue;
-      const Utilisations found = judge(samples, point);
-      add(point.name, found);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (points[i].stretch) continue;
+      const Utilisations found = judge(samples, points[i], of_station.on_edges[i]);
+      add(points[i].name, found);
       for (const Criterion criterion : stress_criteria)
         named.of(criterion) = std::max(named.of(criterion), found.of(criterion));
     }
@@ -148,11 +151,14 @@ class AlongBeam {
     for (const Criterion criterion : stress_criteria)
       on_walls.of(criterion) = walls.worst(criterion).utilisation;
     add("walls", on_walls);
+    if (keep) kept.insert_or_assign({station.s.value(), station.side}, std::move(of_station));
     return values;
   }
 
   std::size_t group_of(std::size_t function) const { return group_of_[function]; }
   std::size_t evaluations() const { return evaluations_; }
+
+  std::map<std::pair<double, Side>, StationPoints> kept;
 
  private:
   void add_cut_forces(const StationSamples& samples, FunctionValues& values) const {
@@ -167,10 +173,10 @@ class AlongBeam {
     }
   }
 
-  static Utilisations judge(const StationSamples& samples, const StressPoint& point) {
-    if (point.edges.empty()) return samples.judge(point);
+  static Utilisations judge(const StationSamples& samples, const StressPoint& point,
+                            const std::vector<StressPoint>& worst) {
+    if (worst.empty()) return samples.judge(point);
     Utilisations found;
-    const std::vector<StressPoint> worst = at_worst_edges(samples, point, stress_criteria);
     for (std::size_t k = 0; k < worst.size(); ++k) {
       const Criterion criterion = stress_criteria[k];
       found.of(criterion) = samples.judge(worst[k], {criterion}).of(criterion);
@@ -333,7 +339,7 @@ VerifiedStations search_stations(const Project& project, const std::deque<Situat
   for (const BeamCut& cut : cuts) {
     if (!cut.alone) continue;
     for (const Station& station : stations_of(cut, beam)) {
-      const FunctionValues values = along.at(station);
+      const FunctionValues values = along.at(station, true);
       for (std::size_t f = 0; f < values.size(); ++f) {
         double& known = search.known[along.group_of(f)];
         known = std::max(known, values[f]);
@@ -352,7 +358,7 @@ VerifiedStations search_stations(const Project& project, const std::deque<Situat
     const BeamCut& from = cuts[piece];
     const BeamCut& to = cuts[piece + 1];
     const auto limit_at = [&](const BeamCut& cut, Side side) {
-      if (!cut.alone) return along.at({cut.s, cut.sides ? side : Side::both});
+      if (!cut.alone) return along.at({cut.s, cut.sides ? side : Side::both}, true);
       // What is judged there alone does not belong to the piece.
       const double inwards = side == Side::before ? -1e-9 : 1e-9;
       return along.at({cut.s + inwards * (to.s - from.s), Side::both});
@@ -376,6 +382,7 @@ VerifiedStations search_stations(const Project& project, const std::deque<Situat
   double tolerance = search.tolerance;
   for (std::size_t k = 0; k < std::min(AlongBeam::judging_groups, found.left_open.size()); ++k)
     tolerance = std::max(tolerance, found.left_open[k]);
+  verified.points = std::move(along.kept);
   verified.search = {along.evaluations(), search.pieces.size(), tolerance};
   return verified;
 }

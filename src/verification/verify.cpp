@@ -120,22 +120,21 @@ struct StressStage {
 StressStage judge_along(const Project& project, const std::deque<SituationRun>& runs,
                         const ModelChoice& model) {
   std::vector<BendingZone> zones = bending_zones_of(project, runs);
-  auto [stations, search] = search_stations(project, runs, zones);
-  BeamChecks beam = check_beam(project, runs, zones, stations, model);
+  VerifiedStations verified = search_stations(project, runs, zones);
+  BeamChecks beam = check_beam(project, runs, zones, verified, model);
   if (const WholeLife* const whole = whole_life_of(runs)) {
     // Where estimates were far off, the places were looked for by them: once more by better ones.
     constexpr double far = 2e-3;
     if (whole->summary.estimate_error > far) {
-      VerifiedStations again = search_stations(project, runs, zones);
-      stations = std::move(again.stations);
-      search = again.search;
+      verified = search_stations(project, runs, zones);
       beam = {};  // both at a time are many
-      beam = check_beam(project, runs, zones, stations, model);
+      beam = check_beam(project, runs, zones, verified, model);
     }
+    SearchSummary& search = verified.search;
     search.whole = whole->summary;
     search.tolerance = std::max(search.tolerance, search.whole.estimate_error);
   }
-  return {std::move(zones), std::move(stations), search, std::move(beam)};
+  return {std::move(zones), std::move(verified.stations), verified.search, std::move(beam)};
 }
 
 Verification judge_further(const Project& project, const std::deque<SituationRun>& runs,

@@ -81,6 +81,15 @@ std::vector<LoadHarmonic> harmonics_of(const LoadHistory& history, const Station
   return harmonics;
 }
 
+bool same_places(const std::vector<flexible::SpringElement>& a,
+                 const std::vector<flexible::SpringElement>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const flexible::SpringElement& one, const flexible::SpringElement& other) {
+                      return one.from == other.from && one.place == other.place &&
+                             one.to == other.to;
+                    });
+}
+
 /// The largest coefficient of dry friction in a mechanism.
 double largest_friction(const planar::Mechanism& mechanism) {
   double largest = 0.0;
@@ -105,6 +114,9 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
   if (peak == 0.0) return estimate;
   if (!std::isfinite(peak)) refuse("the stresses under the loads of rigid bodies are no numbers");
 
+  // In most postures the beam is divided alike.
+  std::vector<flexible::SpringElement> divided;
+  std::vector<Eigen::Matrix3Xd> means;
   double fastest = 0.0;
   for (const planar::State& state : motion.states) {
     fastest = std::max(fastest, std::abs(state.v[3 * static_cast<Eigen::Index>(elastic.body) + 2]));
@@ -122,9 +134,14 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
     }
     const auto count = static_cast<Eigen::Index>(modes.frequencies.size());
     Eigen::MatrixXd p(stresses.rows(), count);
-    for (std::size_t i = 0; i < history.even_instants(); ++i) {
-      p.row(static_cast<Eigen::Index>(i)) = modal_loads(modes, history.even_diagram(i)).transpose();
+    if (!same_places(divided, modes.beam.springs)) {
+      divided = modes.beam.springs;
+      means.clear();
+      for (std::size_t i = 0; i < history.even_instants(); ++i)
+        means.push_back(means_over(history.even_diagram(i), divided));
     }
+    for (std::size_t i = 0; i < means.size(); ++i)
+      p.row(static_cast<Eigen::Index>(i)) = modal_loads(modes, means[i]).transpose();
     const double turning = std::pow(fastest / (full_turn * modes.frequencies.front()), 2);
     const double beside = 1.0 - modes.shifting[static_cast<std::size_t>(elastic.body)](0, 0);
     const double left_out = turning * std::clamp(beside, 0.0, 1.0);

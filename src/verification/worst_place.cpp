@@ -38,7 +38,8 @@ class AlongStretch {
  public:
   explicit AlongStretch(const StressPoint& point) : point_(&point) {
     const WallStretch& wall = point.stretch->wall;
-    straight_ = !wall.round && !wall.solid &&
+    // Of the end alone one place is enough.
+    straight_ = !point.stretch->only_end && !wall.round && !wall.solid &&
                 point.stretch->field->flow->at.graph.walls[wall.wall].radius == 0.0;
     if (!straight_) return;
     for (std::size_t k = 0; k < 3; ++k) three_[k] = exact_at(0.5 * static_cast<double>(k));
@@ -285,6 +286,17 @@ std::vector<StressPoint> at_worst_edges(const StationSamples& samples, const Str
   return moved;
 }
 
+StationPoints station_points_of(const StationSamples& samples, std::vector<StressPoint> points) {
+  StationPoints of{std::move(points), {}};
+  for (StressPoint& point : of.points) {
+    std::vector<StressPoint>& worst = of.on_edges.emplace_back();
+    if (point.edges.empty()) continue;
+    worst = at_worst_edges(samples, point, stress_criteria);
+    point.edges.clear();
+  }
+  return of;
+}
+
 StressPoint at_worst_on_stretch(const StationSamples& samples, const StressPoint& point,
                                 Criterion criterion) {
   const AlongStretch along(point);
@@ -334,16 +346,17 @@ void WallSearch::look_along(const StationSamples& samples, const StressPoint& po
   std::vector<Utilisations> judged;
   for (const double part : parts)
     judged.push_back(samples.judge(point, along.at(part), set_of(of_plates)));
+  std::vector<double> values;
   for (const Criterion criterion : of_plates) {
     WorstOnWall& worst = worst_[static_cast<std::size_t>(criterion)];
     const auto take = [&](double part, double utilisation) {
       // What is not worse than round-off is not worth a place of its own.
       if (utilisation > worst.utilisation * (1.0 + 1e-9)) worst = {utilisation, &point, part};
     };
-    std::vector<double> values;
+    values.clear();
     for (const Utilisations& at : judged) values.push_back(at.of(criterion));
     for (std::size_t k = 0; k < parts.size(); ++k) take(parts[k], values[k]);
-    if (parts.size() == 1) continue;
+    if (parts.size() == 1 || *std::max_element(values.begin(), values.end()) == 0.0) continue;
     for (const std::size_t k : local_maxima_of(values, along.round())) {
       if (values[k] == 0.0 || 1.02 * parabola_over(values, k) < worst.utilisation) continue;
       const double step = parts[1] - parts[0];

@@ -114,6 +114,48 @@ TEST_CASE("random cycles: damage is at most 1 just below the largest factor, abo
   }
 }
 
+TEST_CASE("the largest factor is that of bisection, at kinks and jumps of the damage too") {
+  // Plain bisection of the damage sum itself, without any bracket of ours.
+  const auto bisected = [](std::span<const FatigueLoad> loads, const FatigueDemand& wanted) {
+    const auto lives = [&](double factor) {
+      double sum = 0.0;
+      for (const FatigueLoad& load : loads) sum += damage_of(load, wanted, factor);
+      return sum <= 1.0;
+    };
+    double low = 1e-9, high = 1e9;
+    for (int i = 0; i < 200; ++i) {
+      const double middle = std::sqrt(low * high);
+      (lives(middle) ? low : high) = middle;
+    }
+    return low;
+  };
+  std::mt19937 random(47);
+  std::uniform_real_distribution<double> any(0.0, 1.0);
+  // Lives at which a range stands on the knee, at the cut-off, between and beyond.
+  const double lives_at[] = {2e6, 5e6, 1e8, 3e5, 4e7, 9e8};
+  for (int run = 0; run < 300; ++run) {
+    const auto cycles = [&](int number, double largest) {
+      std::vector<Cycle> of;
+      for (int i = 0; i < number; ++i) {
+        const double range = i == 0 ? largest : largest * std::pow(10.0, -3.0 * any(random));
+        const double count = i == 0 ? lives_at[run % 6] : 1e6 * any(random);
+        of.push_back({MPa(range), MPa(0), count});
+      }
+      return of;
+    };
+    const std::vector<Cycle> direct = cycles(2 + run % 7, 60.0), shear = cycles(1 + run % 3, 30.0);
+    const SnLine of_direct(category(71)), of_shear(en_1993_1_9_shear(80));
+    const FatigueLoad loads[] = {{direct, &of_direct}, {shear, &of_shear}};
+    const FatigueDemand wanted =
+        demand(1.35, run % 2 == 0 ? Loading::spectrum : Loading::constant_amplitude);
+    for (const std::size_t channels : {1U, 2U}) {
+      const std::span<const FatigueLoad> some(loads, channels);
+      CAPTURE(run, channels);
+      CHECK(largest_factor(some, wanted) == Approx(bisected(some, wanted)).epsilon(1e-13));
+    }
+  }
+}
+
 TEST_CASE(
     "constant amplitude: below the knee nothing damages, above it the smaller ranges do too") {
   // 7.1(2) and 7.1(3): category 100, knee 73.68 MPa. A history of one large and one small range.

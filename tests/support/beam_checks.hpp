@@ -10,7 +10,7 @@ inline boxbeam::BeamChecks beam_checks_at(const boxbeam::Project& project,
                                           const std::vector<boxbeam::Station>& stations) {
   const std::deque<boxbeam::SituationRun> runs = boxbeam::run_situations(project);
   const auto zones = boxbeam::bending_zones_of(project, runs);
-  return boxbeam::check_beam(project, runs, zones, stations, {});
+  return boxbeam::check_beam(project, runs, zones, {stations}, {});
 }
 
 /// The same at the stations that the search gives.
@@ -19,7 +19,7 @@ inline boxbeam::BeamChecks beam_checks_of(const boxbeam::Project& project,
   const std::deque<boxbeam::SituationRun> runs = boxbeam::run_situations(project);
   const auto zones = boxbeam::bending_zones_of(project, runs);
   const auto found = boxbeam::search_stations(project, runs, zones);
-  return boxbeam::check_beam(project, runs, zones, found.stations, model);
+  return boxbeam::check_beam(project, runs, zones, found, model);
 }
 
 }  // namespace test

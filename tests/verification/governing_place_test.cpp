@@ -497,6 +497,26 @@ TEST_CASE("shear at the flange's end counts with the bending of its fibre") {
   CHECK(most == Approx(std::sqrt(sigma * sigma + 3.0 * tau * tau)).epsilon(2e-3));
 }
 
+TEST_CASE("checks by what the search found of points are those of points found anew") {
+  for (const char* const file : {"sledge-rig/rig.toml", "drill-truck/truck.toml"}) {
+    const Project project = read_project(test::project_file(std::string("sections/") + file));
+    const std::deque<SituationRun> runs = run_situations(project);
+    const std::vector<BendingZone> zones = bending_zones_of(project, runs);
+    const VerifiedStations found = search_stations(project, runs, zones);
+    CHECK_FALSE(found.points.empty());
+    const BeamChecks known = check_beam(project, runs, zones, found, {});
+    const BeamChecks anew = check_beam(project, runs, zones, {found.stations}, {});
+    REQUIRE(known.checks.size() == anew.checks.size());
+    for (std::size_t i = 0; i < known.checks.size(); ++i) {
+      CAPTURE(file, anew.checks[i].check.id);
+      CHECK(known.checks[i].check.id == anew.checks[i].check.id);
+      CHECK(known.checks[i].check.safety_factor == anew.checks[i].check.safety_factor);
+      CHECK(known.checks[i].basis->point.y == anew.checks[i].basis->point.y);
+      CHECK(known.checks[i].basis->point.z == anew.checks[i].basis->point.z);
+    }
+  }
+}
+
 TEST_CASE("no station is worse than the worst one reported, on random beams in the plane",
           "[unsanitized]") {
   for (unsigned seed = 1; seed <= 24; ++seed) {

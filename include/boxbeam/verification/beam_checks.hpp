@@ -9,6 +9,7 @@
 #include "boxbeam/verification/cut_force_envelope.hpp"
 #include "boxbeam/verification/gates.hpp"
 #include "boxbeam/verification/model_choice.hpp"
+#include "boxbeam/verification/verified_stations.hpp"
 
 namespace boxbeam {
 
@@ -37,7 +38,7 @@ struct BeamChecks {
 /// counted over all instants. Throws AnalysisError where no point is ever stressed, or a stress is
 /// not known.
 BeamChecks check_beam(const Project& project, const std::deque<SituationRun>& runs,
-                      const std::vector<BendingZone>& zones, const std::vector<Station>& stations,
+                      const std::vector<BendingZone>& zones, const VerifiedStations& verified,
                       const ModelChoice& model);
 
 }  // namespace boxbeam

@@ -39,5 +39,8 @@ struct SituationCycles {
 /// EN 1993-1-9, 7.2.1.
 std::vector<SituationCycles> life_cycles_of(const Project& project, const Turns& turns,
                                             bool compression_reduced);
+/// The same in one list, into the room of what had cycles before.
+void count_life_cycles(const Project& project, const Turns& turns, bool compression_reduced,
+                       std::vector<Cycle>& cycles);
 
 }  // namespace boxbeam

@@ -51,5 +51,11 @@ FrameTerms frame_terms(const PostureModes& modes, const planar::State& state);
 /// rigid bodies are in balance. Per part with the mean cut forces. Source: principle of virtual
 /// work.
 Eigen::VectorXd modal_loads(const PostureModes& modes, const CutForceDiagram& rigid);
+/// The same by the mean cut forces over the parts of the beam.
+Eigen::VectorXd modal_loads(const PostureModes& modes, const Eigen::Matrix3Xd& means);
+
+/// The mean cut forces over each part of a beam, a column each.
+Eigen::Matrix3Xd means_over(const CutForceDiagram& diagram,
+                            const std::vector<flexible::SpringElement>& springs);
 
 }  // namespace boxbeam

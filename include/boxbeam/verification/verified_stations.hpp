@@ -2,11 +2,14 @@
 
 #include <cstddef>
 #include <deque>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "boxbeam/verification/bending_zones.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/whole_life.hpp"
+#include "boxbeam/verification/worst_place.hpp"
 
 namespace boxbeam {
 
@@ -22,7 +25,9 @@ struct SearchSummary {
 /// The stations to verify, and how they were found.
 struct VerifiedStations {
   std::vector<Station> stations;
-  SearchSummary search;
+  SearchSummary search = {};
+  /// What was found of their points, for the checks: at all cuts.
+  std::map<std::pair<double, Side>, StationPoints> points = {};
 };
 
 /// All cuts of the beam, both sides where something differs on them (beam_cuts_of), and the places

@@ -251,8 +251,11 @@ Motion doubled(StateSolver& solver, const Motion& coarse) {
 }  // namespace
 
 StateSolver::StateSolver(const Mechanism& mechanism)
+    : StateSolver(mechanism, freedom_at_start(mechanism)) {}
+
+StateSolver::StateSolver(const Mechanism& mechanism, DegreesOfFreedom freedom)
     : mechanism_(&mechanism),
-      freedom_(freedom_at_start(mechanism)),
+      freedom_(std::move(freedom)),
       solver_(solver_for(mechanism, freedom_)) {}
 
 State StateSolver::start() {

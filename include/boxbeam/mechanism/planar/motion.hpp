@@ -28,6 +28,8 @@ class StateSolver {
   /// Throws AnalysisError where a freedom is left that no driver moves and the mechanism has no
   /// duration over which forces should.
   explicit StateSolver(const Mechanism& mechanism);
+  /// The same where the freedom is known.
+  StateSolver(const Mechanism& mechanism, DegreesOfFreedom freedom);
 
   bool integrates() const { return std::holds_alternative<FreeSolver>(solver_); }
   const DegreesOfFreedom& freedom() const { return freedom_; }
@@ -57,7 +59,7 @@ Motion solve_motion(const Mechanism& mechanism);
 class StateFinder {
  public:
   StateFinder(const Mechanism& mechanism, const Motion& motion)
-      : solver_(mechanism), motion_(&motion) {}
+      : solver_(mechanism, motion.freedom), motion_(&motion) {}
 
   /// Throws AnalysisError for a time outside an open motion.
   State at(double time);
