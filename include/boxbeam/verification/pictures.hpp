@@ -46,8 +46,10 @@ std::size_t governing_situation_of(const std::vector<CheckResult>& checks,
 PostureAt postures_of(const Project& project, const SituationRun& run);
 
 /// 48 instants of a situation, evenly divided: of a motion that repeats without its end, of one
-/// that stays open with it.
-CycleFigure cycle_figure_of(const Project& project, const SituationRun& run);
+/// that stays open with it. `governing`: a check that rests on cut forces, or nullptr; in space its
+/// instant is shown where it is of this situation.
+CycleFigure cycle_figure_of(const Project& project, const SituationRun& run,
+                            const CheckResult* governing = nullptr);
 
 /// The section where the worst check that rests on cut forces stands; nothing where none does.
 std::optional<SectionFigure> section_figure_of(const Project& project,
