@@ -53,6 +53,12 @@ Eigen::AlignedBox3d room_of_body(const Animation& scene, int index) {
     room.extend(from);
     room.extend(to);
   }
+  // As large as scene.js draws a block, which shows that it turns.
+  if (body.drawn.strokes.empty() && body.has_mass && !room.isEmpty()) {
+    const Eigen::Vector3d half = Eigen::Vector3d::Constant(scene.size / 60.0);
+    room.extend(Eigen::Vector3d(body.drawn.points.front() - half));
+    room.extend(Eigen::Vector3d(body.drawn.points.front() + half));
+  }
   if (!body.member) return room;
   const bool placed = index == scene.beam.body;
   for (const Eigen::Vector3d& corner : surface_of(*body.member).corners) {
@@ -143,7 +149,12 @@ class SceneData {
               {"keys", steps_between(keys, 1)},
               {"poses", steps_between(poses, 7)},
               {"strokes", std::move(strokes)}};
-      if (body.member) of["shape"] = shapes_->number_of(*body.member, unit_ / 10.0);
+      if (body.member) {
+        of["shape"] = shapes_->number_of(*body.member, unit_ / 10.0);
+        Json& ends = of["ends"] = Json::array();
+        put_place(ends, body.drawn.strokes.front().from, unit_);
+        put_place(ends, body.drawn.strokes.front().to, unit_);
+      }
       if (body.drawn.strokes.empty() && body.has_mass)
         of["block"] = place_of(body.drawn.points.front(), unit_);
       all.push_back(std::move(of));

@@ -88,7 +88,9 @@ CycleFigure cycle_figure_of(const Project& project, const SituationRun& run,
   if (project.in_space) {
     const bool here =
         governing != nullptr && governing->basis->running == index_of(project, *run.situation);
-    const auto when = here ? std::optional(governing->check.time) : std::nullopt;
+    std::optional<Time> when;
+    // Where loads stand still any instant is the same.
+    if (here) when = run.motion->stands_still() ? history.begin() : governing->check.time;
     figure.scene = run.motion->scene(when);
     if (figure.scene && here) {
       figure.critical = CriticalFrame{frame_of(*when, history.loads_at(*when)),

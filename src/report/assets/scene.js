@@ -78,9 +78,27 @@ const SpaceScene = (() => {
     uniform float shaded;
     varying vec3 towards;
     void main() {
-      float light = 0.5 + 0.5 * max(dot(normalize(towards), vec3(0.30, 0.50, 0.81)), 0.0);
+      float light = 0.62 + 0.38 * max(dot(normalize(towards), vec3(0.30, 0.50, 0.81)), 0.0);
       gl_FragColor = vec4(colour * mix(1.0, light, shaded), 1.0);
     }`;
+
+  // The edges of a surface, each two places: where its triangles meet at more than 25 degrees.
+  const edges_of = (places, triangles) => {
+    const known = new Map();
+    for (const of of triangles) {
+      const [a, b, c] = of.map((i) => places[i]);
+      const normal = cross(add(b, a, -1), add(c, a, -1));
+      if (Math.hypot(...normal) === 0) continue;
+      of.forEach((i, k) => {
+        const ends = [i, of[(k + 1) % 3]].sort((x, y) => x - y);
+        const edge = known.get(ends.join()) || { ends, normals: [] };
+        edge.normals.push(unit(normal));
+        known.set(ends.join(), edge);
+      });
+    }
+    return [...known.values()].filter(({ normals: [m, n] }) => !n || dot(m, n) < 0.906)
+      .flatMap(({ ends }) => ends.map((i) => places[i]));
+  };
 
   // What the graphics card keeps: the program, and shapes by their triangles or lines.
   class Painter {
@@ -103,7 +121,12 @@ const SpaceScene = (() => {
       this.places = [gl.getAttribLocation(this.program, "position"), gl.getAttribLocation(this.program, "normal")];
       for (const place of this.places) gl.enableVertexAttribArray(place);
       gl.enable(gl.DEPTH_TEST);
+      gl.enable(gl.POLYGON_OFFSET_FILL);  // lines on a surface are in front of it
+      gl.polygonOffset(1, 2);
     }
+
+    // What is drawn from here on is in front of all before.
+    to_the_front() { this.gl.clear(this.gl.DEPTH_BUFFER_BIT); }
 
     shape(numbers, kind) {
       const { gl } = this;
@@ -177,25 +200,31 @@ const SpaceScene = (() => {
         + "plus and minus zoom; Home resets the view");
       this.words = make("canvas", "space-words", frame);
       const bar = make("div", "controls views", box);
-      for (const [name, direction] of Object.entries({ Reset: directions.Iso, ...directions })) {
+      for (const name of ["Reset", ...Object.keys(directions)]) {
         const button = make("button", "", bar);
         button.type = "button";
         button.textContent = name;
         button.setAttribute("aria-label", name === "Reset" ? "Reset the view" : `View: ${name.toLowerCase()}`);
         button.addEventListener("click", () => {
-          this.look_from(direction);
-          if (name === "Reset") this.fit();
+          this.look_from(["Reset", "Iso"].includes(name) ? this.iso : directions[name]);
+          this.fit();
           this.paint();
         });
       }
       make("span", "small", bar).textContent = "drag: turn; Shift or right button: move; wheel: zoom";
+      this.note = make("p", "small", box);
       this.shapes = Object.fromEntries(Object.entries({ rod, cone, ball, hoop, cube })
         .map(([name, triangles]) => [name, this.painter.triangles(triangles)]));
       this.beams = beams.map(({ unit: step, corners, triangles }) => {
         const places = rows(walked(corners, 3), 3, step);
-        return this.painter.triangles(rows(walked(triangles, 1), 3).map((of) => of.map((i) => places[i])));
+        const all = rows(walked(triangles, 1), 3);
+        return {
+          faces: this.painter.triangles(all.map((of) => of.map((i) => places[i]))),
+          edges: this.painter.lines(edges_of(places, all)),
+        };
       });
-      this.look_from(directions.Iso);
+      this.iso = directions.Iso;
+      this.look_from(this.iso);
       this.listen();
     }
 
@@ -211,6 +240,7 @@ const SpaceScene = (() => {
         poses: rows(walked(body.poses, 7), 7).map((of) => [place(of.slice(0, 3)), scaled(of.slice(3), data.turn)]),
         strokes: rows(body.strokes, 6).map((of) => [place(of.slice(0, 3)), place(of.slice(3))]),
         block: body.block && place(body.block),
+        ends: body.ends && rows(body.ends, 3).map(place),
         beam: i === data.beam.body,
         shape: this.beams[body.shape],
       });
@@ -227,7 +257,42 @@ const SpaceScene = (() => {
       for (let i = from[0]; i <= to[0]; i += 1) lines.push([i, from[1]], [i, to[1]]);
       for (let i = from[1]; i <= to[1]; i += 1) lines.push([from[0], i], [to[0], i]);
       this.grid = this.painter.lines(lines.map(([x, y]) => [x * spacing, y * spacing, low[2] - 0.01 * data.size]));
+      this.note.textContent = [
+        data.follows ? "It travels: seen from the joint that carries the beam." : "",
+        data.resolved ? "" : "It moves faster than the instants that are drawn can show.",
+      ].join(" ").trim();
+      this.reached = this.all_reached();
+      this.choose_iso();
       this.fit();
+    }
+
+    // Where bodies are at their keys: the ends of their strokes, and of the beam.
+    all_reached() {
+      const { axes, radius } = this.data.beam;
+      const all = [];
+      this.bodies.forEach((body, i) => {
+        if (!body) return;
+        const of = [...body.strokes.flat(), ...(body.block ? [body.block] : []), ...(body.ends || []),
+          ...this.joints.filter((joint) => joint.body === i).map(({ p }) => p)];
+        for (const time of body.keys) {
+          const [place, turn] = this.pose(i, time);
+          all.push(...of.map((p) => add(place, turned(turn, p))));
+        }
+      });
+      all.push(...this.joints.filter(({ body }) => body < 0).map(({ p }) => p));
+      return { all, margin: radius, axis: axes.slice(0, 3) };
+    }
+
+    // From one of four sides, from which the beam is not seen along its axis at the instant that comes first.
+    choose_iso() {
+      const time = this.critical ? this.critical.time : this.data.times[0];
+      const axis = turned(this.pose(this.data.beam.body, time)[1], this.reached.axis);
+      const along = (side) => Math.abs(dot(axis, this.axes(side).towards));
+      const sides = [45, -45, 135, -135].map((around) => [around, directions.Iso[1]]);
+      const iso = sides.find((side) => along(side) < 0.6) || sides[0];
+      if (this.iso.join() === iso.join()) return;
+      this.iso = iso;
+      this.look_from(iso);
     }
 
     look_from([around, above]) {
@@ -235,22 +300,27 @@ const SpaceScene = (() => {
       this.above = above;
     }
 
-    axes() {
-      const [a, b] = [this.around, this.above].map((angle) => (angle * Math.PI) / 180);
+    axes([around, above] = [this.around, this.above]) {
+      const [a, b] = [around, above].map((angle) => (angle * Math.PI) / 180);
       const right = [Math.cos(a), Math.sin(a), 0];
       const towards = [Math.sin(a) * Math.cos(b), -Math.cos(a) * Math.cos(b), Math.sin(b)];
       return { right, up: cross(towards, right), towards };
     }
 
-    // All that is ever drawn, in the middle of the canvas.
+    // All that is ever drawn, in the middle of the canvas, with room for words around it.
     fit() {
-      const [low, high] = this.room;
-      this.target = scaled(add(low, high), 0.5);
       const { right, up } = this.axes();
-      const reach = (direction) => scaled(add(high, low, -1), 0.5)
-        .reduce((sum, half, i) => sum + Math.abs(half * direction[i]), 0) + this.data.beam.radius;
+      const { all, margin } = this.reached;
+      const range = (direction) => all.map((p) => dot(p, direction))
+        .reduce(([low, high], x) => [Math.min(low, x - margin), Math.max(high, x + margin)], [Infinity, -Infinity]);
+      const [left, end] = range(right);
+      const [bottom, top] = range(up);
+      const [low, high] = this.room;
+      const middle = scaled(add(low, high), 0.5);
+      this.target = add(add(middle, right, (left + end) / 2 - dot(middle, right)), up, (bottom + top) / 2 - dot(middle, up));
       const [width, height] = this.room_on_page();
-      this.metres = Math.max(reach(right) / (0.42 * width), reach(up) / (0.38 * height));
+      this.fitted = true;
+      this.metres = Math.max((end - left) / (0.8 * width), (top - bottom) / (0.72 * height), 1e-4 * this.data.size);
     }
 
     room_on_page() {
@@ -300,7 +370,7 @@ const SpaceScene = (() => {
       const { painter, data, shapes } = this;
       const ink = this.colours();
       const view = this.axes();
-      const deep = 8 * Math.hypot(...add(this.room[1], this.room[0], -1)) + 8 * data.beam.radius;
+      const deep = 2 * Math.hypot(...add(this.room[1], this.room[0], -1)) + 8 * data.beam.radius;
       painter.begin(view, this.target, [2 / (width * this.metres), 2 / (height * this.metres), -1 / deep]);
       painter.draw(this.grid, ink.line, [0, 0, 0]);
       const poses = this.bodies.map((body, i) => body && this.pose(i, this.time));
@@ -315,9 +385,13 @@ const SpaceScene = (() => {
         if (!body) return;
         const [place, turn] = poses[i];
         if (body.shape && body.beam) {
-          painter.draw(body.shape, ink.accent, world({ body: i, p: this.start }), product(turn, data.beam.axes));
+          const beam_turn = product(turn, data.beam.axes);
+          const start = world({ body: i, p: this.start });
+          painter.draw(body.shape.faces, ink.accent, start, beam_turn);
+          painter.draw(body.shape.edges, scaled(ink.accent, 0.5), start, beam_turn);
         } else if (body.shape) {
-          painter.draw(body.shape, ink.soft, place, turn);
+          painter.draw(body.shape.faces, ink.soft, place, turn);
+          painter.draw(body.shape.edges, scaled(ink.soft, 0.5), place, turn);
         }
         for (const [from, to] of body.strokes) {
           bar(world({ body: i, p: from }), world({ body: i, p: to }), ink.soft, thick);
@@ -336,8 +410,9 @@ const SpaceScene = (() => {
           world(joint), no_turn, [half, half, half]);
       }
       const labels = [];
-      this.paint_loads(labels, ink, bar, poses);
       this.paint_marks(labels, ink, poses);
+      painter.to_the_front();
+      this.paint_loads(labels, ink, bar, poses);
       this.write(labels, view, width, height, dense, ink);
     }
 
@@ -427,17 +502,20 @@ const SpaceScene = (() => {
     }
 
     turn_by(x, y) {
+      this.fitted = false;
       this.around -= x;
       this.above = clamp(this.above + y, -90, 90);
     }
 
     move_by(x, y) {
+      this.fitted = false;
       const { right, up } = this.axes();
       this.target = add(add(this.target, right, -x * this.metres), up, y * this.metres);
     }
 
     // About a place of the canvas, from its middle.
     zoom_by(factor, x = 0, y = 0) {
+      this.fitted = false;
       const before = this.metres;
       this.metres = clamp(before / factor, 1e-5 * this.data.size, 0.1 * this.data.size);
       const { right, up } = this.axes();
@@ -491,7 +569,7 @@ const SpaceScene = (() => {
         } else if (event.key === "+" || event.key === "-") {
           this.zoom_by(event.key === "+" ? 1.2 : 1 / 1.2);
         } else if (event.key === "Home") {
-          this.look_from(directions.Iso);
+          this.look_from(this.iso);
           this.fit();
         } else {
           return;
@@ -500,7 +578,10 @@ const SpaceScene = (() => {
         event.stopPropagation();
         this.paint();
       });
-      new ResizeObserver(() => this.paint()).observe(canvas);
+      new ResizeObserver(() => {
+        if (this.fitted && !this.box.hidden) this.fit();
+        this.paint();
+      }).observe(canvas);
       matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.paint());
     }
   }
