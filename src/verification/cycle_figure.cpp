@@ -61,7 +61,7 @@ CutForces chosen(const CutForces& a, const CutForces& b, const Choose& choose) {
 }  // namespace
 
 CycleFigure cycle_figure_of(const Project& project, const SituationRun& run,
-                            const CheckResult* governing) {
+                            const CheckResult* governing, Figures figures) {
   const LoadHistory& history = run.loads;
   const std::size_t steps = history.closed() ? frames : frames - 1;
   std::vector<Time> times;
@@ -85,7 +85,7 @@ CycleFigure cycle_figure_of(const Project& project, const SituationRun& run,
   for (std::size_t i = 0; i < frames; ++i) {
     figure.frames.push_back(frame_of(times[i], loads[i]));
   }
-  if (project.in_space) {
+  if (project.in_space && figures == Figures::with_scenes) {
     const bool here =
         governing != nullptr && governing->basis->running == index_of(project, *run.situation);
     std::optional<Time> when;

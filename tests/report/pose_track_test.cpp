@@ -11,6 +11,7 @@
 #include "boxbeam/mechanism/spatial/chain.hpp"
 #include "boxbeam/verification/cycle_figure.hpp"
 #include "boxbeam/verification/front_end.hpp"
+#include "boxbeam/verification/pictures.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "catch.hpp"
 #include "support/program.hpp"
@@ -180,6 +181,16 @@ TEST_CASE("a scene that travels is seen from the joint that carries the beam", "
     for (const BodyPose& pose : carrier) CHECK((pose.origin + pose.axes * joint.at).norm() < 1e-9);
   }
   CHECK(longest < 20.0 * scene->size);
+}
+
+TEST_CASE("only pages pay for scenes, and only in space", "[space]") {
+  const Project gear = read_project(test::project_file("sections/landing-gear/gear.toml"));
+  const std::deque<SituationRun> runs = run_situations(gear);
+  CHECK(!cycle_figure_of(gear, runs.front(), nullptr, Figures::with).scene);
+  CHECK(cycle_figure_of(gear, runs.front(), nullptr, Figures::with_scenes).scene);
+  const Project rig = read_project(test::project_file("sections/sledge-rig/rig.toml"));
+  const std::deque<SituationRun> flat = run_situations(rig);
+  CHECK(!cycle_figure_of(rig, flat.front(), nullptr, Figures::with_scenes).scene);
 }
 
 }  // namespace pose_track_test
