@@ -9,7 +9,8 @@
 
 namespace boxbeam {
 
-/// Where a body is, how it turns, and what its inertia puts on the mechanism about its centre of mass.
+/// Where a body is, how it turns, and what its inertia puts on the mechanism about its centre of
+/// mass.
 struct ChainBody {
   std::string name;
   Eigen::Vector3d position;           ///< of its origin, from that of the world [m]
