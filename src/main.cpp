@@ -147,6 +147,11 @@ Entry motion_entry(CLI::App& app) {
                   "also write the whole motion as an animated scene (glTF 2.0) to this file, which "
                   "viewers show")
       ->type_name("FILE");
+  command
+      .add_option("--csv", options->csv,
+                  "also write the instants as comma-separated values to this file, a row each: "
+                  "bodies, coordinates of joints, reactions")
+      ->type_name("FILE");
   add_json(command, options->json, "motion", "the tables");
   return {&command,
           {"boxbeam motion rig.toml --at 1.071", "boxbeam motion rig.toml --gltf rig.gltf"},

@@ -7,6 +7,7 @@
 #include "boxbeam/report/files.hpp"
 #include "boxbeam/report/gltf.hpp"
 #include "boxbeam/report/json.hpp"
+#include "boxbeam/report/motion_csv.hpp"
 #include "boxbeam/report/motion_text.hpp"
 #include "boxbeam/verification/animation.hpp"
 #include "boxbeam/verification/front_end.hpp"
@@ -22,10 +23,16 @@ int run_motion(const MotionOptions& options) {
   const Project project = read_case(options.of_case);
   require_file(options.json);
   require_file(options.gltf);
+  require_file(options.csv);
   if (options.gltf == "-")
     throw InputError("a scene is written to a file", "give --gltf the name of one");
-  if (options.assemblies && !options.gltf.empty())
-    throw InputError("assemblies at an instant are no motion", "leave out --assemblies or --gltf");
+  if (options.csv == "-")
+    throw InputError("comma-separated values are written to a file", "give --csv the name of one");
+  if (options.assemblies && !(options.gltf.empty() && options.csv.empty())) {
+    throw InputError("assemblies at an instant are no motion",
+                     options.gltf.empty() ? "leave out --assemblies or --csv"
+                                          : "leave out --assemblies or --gltf");
+  }
   const std::unique_ptr<const FrontEnd> front_end = front_end_of(project);
   if (options.assemblies) {
     const double time = options.at.empty() ? 0.0 : options.at.front();
@@ -37,6 +44,7 @@ int run_motion(const MotionOptions& options) {
   const AnyMotionResult motion = front_end->motion(options.at, options.axes);
   if (!options.gltf.empty())
     write_file(options.gltf, gltf_of(animation_of(project, options.axes), project));
+  if (!options.csv.empty()) write_file(options.csv, motion_csv(motion));
   put_result(options.json, motion_json(motion), motion_text(project, motion));
   return all_pass;
 }

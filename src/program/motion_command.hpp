@@ -14,6 +14,7 @@ struct MotionOptions {
   std::string axes;
   std::string json;
   std::string gltf;
+  std::string csv;
 };
 
 /// `boxbeam motion`: the mechanism alone. Returns the exit code.

@@ -223,8 +223,10 @@ Run run_once(const VerifyOptions& options) {
   if (!options.export_to.empty()) require_folder(options.export_to);
   Progress progress(!options.quiet);
   progress.now("verifying");
-  run.beams = verify_beams(std::move(beams), options.no_plots ? Figures::without : Figures::with,
-                           Advice::with);
+  const Figures figures = options.no_plots  ? Figures::without
+                          : options.no_html ? Figures::with
+                                            : Figures::with_scenes;
+  run.beams = verify_beams(std::move(beams), figures, Advice::with);
   if (options.sensitivities)
     run.sensitivities = sensitivities_of(options.of_case, run.beams, progress);
   run.outputs = write_outputs(run.beams, run.sensitivities ? &*run.sensitivities : nullptr, options,

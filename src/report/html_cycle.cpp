@@ -12,6 +12,7 @@
 #include "boxbeam/core/code_points.hpp"
 #include "boxbeam/report/format.hpp"
 #include "cycle_drawing.hpp"
+#include "html_scene.hpp"
 #include "html_text.hpp"
 #include "json_number.hpp"
 #include "mechanism_drawing.hpp"
@@ -252,8 +253,37 @@ Json loads_of(const CycleFigure& cycle) {
   return {{"names", names}, {"frames", std::move(frames)}};
 }
 
-/// The frame and station of the largest bending moment, or where there is none of the normal force.
+/// What is drawn of a cycle: its frames, and behind them the critical one.
+CycleFigure with_critical_frame(const CycleFigure& cycle) {
+  CycleFigure all{cycle.situation, cycle.repeats,  cycle.stations,
+                  cycle.frames,    cycle.smallest, cycle.largest};
+  if (cycle.critical) all.frames.push_back(cycle.critical->frame);
+  return all;
+}
+
+/// The critical instant in frames from the first.
+double critical_frame_of(const CycleFigure& cycle) {
+  const double step = (cycle.frames[1].time - cycle.frames[0].time).value();
+  const double at = (cycle.critical->frame.time - cycle.frames[0].time).value() / step;
+  const auto count = static_cast<double>(cycle.frames.size());
+  return cycle.repeats ? std::fmod(at, count) : std::clamp(at, 0.0, count - 1.0);
+}
+
+/// The station of a cycle nearest to a place, on its side of a jump.
+std::size_t station_near(const CycleFigure& cycle, const Station& place) {
+  const auto away = [&](const Station& at) {
+    return std::pair(std::abs((at.s - place.s).value()), at.side != place.side);
+  };
+  const auto nearest =
+      std::min_element(cycle.stations.begin(), cycle.stations.end(),
+                       [&](const Station& a, const Station& b) { return away(a) < away(b); });
+  return static_cast<std::size_t>(nearest - cycle.stations.begin());
+}
+
+/// The frame and station of the largest bending moment, or where there is none of the normal force;
+/// those of the governing check where they are known, its own frame behind the others.
 std::pair<std::size_t, std::size_t> critical_place(const CycleFigure& cycle) {
+  if (cycle.critical) return {cycle.frames.size(), station_near(cycle, cycle.critical->station)};
   for (const auto which : {cut_force::M_y, cut_force::N}) {
     double largest = 0.0;
     std::pair<std::size_t, std::size_t> place;
@@ -270,8 +300,24 @@ std::pair<std::size_t, std::size_t> critical_place(const CycleFigure& cycle) {
   return {0, 0};
 }
 
-Json data_of(const CycleFigure& cycle, Shapes& shapes) {
-  const auto [frame, station] = critical_place(cycle);
+/// The instant and place of the governing check; null where they are not known.
+Json critical_data(const CycleFigure& cycle) {
+  if (!cycle.critical) return nullptr;
+  const auto number = [](double value) {
+    return Json::parse(fmt::format("{:.9g}", finite(value)));
+  };
+  return {{"at", number(critical_frame_of(cycle))},
+          {"time", number(cycle.critical->frame.time.value())},
+          {"s", number(cycle.critical->station.s.value())},
+          {"check", visible(cycle.critical->check)}};
+}
+
+Json data_of(const CycleFigure& cycle, Shapes& shapes, BeamShapes& beams) {
+  auto [frame, station] = critical_place(cycle);
+  if (cycle.critical) {
+    frame = static_cast<std::size_t>(std::lround(critical_frame_of(cycle))) % cycle.frames.size();
+  }
+  const CycleFigure all = with_critical_frame(cycle);
   Json times = Json::array();
   for (const CycleFrame& of : cycle.frames) {
     times.push_back(Json::parse(fmt::format("{:.6g}", finite(of.time.value()))));
@@ -282,49 +328,63 @@ Json data_of(const CycleFigure& cycle, Shapes& shapes) {
     stations.push_back(Json::parse(fmt::format("{:.6g}", finite(at.s.value()))));
     sides += to_text(at.side);
   }
-  const std::vector<Shown> cut = cut_forces_of(cycle, plot::is_in_space(cycle));
+  const std::vector<Shown> cut = cut_forces_of(all, plot::is_in_space(all));
   return {{"repeats", cycle.repeats},
           {"frame", frame},
+          {"critical", critical_data(cycle)},
           {"station", station},
           {"situation", visible(cycle.situation)},
           {"times", std::move(times)},
           {"stations", std::move(stations)},
           {"sides", sides},
-          {"views", views_of(cycle, shapes)},
-          {"loads", loads_of(cycle)},
-          {"diagrams", diagrams_of(cycle, cut, shapes)}};
+          {"views", views_of(all, shapes)},
+          {"loads", loads_of(all)},
+          {"diagrams", diagrams_of(all, cut, shapes)},
+          {"scene", scene_data(cycle, beams)}};
 }
 
 std::string data_of(const MovingPicture& picture) {
   Shapes shapes;
   Json situations = Json::array();
-  for (const CycleFigure& cycle : picture.cycles) situations.push_back(data_of(cycle, shapes));
-  const Json data = {
-      {"first", picture.first}, {"kinds", shapes.kinds()}, {"situations", std::move(situations)}};
+  BeamShapes beams;
+  for (const CycleFigure& cycle : picture.cycles)
+    situations.push_back(data_of(cycle, shapes, beams));
+  const Json data = {{"first", picture.first},
+                     {"kinds", shapes.kinds()},
+                     {"beams", beams.all()},
+                     {"situations", std::move(situations)}};
   return harmless(data.dump(-1, ' ', true, Json::error_handler_t::replace));
 }
 
 }  // namespace
 
+bool has_scene(const MovingPicture& picture) {
+  return std::any_of(picture.cycles.begin(), picture.cycles.end(),
+                     [](const CycleFigure& cycle) { return cycle.scene.has_value(); });
+}
+
 std::string cycle_figure(const MovingPicture& picture) {
   const CycleFigure& cycle = picture.cycles[picture.first];
   assert(!cycle.frames.empty());
   const auto [frame, station] = critical_place(cycle);
-  const std::string time = text::seconds(cycle.frames[frame].time.value());
-  const plot::MovingView view = plot::moving_views_of(cycle).front();
+  const CycleFigure all = with_critical_frame(cycle);
+  const std::string time = text::seconds(all.frames[frame].time.value());
+  const plot::MovingView view = plot::moving_views_of(all).front();
   plot::Drawing still = view.back;
   const std::vector<plot::Shape>& now = view.frames[frame].shapes;
   still.shapes.insert(still.shapes.end(), now.begin(), now.end());
   return fmt::format(
       "<figure class=\"cycle\" id=\"moving-figure\">\n<div class=\"pane\">\n{0}</div>\n"
-      "<noscript><p>Shown at t = {1}, where the bending moment is largest; with scripts allowed "
+      "<noscript><p>Shown at t = {1}, {4}; with scripts allowed "
       "the drawing moves over the cycle.</p></noscript>\n"
       "<script type=\"application/json\">{2}</script>\n"
       "<figcaption><b>Moving figure.</b> {3}</figcaption>\n</figure>\n",
       plot::svg_in_page(still, fmt::format("class=\"mechanism\" role=\"img\" "
                                            "aria-label=\"Mechanism at t = {}\"",
                                            time)),
-      time, data_of(picture), escaped(picture.caption));
+      time, data_of(picture), escaped(picture.caption),
+      cycle.critical ? "the instant of the governing check"
+                     : "where the bending moment is largest");
 }
 
 }  // namespace boxbeam::report::html

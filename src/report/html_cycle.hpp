@@ -12,4 +12,7 @@ namespace boxbeam::report::html {
 /// It has no number, so that the figures of all forms of a report have the same.
 std::string cycle_figure(const MovingPicture& picture);
 
+/// Whether any of its situations is shown in space by assets/scene.js.
+bool has_scene(const MovingPicture& picture);
+
 }  // namespace boxbeam::report::html

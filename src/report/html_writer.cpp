@@ -42,7 +42,9 @@ class Writer {
       for (const Block& block : chapter.blocks) {
         const auto* sheet = std::get_if<Sheet>(&block);
         if (sheet != nullptr) sheets_.try_emplace(sheet->id, sheets_.size() + 1);
-        moves_ = moves_ || std::holds_alternative<MovingPicture>(block);
+        const auto* moving = std::get_if<MovingPicture>(&block);
+        moves_ = moves_ || moving != nullptr;
+        in_space_ = in_space_ || (moving != nullptr && html::has_scene(*moving));
         explores_ = explores_ || std::holds_alternative<DesignTable>(block);
       }
     }
@@ -70,6 +72,7 @@ class Writer {
       return fmt::format("/*<![CDATA[*/\n{}/*]]>*/", text);
     };
     scripts_.push_back(apart(report_assets::script));
+    if (in_space_) scripts_.push_back(apart(report_assets::scene_script));
     if (moves_) scripts_.push_back(apart(report_assets::cycle_script));
     if (explores_) scripts_.push_back(apart(report_assets::designs_script));
     std::string allowed;
@@ -314,7 +317,7 @@ class Writer {
   std::string out_;
   const std::string* heading_ = &document_.title;  ///< above what is being written
   std::size_t figures_ = 0;
-  bool moves_ = false, explores_ = false;
+  bool moves_ = false, in_space_ = false, explores_ = false;
 };
 
 }  // namespace

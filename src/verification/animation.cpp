@@ -106,8 +106,10 @@ bool leads_through(const FramePoses& frames, double step, double size) {
   return true;
 }
 
-double size_of_scene(const Animation& animation, const std::vector<BodyPose>& poses,
-                     const std::vector<std::pair<spatial::Attachment, spatial::Attachment>>& rods) {
+/// The box around what is drawn at an instant, of bodies and rods.
+Eigen::AlignedBox3d box_around(
+    const Animation& animation, const std::vector<BodyPose>& poses,
+    const std::vector<std::pair<spatial::Attachment, spatial::Attachment>>& rods) {
   Eigen::AlignedBox3d box;
   for (std::size_t i = 0; i < animation.bodies.size(); ++i) {
     const auto take = [&](const Eigen::Vector3d& p) {
@@ -123,6 +125,10 @@ double size_of_scene(const Animation& animation, const std::vector<BodyPose>& po
     box.extend(place_in_frame(poses, a));
     box.extend(place_in_frame(poses, b));
   }
+  return box;
+}
+
+double longest_side(const Eigen::AlignedBox3d& box) {
   return box.isEmpty() ? 1.0 : std::max(box.sizes().maxCoeff(), 1e-3);
 }
 
@@ -134,7 +140,7 @@ struct StillScene {
 
   void add_rod(const std::string& name, const spatial::Attachment& a,
                const spatial::Attachment& b) {
-    animation.rods.push_back({name, {}});
+    animation.rods.push_back({name, {}, a, b});
     rods.emplace_back(a, b);
     for (const spatial::Attachment& end : {a, b}) {
       if (end.body == spatial::ground) animation.joints.push_back({name, end});
@@ -142,39 +148,27 @@ struct StillScene {
   }
 };
 
-Animation animated(StillScene scene, const TimeSpan& span, const FramesAt& frames_at) {
+/// The motion at so many evenly divided instants, doubled until they show it or 3841 are not
+/// enough, in the last of which they are not; whether they show it.
+bool take_motion(StillScene& scene, double begin, double length, std::size_t steps,
+                 const FramesAt& frames_at) {
   Animation& of = scene.animation;
-  const auto times_of = [&](std::size_t steps) {
+  const auto times_of = [&](std::size_t parts) {
     std::vector<double> times;
-    for (std::size_t i = 0; i <= steps; ++i) {
-      const double part = static_cast<double>(i) / static_cast<double>(steps);
-      times.push_back(span.begin + span.length * part);
-    }
+    for (std::size_t i = 0; i <= parts; ++i)
+      times.push_back(begin + length * static_cast<double>(i) / static_cast<double>(parts));
     return times;
   };
-  constexpr double waves_apart = 16.0;
-  const double wanted = waves_apart * std::ceil(span.highest_omega * span.length / full_turn);
-  std::size_t steps = static_cast<std::size_t>(
-      std::clamp(wanted, static_cast<double>(fewest_frames), static_cast<double>(most_frames)));
   for (;; steps *= 2) {
-    if (steps > most_frames) {
-      throw AnalysisError({fmt::format("{} instants do not show the motion, which lasts {:.6g} s: "
-                                       "ask for less of it, [motion] duration",
-                                       most_frames + 1, span.length),
-                           "mechanism",
-                           {},
-                           {},
-                           {},
-                           {}});
-    }
     FramePoses frames = frames_at(times_of(2 * steps));
     const bool turned = scene.seen_from != spatial::ground;
     for (std::vector<BodyPose>& poses : frames) {
       poses.emplace_back();
       if (turned) turn_into_axes_of(static_cast<std::size_t>(scene.seen_from), poses);
     }
-    of.size = size_of_scene(of, frames.front(), scene.rods);
-    if (!leads_through(frames, span.length / static_cast<double>(steps), of.size)) continue;
+    of.size = longest_side(box_around(of, frames.front(), scene.rods));
+    const bool shown = leads_through(frames, length / static_cast<double>(steps), of.size);
+    if (!shown && 2 * steps <= most_frames) continue;
     of.times = times_of(steps);
     for (std::size_t k = 0; k < frames.size(); k += 2) {
       for (std::size_t i = 0; i < of.bodies.size(); ++i) of.bodies[i].poses.push_back(frames[k][i]);
@@ -184,19 +178,32 @@ Animation animated(StillScene scene, const TimeSpan& span, const FramesAt& frame
                                    place_in_frame(frames[k], scene.rods[i].second)});
       }
     }
-    return std::move(of);
+    return shown;
   }
 }
 
-Animation animation_for(const spatial::Mechanism& mechanism, const Project& project,
-                        const std::string& seen_from) {
-  StillScene scene;
-  if (!seen_from.empty() && seen_from != "world") {
-    scene.seen_from = spatial::body_index(mechanism, seen_from);
-    if (scene.seen_from == spatial::ground)
-      throw InputError(fmt::format("there is no body \"{}\" to see the motion from", seen_from));
+Animation animated(StillScene scene, const TimeSpan& span, const FramesAt& frames_at) {
+  constexpr double waves_apart = 16.0;
+  const double wanted = waves_apart * std::ceil(span.highest_omega * span.length / full_turn);
+  const auto steps = static_cast<std::size_t>(
+      std::clamp(wanted, static_cast<double>(fewest_frames), static_cast<double>(most_frames)));
+  if (!take_motion(scene, span.begin, span.length, steps, frames_at)) {
+    throw AnalysisError({fmt::format("{} instants do not show the motion, which lasts {:.6g} s: "
+                                     "ask for less of it, [motion] duration",
+                                     most_frames + 1, span.length),
+                         "mechanism",
+                         {},
+                         {},
+                         {},
+                         {}});
   }
-  scene.animation.beam = project.placement;
+  return std::move(scene.animation);
+}
+
+/// What stands of a mechanism in space.
+StillScene still_scene_of(const spatial::Mechanism& mechanism, const Project& project) {
+  StillScene scene;
+  scene.animation.beam = placement_in(project, mechanism);
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     scene.animation.bodies.push_back({mechanism.bodies[i].name,
                                       mechanism.bodies[i].mass > 0.0,
@@ -215,18 +222,97 @@ Animation animation_for(const spatial::Mechanism& mechanism, const Project& proj
   }
   for (const spatial::Spring& spring : mechanism.springs)
     scene.add_rod(spring.name, spring.a, spring.b);
+  return scene;
+}
+
+FramesAt frames_of(const spatial::Chain& chain) {
+  return [&chain](const std::vector<double>& times) {
+    FramePoses frames;
+    for (const double time : times) {
+      const spatial::State state = chain.at(time);
+      std::vector<BodyPose>& poses = frames.emplace_back();
+      for (const spatial::BodyMotion& body : state.bodies)
+        poses.push_back({body.position, body.R_WB, body.omega});
+    }
+    return frames;
+  };
+}
+
+/// The box around what is drawn at an instant of an animation.
+Eigen::AlignedBox3d box_at(const Animation& animation, std::size_t instant) {
+  std::vector<BodyPose> poses;
+  for (const AnimatedBody& body : animation.bodies) poses.push_back(body.poses[instant]);
+  Eigen::AlignedBox3d box = box_around(animation, poses, {});
+  for (const AnimatedRod& rod : animation.rods) {
+    box.extend(rod.ends[instant].from);
+    box.extend(rod.ends[instant].to);
+  }
+  return box;
+}
+
+/// One more instant, in its place among the others.
+void add_instant(StillScene& scene, double time, const FramesAt& frames_at) {
+  Animation& of = scene.animation;
+  const auto at = std::lower_bound(of.times.begin(), of.times.end(), time);
+  if (at != of.times.end() && *at == time) return;
+  const auto place = at - of.times.begin();
+  std::vector<BodyPose> poses = frames_at({time}).front();
+  poses.emplace_back();
+  of.times.insert(at, time);
+  for (std::size_t i = 0; i < of.bodies.size(); ++i)
+    of.bodies[i].poses.insert(of.bodies[i].poses.begin() + place, poses[i]);
+  for (std::size_t i = 0; i < of.rods.size(); ++i) {
+    of.rods[i].ends.insert(
+        of.rods[i].ends.begin() + place,
+        {place_in_frame(poses, scene.rods[i].first), place_in_frame(poses, scene.rods[i].second)});
+  }
+}
+
+/// From the joint that carries the beam, where that travels far. `carrier`: where the joint is, on
+/// the body that carries it.
+void follow_what_travels(Animation& of, const spatial::Attachment& carrier) {
+  constexpr double far = 4.0;
+  double largest = 0.0;
+  for (std::size_t k = 0; k < of.times.size(); ++k)
+    largest = std::max(largest, longest_side(box_at(of, k)));
+  if (carrier.body == spatial::ground || longest_side(room_of(of)) <= far * largest) return;
+  of.follows = true;
+  for (std::size_t k = 0; k < of.times.size(); ++k) {
+    const BodyPose& pose = of.bodies[static_cast<std::size_t>(carrier.body)].poses[k];
+    const Eigen::Vector3d origin = pose.origin + pose.axes * carrier.p;
+    for (AnimatedBody& body : of.bodies) body.poses[k].origin -= origin;
+    for (AnimatedRod& rod : of.rods) {
+      rod.ends[k].from -= origin;
+      rod.ends[k].to -= origin;
+    }
+  }
+  const auto left_behind = [&](int body) {
+    if (body == spatial::ground) return true;
+    const std::vector<BodyPose>& poses = of.bodies[static_cast<std::size_t>(body)].poses;
+    return std::any_of(poses.begin(), poses.end(),
+                       [&](const BodyPose& pose) { return pose.origin.norm() > far * largest; });
+  };
+  for (std::size_t i = 0; i < of.bodies.size(); ++i) {
+    if (!left_behind(static_cast<int>(i))) continue;
+    of.bodies[i].drawn = {};
+    of.bodies[i].has_mass = false;
+  }
+  std::erase_if(of.joints, [&](const AnimatedJoint& joint) { return left_behind(joint.at.body); });
+  std::erase_if(of.rods, [&](const AnimatedRod& rod) {
+    return left_behind(rod.a.body) || left_behind(rod.b.body);
+  });
+}
+
+Animation animation_for(const spatial::Mechanism& mechanism, const Project& project,
+                        const std::string& seen_from) {
+  StillScene scene = still_scene_of(mechanism, project);
+  if (!seen_from.empty() && seen_from != "world") {
+    scene.seen_from = spatial::body_index(mechanism, seen_from);
+    if (scene.seen_from == spatial::ground)
+      throw InputError(fmt::format("there is no body \"{}\" to see the motion from", seen_from));
+  }
   const spatial::Chain chain(mechanism);
-  return animated(std::move(scene), spatial::time_span_of(mechanism),
-                  [&](const std::vector<double>& times) {
-                    FramePoses frames;
-                    for (const double time : times) {
-                      const spatial::State state = chain.at(time);
-                      std::vector<BodyPose>& poses = frames.emplace_back();
-                      for (const spatial::BodyMotion& body : state.bodies)
-                        poses.push_back({body.position, body.R_WB, body.omega});
-                    }
-                    return frames;
-                  });
+  return animated(std::move(scene), spatial::time_span_of(mechanism), frames_of(chain));
 }
 
 Animation animation_for(const planar::Mechanism& mechanism, const Project& project,
@@ -324,6 +410,27 @@ DrawnBody drawn_body_of(const Project& project, const planar::Mechanism& mechani
     add_star(drawn);
   }
   return drawn;
+}
+
+Eigen::AlignedBox3d room_of(const Animation& animation) {
+  Eigen::AlignedBox3d room;
+  for (std::size_t k = 0; k < animation.times.size(); ++k) room.extend(box_at(animation, k));
+  return room;
+}
+
+Animation scene_of(const Project& project, const spatial::Chain& chain, const AnimatedSpan& span) {
+  const spatial::Mechanism& mechanism = chain.mechanism();
+  const FramesAt frames_at = frames_of(chain);
+  StillScene scene = still_scene_of(mechanism, project);
+  const bool resolved =
+      take_motion(scene, span.begin, span.length, std::min(span.steps, most_frames), frames_at);
+  if (span.also) add_instant(scene, *span.also, frames_at);
+  Animation of = std::move(scene.animation);
+  of.resolved = resolved;
+  of.bodies[static_cast<std::size_t>(of.beam.body)].member = project.beam;
+  const spatial::Joint& joint = mechanism.joints[static_cast<std::size_t>(of.beam.body)];
+  follow_what_travels(of, {joint.parent, joint.at});
+  return of;
 }
 
 Animation animation_of(const Project& project, const std::string& seen_from) {

@@ -89,8 +89,14 @@ std::vector<NamedPlace> named_places_of(const Mechanism& mechanism) {
 ChainBody body_of(const Mechanism& mechanism, const spatial::State& state, std::size_t i) {
   const spatial::BodyMotion& motion = state.bodies[i];
   const spatial::InertiaLoad inertia = spatial::inertia_of(mechanism, state, i);
-  return {mechanism.bodies[i].name, motion.R_WB,       motion.omega, motion.alpha, inertia.force,
-          inertia.moment,           inertia.gyroscopic};
+  return {mechanism.bodies[i].name,
+          motion.position,
+          motion.R_WB,
+          motion.omega,
+          motion.alpha,
+          inertia.force,
+          inertia.moment,
+          inertia.gyroscopic};
 }
 
 ChainJoint joint_of(const spatial::Chain& chain, const spatial::State& state, std::size_t i,
@@ -108,6 +114,7 @@ ChainJoint joint_of(const spatial::Chain& chain, const spatial::State& state, st
                     {}};
   if (joint.kind == spatial::JointKind::fixed) return result;
   result.coordinate = state.coordinates[i];
+  result.turns = spatial::is_angle(joint.kind);
   if (spatial::is_driven(joint)) result.drive = chain.along_axis(state, i, wrench);
   return result;
 }
@@ -138,8 +145,8 @@ ChainJoint joint_of(const Mechanism& mechanism, const spatial::State& state,
 void turn_into(const Eigen::Matrix3d& R_AW, ChainInstant& instant) {
   const auto turn = [&](auto&... vectors) { ((vectors = (R_AW * vectors).eval()), ...); };
   for (ChainBody& body : instant.bodies) {
-    turn(body.rotation, body.omega, body.alpha, body.inertia_force, body.inertia_moment,
-         body.gyroscopic_moment);
+    turn(body.position, body.rotation, body.omega, body.alpha, body.inertia_force,
+         body.inertia_moment, body.gyroscopic_moment);
   }
   for (ChainPoint& point : instant.points) turn(point.position, point.velocity, point.acceleration);
   for (ChainJoint& joint : instant.joints) turn(joint.force, joint.moment);

@@ -60,7 +60,8 @@ CutForces chosen(const CutForces& a, const CutForces& b, const Choose& choose) {
 
 }  // namespace
 
-CycleFigure cycle_figure_of(const Project& project, const SituationRun& run) {
+CycleFigure cycle_figure_of(const Project& project, const SituationRun& run,
+                            const CheckResult* governing, Figures figures) {
   const LoadHistory& history = run.loads;
   const std::size_t steps = history.closed() ? frames : frames - 1;
   std::vector<Time> times;
@@ -75,22 +76,38 @@ CycleFigure cycle_figure_of(const Project& project, const SituationRun& run) {
   figure.repeats = history.closed();
   figure.stations = stations_between(lasting_places_of(project.beam, loads));
   const PostureAt posture_at = postures_of(project, run);
-  for (std::size_t i = 0; i < frames; ++i) {
-    CycleFrame& frame = figure.frames.emplace_back();
-    frame.time = times[i];
-    frame.posture = posture_at(times[i], "");
-    const CutForceDiagram diagram = cut_forces_of(loads[i]);
+  const auto frame_of = [&](Time time, const BeamLoads& loads_then) {
+    CycleFrame frame{time, posture_at(time, ""), {}};
+    const CutForceDiagram diagram = cut_forces_of(loads_then);
     for (const Station& station : figure.stations) frame.values.push_back(diagram.at(station));
+    return frame;
+  };
+  for (std::size_t i = 0; i < frames; ++i) {
+    figure.frames.push_back(frame_of(times[i], loads[i]));
+  }
+  if (project.in_space && figures == Figures::with_scenes) {
+    const bool here =
+        governing != nullptr && governing->basis->running == index_of(project, *run.situation);
+    std::optional<Time> when;
+    // Where loads stand still any instant is the same.
+    if (here) when = run.motion->stands_still() ? history.begin() : governing->check.time;
+    figure.scene = run.motion->scene(when);
+    if (figure.scene && here) {
+      figure.critical = CriticalFrame{frame_of(*when, history.loads_at(*when)),
+                                      governing->check.station, governing->check.point};
+    }
   }
   figure.smallest = figure.largest = figure.frames.front().values;
-  for (const CycleFrame& frame : figure.frames) {
+  const auto take = [&](const CycleFrame& frame) {
     for (std::size_t k = 0; k < figure.stations.size(); ++k) {
       const auto smaller = [](auto a, auto b) { return std::min(a, b); };
       const auto larger = [](auto a, auto b) { return std::max(a, b); };
       figure.smallest[k] = chosen(figure.smallest[k], frame.values[k], smaller);
       figure.largest[k] = chosen(figure.largest[k], frame.values[k], larger);
     }
-  }
+  };
+  for (const CycleFrame& frame : figure.frames) take(frame);
+  if (figure.critical) take(figure.critical->frame);
   return figure;
 }
 

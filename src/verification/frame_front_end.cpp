@@ -225,6 +225,32 @@ PostureFigure figure_of(const Project& project, const frame::Structure& structur
   return figure;
 }
 
+/// A frame stands, its displacements too small to be seen: one instant.
+Animation standing_scene_of(const Project& project, const frame::Structure& structure) {
+  Animation scene;
+  scene.times = {0.0};
+  for (const frame::Member& member : structure.members) {
+    AnimatedBody& body = scene.bodies.emplace_back();
+    body.name = member.name;
+    body.member = member.beam;
+    body.poses.push_back({member.start, member.axes, Vector3d::Zero()});
+    body.drawn.points.push_back(Vector3d::Zero());
+    body.drawn.strokes.push_back({Vector3d::Zero(), {member.beam.length().value(), 0.0, 0.0}});
+    for (const frame::MemberPoint& point : member.points) {
+      body.drawn.points.push_back(point.p);
+      if (!point.p.tail<2>().isZero(0.0))
+        body.drawn.strokes.push_back({{point.p.x(), 0.0, 0.0}, point.p});
+    }
+  }
+  for (const frame::Joint& joint : structure.joints) {
+    const frame::Place& at = joint.b.member == frame::ground ? joint.b : joint.a;
+    scene.joints.push_back({joint.name, {at.member, at.p}});
+  }
+  scene.beam.body = project.beam_body;
+  scene.size = std::max(room_of(scene).sizes().maxCoeff(), 1e-3);
+  return scene;
+}
+
 std::vector<BeamLoadRow> rows_of(const Project& project, const frame::Structure& structure,
                                  const BeamLoads& loads, Time time) {
   const frame::Member& beam = structure.members[static_cast<std::size_t>(project.beam_body)];
@@ -272,6 +298,10 @@ class FrameAtRest : public SolvedMotion {
       figure.loads = rows_of(*project_, frame_->structure, loads.loads_at(time), time);
       return figure;
     };
+  }
+
+  std::optional<Animation> scene(std::optional<Time>) const override {
+    return standing_scene_of(*project_, frame_->structure);
   }
 
   std::vector<DriverLine> driver_lines(const LoadHistory&) const override { return {}; }

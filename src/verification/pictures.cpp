@@ -63,7 +63,7 @@ Pictures pictures_of(const Project& project, const std::deque<SituationRun>& run
   for (const SituationRun& run : runs) {
     const bool among_first = pictures.cycles.size() < most_cycles_drawn;
     if (among_first || index_of(project, *run.situation) == worst)
-      pictures.cycles.push_back(cycle_figure_of(project, run));
+      pictures.cycles.push_back(cycle_figure_of(project, run, governing, figures));
   }
   pictures.drivers = first.motion->driver_lines(first.loads);
   pictures.section = section_figure_of(project, runs, checks);

@@ -203,6 +203,12 @@ class SpatialMotion : public SolvedMotion {
     };
   }
 
+  std::optional<Animation> scene(std::optional<Time> also) const override {
+    AnimatedSpan span{motion_.begin, motion_.period, motion_.instants, {}};
+    if (also) span.also = also->value();
+    return scene_of(*project_, *chain_, span);
+  }
+
   std::vector<DriverLine> driver_lines(const LoadHistory& loads) const override {
     return driver_lines_of(*chain_, loads);
   }

@@ -31,9 +31,10 @@ def find():
 
 
 class Browser:
-    """A browser process with a profile of its own; use it in a with statement."""
+    """A browser process with a profile of its own; use it in a with statement. `webgl`: drawn by the
+    processor, or not at all."""
 
-    def __init__(self, path):
+    def __init__(self, path, webgl=True):
         self._profile = tempfile.mkdtemp(prefix="boxbeam-browser-")
         to_read, self._write = os.pipe()
         self._read, to_write = os.pipe()
@@ -49,6 +50,7 @@ class Browser:
             [path, "--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run",
              "--disable-extensions", "--disable-background-networking", "--disable-component-update",
              "--disable-dev-shm-usage", "--hide-scrollbars", "--remote-debugging-pipe",
+             *(["--use-angle=swiftshader", "--enable-unsafe-swiftshader"] if webgl else ["--disable-3d-apis"]),
              f"--user-data-dir={self._profile}", "about:blank"],
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
             preexec_fn=place_pipes, pass_fds=(3, 4))
@@ -126,9 +128,10 @@ class Browser:
 
 
 class Page:
-    """A page; `width` and `height` in CSS pixels, `scripts` whether its scripts run."""
+    """A page; `width` and `height` in CSS pixels, `scripts` whether its scripts run, `calm`
+    whether its reader wants less motion."""
 
-    def __init__(self, browser, url, width=1280, height=900, scripts=True, dark=False):
+    def __init__(self, browser, url, width=1280, height=900, scripts=True, dark=False, calm=False):
         self._browser = browser
         target = browser.send("Target.createTarget", url="about:blank")["targetId"]
         self._target = target
@@ -137,9 +140,10 @@ class Page:
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.send(domain + ".enable")
         self.resize(width, height)
-        if dark:
+        features = [("prefers-color-scheme", "dark")] * dark + [("prefers-reduced-motion", "reduce")] * calm
+        if features:
             self.send("Emulation.setEmulatedMedia",
-                      features=[{"name": "prefers-color-scheme", "value": "dark"}])
+                      features=[{"name": name, "value": value} for name, value in features])
         if not scripts:
             self.send("Emulation.setScriptExecutionDisabled", value=True)
         self.send("Page.navigate", url=url)
@@ -184,7 +188,9 @@ class Page:
                 if of["type"] in ("error", "warning", "assert"):
                     texts.append(json.dumps(of["args"]))
             elif of["entry"]["level"] in ("error", "warning"):
-                texts.append(of["entry"]["text"])
+                # Reading pixels for a picture is slow where the processor draws.
+                if "GPU stall due to ReadPixels" not in of["entry"]["text"]:
+                    texts.append(of["entry"]["text"])
         return texts
 
     def requests(self):

@@ -671,4 +671,12 @@ MUTATIONS = [
     *_in("src/report", "surface.cpp",
          ("surface-ends", "{first + a, first + c, first + b}", "{first + a, first + b, first + c}",
           "the ends of a beam's surface face outwards", "gltf_test")),
+    *_in("src/report", "pose_track.cpp",
+         ("track-shorter-way", "if (turn_to.dot(turn_from) < 0.0)", "if (turn_to.dot(turn_from) > 0.0)",
+          "between two keys by the shorter way", "pose_track_test"),
+         ("track-farthest", "if (off <= worst) continue;", "if (off <= 2.0 * worst) continue;",
+          "no place of a body astray by more than the tolerance", "pose_track_test")),
+    *_in("src/report", "motion_csv.cpp",
+         ("csv-quaternion", "to.add(body.name, \"qw\", \"1\", turn.w());", "to.add(body.name, \"qw\", \"1\", -turn.w());",
+          "orientations of a motion's rows", "motion_csv_test")),
 ]

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +11,10 @@
 
 /// How a mechanism moves, for those who look at it.
 namespace boxbeam {
+
+namespace spatial {
+class Chain;
+}
 
 /// What is drawn of a body, in its axes [m].
 struct DrawnBody {
@@ -33,6 +39,9 @@ struct AnimatedBody {
   bool has_mass = true;  ///< else it only carries others
   DrawnBody drawn;
   std::vector<BodyPose> poses;
+  /// The shape of a member of a frame, along x of its axes, or of the verified beam in a page, as
+  /// `Animation::beam` places it.
+  std::optional<TaperedBeam> member = {};
 };
 
 /// Where a joint is, on a body or the ground.
@@ -45,12 +54,13 @@ struct AnimatedJoint {
 struct AnimatedRod {
   std::string name;
   std::vector<PostureFigure::Stroke> ends;  ///< at each instant [m]
+  spatial::Attachment a, b;                 ///< where they are fixed
 };
 
 /// A mechanism over the time that is looked at, from its begin to its end, in the axes of the world
 /// or as it is seen from one of its bodies.
 struct Animation {
-  std::vector<double> times;  ///< ascending, evenly [s]
+  std::vector<double> times;  ///< ascending, evenly but for one more of `AnimatedSpan` [s]
   bool z_up = true;           ///< whether z of the world is up, in space; else y, in the plane
   double size = 1.0;          ///< longest side of the box around bodies and rods at the begin [m]
   std::vector<AnimatedBody> bodies;
@@ -59,7 +69,13 @@ struct Animation {
   std::vector<AnimatedJoint> joints;
   std::vector<AnimatedRod> rods;
   spatial::BeamPlacement beam;  ///< of the verified beam; on the ground where it is no body
+  /// Whether places are counted from the joint that carries the beam, which travels with it all.
+  bool follows = false;
+  bool resolved = true;  ///< whether between two instants nothing moves otherwise than evenly
 };
+
+/// The box around bodies and rods over all instants, the axis of the beam among them [m].
+Eigen::AlignedBox3d room_of(const Animation& animation);
 
 /// The mechanism of a case, at 61 instants or more: sixteen to every wave of the fastest driver or
 /// force, at most 3841; doubled until no body turns by more than 90 degrees from one to the next,
@@ -69,5 +85,17 @@ struct Animation {
 /// is no such body or nothing moves through instants, AnalysisError where the motion cannot be
 /// followed, its length is not known, or 3841 instants are not enough.
 Animation animation_of(const Project& project, const std::string& seen_from = "");
+
+/// What is looked at of a motion.
+struct AnimatedSpan {
+  double begin = 0.0, length = 0.0;  ///< [s]
+  std::size_t steps = 96;            ///< at least; doubled as `animation_of` does
+  std::optional<double> also = {};   ///< an instant that is shown as it is, too [s]
+};
+
+/// A mechanism in space whose motion is known, whole or, where it travels over more than four times
+/// its own size, as it is seen from the joint that carries the beam, without what it leaves behind.
+/// Not resolved where 3841 instants are not enough.
+Animation scene_of(const Project& project, const spatial::Chain& chain, const AnimatedSpan& span);
 
 }  // namespace boxbeam

@@ -9,9 +9,11 @@
 
 namespace boxbeam {
 
-/// How a body turns, and what its inertia puts on the mechanism about its centre of mass.
+/// Where a body is, how it turns, and what its inertia puts on the mechanism about its centre of
+/// mass.
 struct ChainBody {
   std::string name;
+  Eigen::Vector3d position;           ///< of its origin, from that of the world [m]
   Eigen::Matrix3d rotation;           ///< columns: the body's axes
   Eigen::Vector3d omega, alpha;       ///< [rad/s], [rad/s^2]
   Eigen::Vector3d inertia_force;      ///< [N]
@@ -39,6 +41,7 @@ struct ChainJoint {
   std::optional<double> friction = {};
   /// Of what moves in the joint, an angle [rad], shift or length [m]; nothing where it has none.
   std::optional<DriverState> coordinate;
+  bool turns = false;  ///< whether the coordinate is an angle
   /// Else joints that repeat each other share what it carries, and only their elasticity decides.
   bool unique = true;
 };

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "boxbeam/verification/animation.hpp"
 #include "boxbeam/verification/figures.hpp"
 #include "boxbeam/verification/posture.hpp"
 
@@ -15,6 +17,13 @@ struct CycleFrame {
   std::vector<CutForces> values;  ///< at the stations of the cycle
 };
 
+/// When and where the governing check is worst.
+struct CriticalFrame {
+  CycleFrame frame;
+  Station station;
+  std::string check;  ///< what is checked there
+};
+
 /// One cycle of a situation, evenly divided, for a drawing that moves.
 struct CycleFigure {
   std::string situation;  ///< "" where the case has only one
@@ -23,6 +32,9 @@ struct CycleFigure {
   std::vector<Station> stations;
   std::vector<CycleFrame> frames;
   std::vector<CutForces> smallest, largest;  ///< over all frames, at the stations
+  /// How it moves in space over this time; nothing in the plane.
+  std::optional<Animation> scene = {};
+  std::optional<CriticalFrame> critical = {};  ///< of a scene, in the situation that governs
 };
 
 /// What drives the mechanism, over the cycle.

@@ -9,6 +9,7 @@
 
 #include "boxbeam/beam/cut_force_diagram.hpp"
 #include "boxbeam/project/project.hpp"
+#include "boxbeam/verification/animation.hpp"
 #include "boxbeam/verification/any_motion_result.hpp"
 #include "boxbeam/verification/beam_shift.hpp"
 #include "boxbeam/verification/closure_summary.hpp"
@@ -80,6 +81,9 @@ class SolvedMotion {
 
   /// How it closes; nothing where there is nothing to close.
   virtual std::optional<ClosureSummary> closure() const { return {}; }
+
+  /// How it moves in space, or stands there, with one more instant; nothing of what is not drawn.
+  virtual std::optional<Animation> scene(std::optional<Time> /*also*/) const { return {}; }
 };
 
 /// A kind of mechanism, or another source of loads, as the verification sees it: the only place

@@ -14,8 +14,8 @@
 /// What the report draws, computed from the situations of a verification that run.
 namespace boxbeam {
 
-/// Whether a verification brings what only pictures need.
-enum class Figures { without, with };
+/// Whether a verification brings what only pictures need, and scenes in space, for pages, too.
+enum class Figures { without, with, with_scenes };
 
 struct Pictures {
   std::vector<CutForceLine> lines;     ///< at the critical instants
@@ -46,8 +46,11 @@ std::size_t governing_situation_of(const std::vector<CheckResult>& checks,
 PostureAt postures_of(const Project& project, const SituationRun& run);
 
 /// 48 instants of a situation, evenly divided: of a motion that repeats without its end, of one
-/// that stays open with it.
-CycleFigure cycle_figure_of(const Project& project, const SituationRun& run);
+/// that stays open with it. `governing`: a check that rests on cut forces, or nullptr; in space its
+/// instant is shown where it is of this situation and there is a scene.
+CycleFigure cycle_figure_of(const Project& project, const SituationRun& run,
+                            const CheckResult* governing = nullptr,
+                            Figures figures = Figures::with);
 
 /// The section where the worst check that rests on cut forces stands; nothing where none does.
 std::optional<SectionFigure> section_figure_of(const Project& project,

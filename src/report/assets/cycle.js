@@ -1,7 +1,8 @@
 "use strict";
 // Moves the drawing of a mechanism over its cycle, with the loads on its beam and the cut forces. What is
 // drawn is data: lists of shapes, each the number of its kind with its places in tenths of a pixel, or a place
-// and words; a frame that holds the same as the one before is written as the steps from there.
+// and words; a frame that holds the same as the one before is written as the steps from there. Behind the frames
+// of the cycle stands that of the critical instant, where it is known. In space scene.js draws the mechanism.
 (() => {
   const clamp = (x, low, high) => Math.max(low, Math.min(high, x));
 
@@ -132,9 +133,10 @@
     constructor(figure, number) {
       this.figure = figure;
       this.number = number;
-      const { first, kinds, situations } = JSON.parse(figure.querySelector("script").textContent);
+      const { first, kinds, beams, situations } = JSON.parse(figure.querySelector("script").textContent);
       this.kinds = kinds;
       this.situations = situations;
+      this.beams = beams;
       this.view = 0;
       for (const { views, diagrams } of situations) {
         for (const view of views) view.frames = walked(view.frames, shapes_after);
@@ -145,10 +147,10 @@
       this.show();
     }
 
-    // The data of a situation, at its place of the largest bending moment.
+    // The data of a situation, at the place of the governing check, or of its largest bending moment.
     take(data) {
       this.data = data;
-      this.frame = data.frame;
+      this.frame = data.critical ? data.critical.at : data.frame;
       this.station = data.station;
       const n = data.times.length;
       this.last = n - (data.repeats ? 0 : 1);  // where the motion ends or begins again, in frames
@@ -159,13 +161,41 @@
       this.stop();
       this.take(this.situations[number]);
       this.slider.max = this.data.times.length - 1;
+      this.mark_critical();
       this.readout();
       this.draw();
+    }
+
+    // How a mechanism in space is drawn: by WebGL, or where a browser has none, from four sides.
+    enter_space(pane) {
+      if (typeof SpaceScene !== "function" || !this.data.scene) return;
+      const box = element("div", { class: "space-box" }, pane);
+      try {
+        this.space = new SpaceScene(box, this.beams);
+      } catch {
+        box.replaceWith(element("p", { class: "no-space" }, null,
+          "This browser has no WebGL, which a view that can be turned needs: the mechanism is drawn from four sides."));
+      }
+    }
+
+    get in_space() { return Boolean(this.space && this.space_chosen); }
+
+    // A button that leads to the critical instant, and a mark where it is on the slider.
+    mark_critical() {
+      const { critical } = this.data;
+      this.critical_button.hidden = !critical;
+      this.tick.hidden = !critical;
+      if (critical) this.tick.style.left = `${100 * Math.min(critical.at / (this.data.times.length - 1), 1)}%`;
     }
 
     draw() {
       const { data, kinds } = this;
       const end = data.stations[data.stations.length - 1];
+      if (this.space) {
+        this.panes[0].style.display = this.in_space ? "none" : "";
+        this.space.box.hidden = !this.in_space;
+        this.space.take(data.scene, data.critical, data.loads.names);
+      }
       this.mechanism = new Mechanism(this.panes[0], kinds, data.views[this.view], end);
       this.diagrams = new Diagrams(this.panes[1], kinds, data.diagrams);
       this.show();
@@ -173,6 +203,8 @@
 
     build(first) {
       const pane = this.figure.querySelector(".pane");
+      this.enter_space(pane);
+      this.space_chosen = Boolean(this.space);
       this.controls(pane, first);
       const both = element("div", { class: "panes" });
       pane.before(both);
@@ -216,16 +248,26 @@
       button("\u203a", "One step on", () => this.step(1));
       this.slider = element("input", {
         type: "range", min: 0, max: this.data.times.length - 1, step: 1, "aria-label": "Instant of the cycle",
-      }, bar);
+      }, element("span", { class: "slider" }, bar));
       this.slider.addEventListener("input", () => this.go(Number(this.slider.value)));
+      const way = element("span", { class: "way" }, this.slider.parentNode);
+      this.tick = element("span", { class: "tick" }, way);
+      this.critical_button = button("Critical", "Go to the critical instant", () => {
+        this.stop();
+        this.go(this.data.critical.at);
+      });
+      this.mark_critical();
       this.time = element("output", {}, bar);
       const { views } = this.data;
       if (views.length > 1) {
         const label = element("label", {}, bar, "View ");
         const select = element("select", { class: "view" }, label);
+        if (this.space) element("option", {}, select, "3D");
         for (const { name } of views) element("option", {}, select, name);
         select.addEventListener("change", () => {
-          this.view = select.selectedIndex;
+          const number = select.selectedIndex - (this.space ? 1 : 0);
+          this.space_chosen = number < 0;
+          this.view = Math.max(number, 0);
           this.draw();
         });
       }
@@ -274,17 +316,21 @@
 
     step(by) {
       this.stop();
-      this.go((this.frame + by + this.data.times.length) % this.data.times.length);
+      const whole = by > 0 ? Math.floor(this.frame) : Math.ceil(this.frame);  // it may stand between two
+      this.go((whole + by + this.data.times.length) % this.data.times.length);
     }
 
     toggle() {
       if (this.playing) { this.stop(); return; }
       // A cycle takes three to twelve seconds, whatever it takes in truth.
-      const duration = 1000 * clamp(this.period, 3, 12);
+      // Who wants less motion sees it go on from frame to frame, more slowly.
+      const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+      const duration = (calm ? 3000 : 1000) * clamp(this.period, 3, 12);
       let begin;
       const tick = (now) => {
         begin ??= now - duration * (this.frame / this.last);
-        this.go((((now - begin) / duration) % 1) * this.last);
+        const frame = (((now - begin) / duration) % 1) * this.last;
+        this.go(calm ? Math.floor(frame) : frame);
         this.playing = requestAnimationFrame(tick);
       };
       this.playing = requestAnimationFrame(tick);
@@ -304,10 +350,16 @@
     // The frame may be between two while the cycle is played.
     show() {
       const { data, station } = this;
-      const frame = Math.floor(this.frame);
-      const next = (frame + 1) % data.times.length;
-      const at = { frame, next, part: this.frame - frame };
-      this.mechanism.show(at, data.stations[station]);
+      const is_critical = data.critical && this.frame === data.critical.at;
+      const frame = is_critical ? data.times.length : Math.floor(this.frame);
+      const next = is_critical ? frame : (frame + 1) % data.times.length;
+      const at = { frame, next, part: is_critical ? 0 : this.frame - frame };
+      if (this.in_space) {
+        const sizes = data.loads.frames[frame].map(([name, size]) => [name, significant(size)]);
+        this.space.show(this.now(), frame, sizes, data.stations[station]);
+      } else {
+        this.mechanism.show(at, data.stations[station]);
+      }
       this.diagrams.show(at, station);
       this.show_time();
       const side = { "-": ", just before", "+": ", just behind" }[data.sides[station]] || "";
@@ -326,15 +378,23 @@
       }));
     }
 
+    // The time that is shown [s].
+    now() {
+      const { critical, times } = this.data;
+      if (critical && this.frame === critical.at) return critical.time;
+      return times[0] + (this.frame / this.last) * this.period;
+    }
+
     show_time() {
       const part = this.frame / this.last;
-      const time = (this.data.times[0] + part * this.period).toFixed(4);
+      const time = this.now().toFixed(4);
       const phase = this.data.repeats ? `of the cycle (${(360 * part).toFixed(0)}\u00b0)` : "of the motion";
       this.time.textContent = `t = ${time} s, ${(100 * part).toFixed(1)} % ${phase}`;
+      if (this.data.critical && this.frame === this.data.critical.at) this.time.textContent += ", critical";
       this.slider.value = this.frame;
       this.slider.setAttribute("aria-valuetext", this.time.textContent);
     }
   }
 
-  document.querySelectorAll("figure.cycle").forEach((figure) => new Player(figure));
+  document.querySelectorAll("figure.cycle").forEach((figure) => { figure.player = new Player(figure); });
 })();
