@@ -36,8 +36,37 @@ Eigen::VectorXd samples_of(const Spectrum& spectrum) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-/// The part of a mode beyond its static one, elastic and viscous, under generalised forces at equal
-/// steps of a period: its inertia over the square of its frequency.
+[[noreturn]] void refuse(const char* what) {
+  throw AnalysisError(
+      {fmt::format("what vibration adds cannot be estimated: {}; look for a mass, an inertia or a "
+                   "stiffness that cannot be meant",
+                   what),
+       "beam",
+       {},
+       {},
+       {}});
+}
+
+/// M_y of a station at equal steps of a period.
+Eigen::VectorXd bending_at(const LoadHistory& history, const Station& station) {
+  Eigen::VectorXd moment(static_cast<Eigen::Index>(history.even_instants()));
+  for (std::size_t i = 0; i < history.even_instants(); ++i) {
+    moment[static_cast<Eigen::Index>(i)] = history.even_diagram(i).at(station).M_y.value();
+  }
+  return moment;
+}
+
+/// The largest coefficient of dry friction in a mechanism.
+double largest_friction(const planar::Mechanism& mechanism) {
+  double largest = 0.0;
+  for (const planar::FrictionContact& contact : planar::friction_contacts_of(mechanism)) {
+    largest = std::max(largest, contact.law.coulomb);
+  }
+  return largest;
+}
+
+}  // namespace
+
 Eigen::VectorXd dynamic_part(const Eigen::VectorXd& p, double frequency, double damping,
                              double base) {
   const double omega = full_turn * frequency;
@@ -53,23 +82,7 @@ Eigen::VectorXd dynamic_part(const Eigen::VectorXd& p, double frequency, double 
   return samples_of(spectrum);
 }
 
-[[noreturn]] void refuse(const char* what) {
-  throw AnalysisError(
-      {fmt::format("what vibration adds cannot be estimated: {}; look for a mass, an inertia or a "
-                   "stiffness that cannot be meant",
-                   what),
-       "beam",
-       {},
-       {},
-       {}});
-}
-
-std::vector<LoadHarmonic> harmonics_of(const LoadHistory& history, const Station& station,
-                                       double base) {
-  Eigen::VectorXd moment(static_cast<Eigen::Index>(history.even_instants()));
-  for (std::size_t i = 0; i < history.even_instants(); ++i) {
-    moment[static_cast<Eigen::Index>(i)] = history.even_diagram(i).at(station).M_y.value();
-  }
+std::vector<LoadHarmonic> harmonics_of(const Eigen::VectorXd& moment, double base) {
   const Spectrum spectrum = spectrum_of(moment);
   const double largest = moment.cwiseAbs().maxCoeff();
   std::vector<LoadHarmonic> harmonics;
@@ -80,17 +93,6 @@ std::vector<LoadHarmonic> harmonics_of(const LoadHistory& history, const Station
   }
   return harmonics;
 }
-
-/// The largest coefficient of dry friction in a mechanism.
-double largest_friction(const planar::Mechanism& mechanism) {
-  double largest = 0.0;
-  for (const planar::FrictionContact& contact : planar::friction_contacts_of(mechanism)) {
-    largest = std::max(largest, contact.law.coulomb);
-  }
-  return largest;
-}
-
-}  // namespace
 
 VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody& elastic,
                                      const LoadHistory& history) {
@@ -154,8 +156,8 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
   estimate.left_out += rubbed;
   Eigen::Index governing = 0;
   (stresses.colwise().maxCoeff() - stresses.colwise().minCoeff()).maxCoeff(&governing);
-  estimate.harmonics =
-      harmonics_of(history, places[static_cast<std::size_t>(governing / 2)].station, base);
+  const Station& station = places[static_cast<std::size_t>(governing / 2)].station;
+  estimate.harmonics = harmonics_of(bending_at(history, station), base);
   return estimate;
 }
 
