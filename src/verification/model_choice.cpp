@@ -193,11 +193,13 @@ ModelChoice choose_in_space(const Project& project, const std::deque<SituationRu
     choose_unvibrated(project, found.obstacle, choice);
     return choice;
   }
-  const VibrationEstimate& estimate = found.estimate;
+  VibrationEstimate estimate = found.estimate;
   if (estimate.frequencies.empty()) {
     choice.reason = "rigid bodies: no load and no mass is there that could make the beam vibrate";
     return choice;
   }
+  // Of other situations there may be some.
+  if (!obstacle.empty()) estimate.harmonics.clear();
   choice.frequencies = estimate.frequencies;
   choice.harmonics = estimate.harmonics;
   const std::string against =

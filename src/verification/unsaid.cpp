@@ -207,7 +207,8 @@ std::vector<NotJudged> unestimated_vibration_of(const Project& project, const Mo
   if (!model.bends_rigid_motion && frame == nullptr) return {};
   if (model.chosen.level == ModelLevel::modal) return {};
   const bool space = std::holds_alternative<spatial::Mechanism>(project.mechanism);
-  if (space && !model.harmonics.empty()) {
+  std::string obstacle = front_end_of(project)->obstacle_to_vibration(runs);
+  if (space && obstacle.empty() && !model.frequencies.empty()) {
     const double missed = vibration_missed_in_space(project, model);
     if (missed <= model.tolerance) return {};
     return {{Criterion::yield, "vibration",
@@ -226,7 +227,6 @@ std::vector<NotJudged> unestimated_vibration_of(const Project& project, const Mo
     return largest_range(stresses) > model.tolerance * stresses.cwiseAbs().maxCoeff();
   };
   if (std::none_of(runs.begin(), runs.end(), changes)) return {};
-  std::string obstacle = front_end_of(project)->obstacle_to_vibration(runs);
   if (obstacle.empty() && space) obstacle = "the stopped mechanism does not hold the beam";
   if (obstacle.empty()) return {};
   return {

@@ -349,7 +349,8 @@ class SpaceEstimate {
       const double of_range = range_ > 0.0 ? largest_range(beside) / range_ : 0.0;
       missed[j] = std::max(beside.cwiseAbs().maxCoeff() / peak_, of_range);
       // A harmonic that meets a frequency without damping has no bound.
-      if (!std::isfinite(beside.sum())) missed[j] = std::numeric_limits<double>::infinity();
+      constexpr double no_bound = 1e6;
+      missed[j] = std::isfinite(beside.sum()) ? std::min(missed[j], no_bound) : no_bound;
     }
     return missed;
   }
@@ -404,8 +405,8 @@ std::string obstacle_to_vibration_in_space(const std::deque<SituationRun>& rigid
 
 double vibration_missed_in_space(const Project& project, const ModelChoice& model) {
   if (!std::holds_alternative<spatial::Mechanism>(project.mechanism)) return 0.0;
-  // What does not repeat has no harmonics.
-  return model.harmonics.empty() ? 0.0 : model.weighed.front().error;
+  // Else there stands second order, which in space is weighed where there is none.
+  return model.weighed.empty() ? 0.0 : model.weighed.front().error;
 }
 
 VibrationInSpace estimate_vibration_in_space(const Project& project, const SituationRun& run,

@@ -346,6 +346,49 @@ law = {{ kind = "harmonic", mean = "0 N", amplitude = "1 kN", frequency = "{:.12
   }
 }
 
+// A couple on a disc at the end of a shaft without mass, of 1/omega^2 = J L/(G I_T): nothing bends.
+TEST_CASE("a shaft with a disc vibrates in torsion, and that is estimated", "[vibration]") {
+  const auto under = [](double frequency) {
+    return arm(R"(
+[joints.heel]
+kind = "fixed"
+connect = ["ground", "arm.heel"]
+at = ["0 m", "0 m", "0 m"]
+
+[bodies.load]
+mass = "1 kg"
+inertia = ["80 kg m^2", "50 kg m^2", "50 kg m^2"]
+points = { c = ["0 m", "0 m", "0 m"] }
+
+[joints.tip]
+kind = "fixed"
+connect = ["arm.tip", "load.c"]
+)",
+               fmt::format(R"(
+[forces.turning]
+kind = "couple"
+point = "load.c"
+direction = "x"
+law = {{ kind = "harmonic", mean = "0 N m", amplitude = "1 kN m", frequency = "{:.12g} Hz" }}
+)",
+                           frequency),
+               "1e-3");
+  };
+  const Project project = parse_project("arm.toml", under(1.0));
+  const Section& section = project.beam.segments.front().from;
+  const double I_T = torsion_properties_of(section).I_T->value();
+  const double first = std::sqrt(G * I_T / (80.0 * length)) / (2.0 * pi), r = 0.5;
+  const ModelChoice choice = chosen(under(r * first));
+  INFO(choice.reason);
+  CHECK(std::any_of(choice.frequencies.begin(), choice.frequencies.end(),
+                    [&](double found) { return std::abs(found / first - 1.0) < 1e-5; }));
+  REQUIRE(choice.weighed.size() == 1);
+  CHECK(choice.weighed.front().error == Approx(r * r / (1.0 - r * r)).epsilon(1e-4));
+  const Verification of = verify(parse_project("arm.toml", under(r * first)));
+  CHECK(std::any_of(of.not_judged.begin(), of.not_judged.end(),
+                    [](const NotJudged& what) { return what.what == "vibration"; }));
+}
+
 namespace {
 
 using test::slender::Beam;
