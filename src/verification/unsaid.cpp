@@ -206,9 +206,9 @@ std::vector<NotJudged> unestimated_vibration_of(const Project& project, const Mo
   const auto* const frame = std::get_if<frame::Structure>(&project.mechanism);
   if (!model.bends_rigid_motion && frame == nullptr) return {};
   if (model.chosen.level == ModelLevel::modal) return {};
-  const bool space = std::holds_alternative<spatial::Mechanism>(project.mechanism);
+  const auto* const space = std::get_if<spatial::Mechanism>(&project.mechanism);
   std::string obstacle = front_end_of(project)->obstacle_to_vibration(runs);
-  if (space && obstacle.empty() && !model.frequencies.empty()) {
+  if (space != nullptr && obstacle.empty() && !model.frequencies.empty()) {
     const double missed = vibration_missed_in_space(project, model);
     if (missed <= model.tolerance) return {};
     return {{Criterion::yield, "vibration",
@@ -221,13 +221,13 @@ std::vector<NotJudged> unestimated_vibration_of(const Project& project, const Mo
   const auto changes = [&](const SituationRun& run) {
     if (run.motion->stands_still()) return false;
     if (frame != nullptr && !has_functions_of_time(frame_in(project, *run.situation))) return false;
-    if (const auto* const space = std::get_if<spatial::Mechanism>(&project.mechanism))
-      return may_vibrate(project, *space, run.loads);
+    if (space != nullptr) return may_vibrate(project, *space, run.loads);
     const Eigen::MatrixXd stresses = stress_history(run.loads, compared_places_of(project.beam));
     return largest_range(stresses) > model.tolerance * stresses.cwiseAbs().maxCoeff();
   };
   if (std::none_of(runs.begin(), runs.end(), changes)) return {};
-  if (obstacle.empty() && space) obstacle = "the stopped mechanism does not hold the beam";
+  if (obstacle.empty() && space != nullptr)
+    obstacle = "the stopped mechanism does not hold the beam";
   if (obstacle.empty()) return {};
   return {
       {Criterion::yield, "vibration",
