@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -80,7 +81,7 @@ required = 1.0
                      density, from);
 }
 
-/// A mass beside the tip.
+/// A mass beside the tip, in axes of its own.
 const std::string beside = R"(
 [bodies.load]
 mass = "120 kg"
@@ -91,6 +92,7 @@ points = { c = ["0 m", "0 m", "0 m"] }
 [joints.tip]
 kind = "fixed"
 connect = ["arm.tip", "load.c"]
+turn = [["z", "40 deg"]]
 )";
 
 const std::string light_point = R"(
@@ -236,10 +238,12 @@ TEST_CASE("an arm with a body beside its tip has the frequencies of a model of f
           "[vibration]") {
   Matrix3d J;
   J << 9, 1, -2, 1, 6, 0.5, -2, 0.5, 11;
+  const Matrix3d R = Eigen::AngleAxisd(40.0 * pi / 180.0, Vector3d::UnitZ()).toRotationMatrix();
   for (const char* from : {"arm", "root"}) {
     const std::string text = arm(slewing(""), beside, "7850", from);
     const Project project = parse_project("arm.toml", text);
-    const auto expected = by_elements(project.beam, 120.0, {0.3, 0.4, -0.2}, J);
+    const auto expected =
+        by_elements(project.beam, 120.0, R * Vector3d(0.3, 0.4, -0.2), R * J * R.transpose());
     const auto found = frequencies(text);
     REQUIRE(found.size() == 4);
     // Sixty even elements of a taper miss it by their steps, 1e-4.
