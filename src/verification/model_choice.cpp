@@ -16,6 +16,7 @@
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/vibration_estimate.hpp"
 #include "second_order_growth.hpp"
+#include "vibration_in_space.hpp"
 
 namespace boxbeam {
 namespace {
@@ -81,11 +82,12 @@ double error_found(const Project& project, const ElasticModel& model, const Shar
   return found;
 }
 
-std::string against_frequencies(const VibrationEstimate& estimate) {
+/// `beside`: of the frequency, behind its number.
+std::string against_frequencies(const VibrationEstimate& estimate, const std::string& beside = "") {
   std::string text = fmt::format(
       "the lowest natural frequency of the beam in its mechanism, with all masses attached, is "
-      "{:.4g} Hz",
-      estimate.frequencies.front());
+      "{:.4g} Hz{}",
+      estimate.frequencies.front(), beside);
   if (!estimate.harmonics.empty()) {
     const LoadHarmonic& highest = estimate.harmonics.back();
     text += fmt::format(
@@ -142,6 +144,88 @@ std::string tabled_forces_in(const Project& project) {
     if (situation.runs()) look(planar_in(project, situation));
   }
   return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Of the situation in which rigid bodies miss most, or of the first whose beam has no modes; where
+/// that is not `estimated`, of the one with the lowest frequency.
+VibrationInSpace worst_estimate_in_space(const Project& project,
+                                         const std::deque<SituationRun>& rigid, bool estimated) {
+  std::optional<VibrationInSpace> worst;
+  const auto rank = [&](const VibrationEstimate& of) {
+    const double slow = of.frequencies.empty() ? 0.0 : 1.0 / of.frequencies.front();
+    return std::pair(estimated ? of.without_modes.front() : 0.0, slow);
+  };
+  for (const SituationRun& run : rigid) {
+    VibrationInSpace of = estimate_vibration_in_space(project, run);
+    if (!of.obstacle.empty()) return of;
+    if (!worst || rank(of.estimate) > rank(worst->estimate)) worst = std::move(of);
+  }
+  return *worst;
+}
+
+bool forces_move(const std::deque<SituationRun>& runs) {
+  return std::any_of(runs.begin(), runs.end(), [](const SituationRun& run) {
+    const std::vector<spatial::Joint>& joints = chain_of(run).mechanism().joints;
+    return std::any_of(joints.begin(), joints.end(), spatial::is_forced);
+  });
+}
+
+/// Rigid bodies, which in space there are no others of, with what they are estimated to miss.
+ModelChoice choose_in_space(const Project& project, const std::deque<SituationRun>& rigid,
+                            const std::string& obstacle, SecondOrderEstimate estimated) {
+  ModelChoice choice;
+  choice.bends_rigid_motion = true;
+  choice.tolerance = project.model.tolerance;
+  choice.second_order = std::move(estimated);
+  const SecondOrderEstimate& second = choice.second_order;
+  if (project.model.demand == ModelDemand::flexible) {
+    choose_unvibrated(project, "the bodies of a mechanism in space are rigid", choice);
+    return choice;
+  }
+  // Of what does not repeat the frequencies are known.
+  const bool moved_by_forces = forces_move(rigid);
+  if (moved_by_forces || second.in_plane.part >= 1.0) {
+    choose_unvibrated(project, obstacle.empty() ? "the beam buckles" : obstacle, choice);
+    return choice;
+  }
+  const VibrationInSpace found = worst_estimate_in_space(project, rigid, obstacle.empty());
+  if (!found.obstacle.empty()) {
+    choose_unvibrated(project, found.obstacle, choice);
+    return choice;
+  }
+  VibrationEstimate estimate = found.estimate;
+  if (estimate.frequencies.empty()) {
+    choice.reason = "rigid bodies: no load and no mass is there that could make the beam vibrate";
+    return choice;
+  }
+  // Of other situations there may be some.
+  if (!obstacle.empty()) estimate.harmonics.clear();
+  choice.frequencies = estimate.frequencies;
+  choice.harmonics = estimate.harmonics;
+  const std::string against =
+      against_frequencies(estimate, fmt::format(" ({}, of the mechanism stopped at {:.4g} s)",
+                                                found.shape, found.lowest_at.value()));
+  if (!obstacle.empty()) {
+    choose_unvibrated(project, obstacle, choice);
+    choice.reason += "; " + against;
+    return choice;
+  }
+  const double missed = estimate.without_modes.front();
+  choice.weighed.push_back(
+      {{},
+       fmt::format("harmonics of the loads against the modes of the mechanism stopped in postures "
+                   "over its motion {}",
+                   percent_text(missed)),
+       missed,
+       {}});
+  choice.reason = fmt::format(
+      "rigid bodies{}: {}; vibration is estimated to change the governing stress by {}, {}; "
+      "tolerance {}",
+      project.model.demand == ModelDemand::rigid ? ", as demanded" : "", against,
+      percent_text(missed), second_order_text(second), percent_text(choice.tolerance));
+  if (missed > choice.tolerance)
+    choice.reason += "; elastic bodies, which would have it, are counted in the plane only";
+  return choice;
 }
 
 /// Climbs from rigid bodies to bent ones and to ever more modes.
@@ -327,6 +411,8 @@ ModelChoice choose_for_rigid(const Project& project, const std::deque<SituationR
     return choice;
   }
   DesignedSecondOrder second = estimate_designed_second_order(project, rigid);
+  if (std::holds_alternative<spatial::Mechanism>(project.mechanism))
+    return choose_in_space(project, rigid, obstacle, std::move(second.estimate));
   ModelChoice choice =
       choose_by_estimate(project, rigid, obstacle, shared, std::move(second.estimate));
   if (choice.counts_second_order) {

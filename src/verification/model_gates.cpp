@@ -14,6 +14,7 @@
 #include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
 #include "boxbeam/verification/planar_links.hpp"
+#include "vibration_in_space.hpp"
 
 namespace boxbeam {
 namespace {
@@ -144,6 +145,8 @@ std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& mode
                      percent_text(model.tolerance)),
          true});
   }
+  // In space there is no better model: what rigid bodies miss counts where checks are used.
+  if (std::holds_alternative<spatial::Mechanism>(project.mechanism)) return gates;
   // Rigid bodies stay where no better model is known to be one.
   if (project.model.demand == ModelDemand::automatic && !model.weighed.empty() &&
       model.chosen.level == ModelLevel::rigid) {
@@ -230,6 +233,8 @@ std::vector<Gate> second_order_gates_of(const Project& project, const ModelChoic
                                         const std::vector<CheckResult>& checks) {
   if (!model.second_order.change) return {};
   const bool once = model.counts_second_order;
+  const double missed = vibration_missed_in_space(project, model);
+  const double vibrating = missed > model.tolerance ? missed : 0.0;
   const Check* most = nullptr;
   double grown = 1.0, growth = 0.0;
   for (const CheckResult& result : checks) {
@@ -242,6 +247,7 @@ std::vector<Gate> second_order_gates_of(const Project& project, const ModelChoic
       if (!once && bow < 1.0) adds = std::max(adds, bow / (1.0 - bow));
       adds = deflection_growth(project, result, adds);
     }
+    adds += vibrating;
     if (!(check.utilisation() * (1.0 + adds) > grown)) continue;
     grown = check.utilisation() * (1.0 + adds);
     growth = adds;
@@ -249,9 +255,10 @@ std::vector<Gate> second_order_gates_of(const Project& project, const ModelChoic
   }
   if (most == nullptr) return {};
   return {{"", "",
-           fmt::format("second order (bending by N w) {} and is estimated to "
+           fmt::format("{}second order (bending by N w) {} and is estimated to "
                        "add {} to the {} of {} at s = {} m, {}: {} used becomes {}, which does not "
                        "pass",
+                       vibrating > 0.0 ? "vibration with " : "",
                        once ? "is in the cut forces by the loads times one, not times their load "
                               "factor and the safety factor that is asked for,"
                             : "is not in the cut forces",

@@ -12,6 +12,7 @@
 #include "boxbeam/verification/chain_motion_result.hpp"
 #include "front_ends.hpp"
 #include "stopped_in_space.hpp"
+#include "vibration_in_space.hpp"
 
 namespace boxbeam {
 namespace {
@@ -247,8 +248,8 @@ class SpatialFrontEnd : public FrontEnd {
     return std::make_unique<SpatialMotion>(*project_, situation, shared);
   }
 
-  std::string obstacle_to_vibration(const std::deque<SituationRun>&) const override {
-    return "elastic links are counted in the plane only";
+  std::string obstacle_to_vibration(const std::deque<SituationRun>& rigid) const override {
+    return obstacle_to_vibration_in_space(rigid);
   }
 
   void require_elastic_model() const override {

@@ -9,10 +9,12 @@
 #include "boxbeam/project/plate_detail.hpp"
 #include "boxbeam/section/outline.hpp"
 #include "boxbeam/verification/front_end.hpp"
+#include "boxbeam/verification/model_ladder.hpp"
 #include "boxbeam/verification/unseen_time.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
 #include "fast_loads.hpp"
 #include "plate_steps.hpp"
+#include "vibration_in_space.hpp"
 
 namespace boxbeam {
 namespace {
@@ -204,16 +206,28 @@ std::vector<NotJudged> unestimated_vibration_of(const Project& project, const Mo
   const auto* const frame = std::get_if<frame::Structure>(&project.mechanism);
   if (!model.bends_rigid_motion && frame == nullptr) return {};
   if (model.chosen.level == ModelLevel::modal) return {};
+  const auto* const space = std::get_if<spatial::Mechanism>(&project.mechanism);
+  std::string obstacle = front_end_of(project)->obstacle_to_vibration(runs);
+  if (space != nullptr && obstacle.empty() && !model.frequencies.empty()) {
+    const double missed = vibration_missed_in_space(project, model);
+    if (missed <= model.tolerance) return {};
+    return {{Criterion::yield, "vibration",
+             fmt::format("estimated to change the governing stress by {}, tolerance {}, and bodies "
+                         "in space are rigid; the lowest natural frequency of the beam in its "
+                         "mechanism is {:.4g} Hz",
+                         percent_text(missed), percent_text(model.tolerance),
+                         model.frequencies.front())}};
+  }
   const auto changes = [&](const SituationRun& run) {
     if (run.motion->stands_still()) return false;
     if (frame != nullptr && !has_functions_of_time(frame_in(project, *run.situation))) return false;
-    if (const auto* const space = std::get_if<spatial::Mechanism>(&project.mechanism))
-      return may_vibrate(project, *space, run.loads);
+    if (space != nullptr) return may_vibrate(project, *space, run.loads);
     const Eigen::MatrixXd stresses = stress_history(run.loads, compared_places_of(project.beam));
     return largest_range(stresses) > model.tolerance * stresses.cwiseAbs().maxCoeff();
   };
   if (std::none_of(runs.begin(), runs.end(), changes)) return {};
-  const std::string obstacle = front_end_of(project)->obstacle_to_vibration(runs);
+  if (obstacle.empty() && space != nullptr)
+    obstacle = "the stopped mechanism does not hold the beam";
   if (obstacle.empty()) return {};
   return {
       {Criterion::yield, "vibration",

@@ -36,23 +36,6 @@ Eigen::VectorXd samples_of(const Spectrum& spectrum) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-/// The part of a mode beyond its static one, elastic and viscous, under generalised forces at equal
-/// steps of a period: its inertia over the square of its frequency.
-Eigen::VectorXd dynamic_part(const Eigen::VectorXd& p, double frequency, double damping,
-                             double base) {
-  const double omega = full_turn * frequency;
-  Spectrum spectrum = spectrum_of(p);
-  const std::size_t n = spectrum.size();
-  for (std::size_t h = 0; h < n; ++h) {
-    const double harmonic =
-        h <= n / 2 ? static_cast<double>(h) : static_cast<double>(h) - static_cast<double>(n);
-    const double r = harmonic * base / frequency;
-    const std::complex<double> dynamic(1.0 - r * r, damping * r / omega);
-    spectrum[h] *= r * r / dynamic / (omega * omega);
-  }
-  return samples_of(spectrum);
-}
-
 [[noreturn]] void refuse(const char* what) {
   throw AnalysisError(
       {fmt::format("what vibration adds cannot be estimated: {}; look for a mass, an inertia or a "
@@ -64,21 +47,13 @@ Eigen::VectorXd dynamic_part(const Eigen::VectorXd& p, double frequency, double 
        {}});
 }
 
-std::vector<LoadHarmonic> harmonics_of(const LoadHistory& history, const Station& station,
-                                       double base) {
+/// M_y of a station at equal steps of a period.
+Eigen::VectorXd bending_at(const LoadHistory& history, const Station& station) {
   Eigen::VectorXd moment(static_cast<Eigen::Index>(history.even_instants()));
   for (std::size_t i = 0; i < history.even_instants(); ++i) {
     moment[static_cast<Eigen::Index>(i)] = history.even_diagram(i).at(station).M_y.value();
   }
-  const Spectrum spectrum = spectrum_of(moment);
-  const double largest = moment.cwiseAbs().maxCoeff();
-  std::vector<LoadHarmonic> harmonics;
-  for (std::size_t h = 1; h <= spectrum.size() / 2; ++h) {
-    const double share =
-        2.0 * std::abs(spectrum[h]) / (static_cast<double>(spectrum.size()) * largest);
-    if (share > significant) harmonics.push_back({static_cast<double>(h) * base, share});
-  }
-  return harmonics;
+  return moment;
 }
 
 bool same_places(const std::vector<flexible::SpringElement>& a,
@@ -100,6 +75,33 @@ double largest_friction(const planar::Mechanism& mechanism) {
 }
 
 }  // namespace
+
+Eigen::VectorXd dynamic_part(const Eigen::VectorXd& p, double frequency, double damping,
+                             double base) {
+  const double omega = full_turn * frequency;
+  Spectrum spectrum = spectrum_of(p);
+  const std::size_t n = spectrum.size();
+  for (std::size_t h = 0; h < n; ++h) {
+    const double harmonic =
+        h <= n / 2 ? static_cast<double>(h) : static_cast<double>(h) - static_cast<double>(n);
+    const double r = harmonic * base / frequency;
+    const std::complex<double> dynamic(1.0 - r * r, damping * r / omega);
+    spectrum[h] *= r * r / dynamic / (omega * omega);
+  }
+  return samples_of(spectrum);
+}
+
+std::vector<LoadHarmonic> harmonics_of(const Eigen::VectorXd& moment, double base) {
+  const Spectrum spectrum = spectrum_of(moment);
+  const double largest = moment.cwiseAbs().maxCoeff();
+  std::vector<LoadHarmonic> harmonics;
+  for (std::size_t h = 1; h <= spectrum.size() / 2; ++h) {
+    const double share =
+        2.0 * std::abs(spectrum[h]) / (static_cast<double>(spectrum.size()) * largest);
+    if (share > significant) harmonics.push_back({static_cast<double>(h) * base, share});
+  }
+  return harmonics;
+}
 
 VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody& elastic,
                                      const LoadHistory& history) {
@@ -171,8 +173,8 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
   estimate.left_out += rubbed;
   Eigen::Index governing = 0;
   (stresses.colwise().maxCoeff() - stresses.colwise().minCoeff()).maxCoeff(&governing);
-  estimate.harmonics =
-      harmonics_of(history, places[static_cast<std::size_t>(governing / 2)].station, base);
+  const Station& station = places[static_cast<std::size_t>(governing / 2)].station;
+  estimate.harmonics = harmonics_of(bending_at(history, station), base);
   return estimate;
 }
 

@@ -27,11 +27,11 @@ std::vector<NotJudged> unfinished_motion_of(const Project& project,
                                             const std::deque<SituationRun>& runs,
                                             const std::vector<CheckResult>& checks);
 
-/// What vibration adds, where loads that change come onto a beam whose vibration nobody estimates:
-/// in space, in the plane where something stands against an estimate, and in frames at rest under
-/// functions of time. Nothing where the loads are measured, elastic links carry them, or the
-/// stresses along the beam change by less than the model's tolerance; in space where they change
-/// slowly (`may_vibrate`).
+/// What vibration adds: in space where it is estimated to be more than the model's tolerance, and
+/// where loads that change come onto a beam whose vibration nobody estimates: where something
+/// stands against an estimate, and in frames at rest under functions of time. Nothing where the
+/// loads are measured, elastic links carry them, or the stresses along the beam change by less than
+/// the tolerance; in space where they change slowly (`may_vibrate`).
 std::vector<NotJudged> unestimated_vibration_of(const Project& project, const ModelChoice& model,
                                                 const std::deque<SituationRun>& runs);
 

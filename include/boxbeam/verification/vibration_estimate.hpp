@@ -35,4 +35,13 @@ struct VibrationEstimate {
 VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody& elastic,
                                      const LoadHistory& history);
 
+/// The part of a mode beyond its static one, elastic and viscous together, under generalised forces
+/// p at equal steps of a period: its inertia over the square of its frequency. `base`: one over the
+/// period [Hz]; `damping`: phi^T C phi [1/s].
+Eigen::VectorXd dynamic_part(const Eigen::VectorXd& p, double frequency, double damping,
+                             double base);
+
+/// The harmonics of a moment at equal steps of a period that are above a hundredth of its largest.
+std::vector<LoadHarmonic> harmonics_of(const Eigen::VectorXd& moment, double base);
+
 }  // namespace boxbeam

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometric_stiffness.hpp"
 #include "rigid_arms.hpp"
 
 namespace boxbeam::frame {
@@ -24,8 +25,8 @@ Eigen::Matrix4d geometric_stiffness(double force, double h) {
   return force / (30.0 * h) * of;
 }
 
-/// The same against the shifts and turns of both ends, axes of the member: z with -theta_y, y with
-/// theta_z.
+}  // namespace
+
 Eigen::Matrix<double, 12, 12> geometric_block(double force, double h) {
   Eigen::Matrix<double, 12, 12> block = Eigen::Matrix<double, 12, 12>::Zero();
   const Eigen::Matrix4d across = geometric_stiffness(force, h);
@@ -43,8 +44,6 @@ Eigen::Matrix<double, 12, 12> geometric_block(double force, double h) {
   }
   return block;
 }
-
-}  // namespace
 
 std::vector<double> Statics::axial_forces(const Equilibrium& of) const {
   std::vector<double> forces;

@@ -1,0 +1,484 @@
+#include "vibration_in_space.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "boxbeam/core/angle.hpp"
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/section/torsion.hpp"
+#include "boxbeam/verification/front_end.hpp"
+#include "boxbeam/verification/vibrating_stress.hpp"
+
+namespace boxbeam {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr std::size_t modes_estimated = 6, postures_estimated = 12;
+
+/// How the bodies of a stopped mechanism are tied to each other, in beam axes.
+class StoppedTies {
+ public:
+  StoppedTies(const spatial::Chain& chain, const spatial::State& state,
+              const spatial::BeamPlacement& placement)
+      : mechanism_(&chain.mechanism()), state_(&state), own_(placement.body) {
+    const spatial::BodyMotion& own = state.bodies[static_cast<std::size_t>(own_)];
+    start_ = own.position + own.R_WB * placement.start;
+    R_BW_ = (own.R_WB * placement.axes).transpose();
+    int next = 1;
+    for (std::size_t i = 0; i < mechanism_->bodies.size(); ++i) {
+      if (static_cast<int>(i) == own_) {
+        member_.push_back(0);
+        continue;
+      }
+      member_.push_back(next++);
+      const spatial::Body& body = mechanism_->bodies[i];
+      const Matrix3d R = R_BW_ * state.bodies[i].R_WB;
+      bodies.push_back({body.mass,
+                        in_beam(spatial::position_of(state, {static_cast<int>(i), body.centre})),
+                        R * body.inertia * R.transpose()});
+    }
+    for (std::size_t i = 0; i < mechanism_->joints.size(); ++i) add_joint(i);
+    for (const spatial::ClosingJoint& joint : mechanism_->closing) add_closing(joint);
+    for (const spatial::Spring& spring : mechanism_->springs) add_spring(spring);
+    for (const spatial::TorsionSpring& spring : mechanism_->torsion_springs) add_spring(spring);
+  }
+
+  std::vector<frame::RigidMass> bodies;
+  std::vector<frame::Tie> ties;
+
+ private:
+  static frame::Vector6 force(const Vector3d& along) {
+    frame::Vector6 of = frame::Vector6::Zero();
+    of.head<3>() = along;
+    return of;
+  }
+  static frame::Vector6 couple(const Vector3d& about) {
+    frame::Vector6 of = frame::Vector6::Zero();
+    of.tail<3>() = about;
+    return of;
+  }
+
+  Vector3d in_beam(const Vector3d& world) const { return R_BW_ * (world - start_); }
+  Vector3d turned(int axes, const Vector3d& vector) const {
+    return R_BW_ * spatial::in_world(*state_, axes, vector);
+  }
+  int member_of(int body) const {
+    return body == spatial::ground ? frame::ground : member_[static_cast<std::size_t>(body)];
+  }
+  frame::Tie::End end(int body, const Vector3d& at, const frame::Vector6& per) const {
+    return {{member_of(body), at}, per};
+  }
+
+  /// b against a at one place of both.
+  frame::Tie& tie(int a, int b, const Vector3d& at, const frame::Vector6& per) {
+    frame::Tie& of = ties.emplace_back();
+    of.ends = {end(a, at, -per), end(b, at, per)};
+    return of;
+  }
+
+  void hold_across(int a, int b, const Vector3d& at, const Vector3d& axis) {
+    const Vector3d u = axis.unitOrthogonal();
+    tie(a, b, at, force(u));
+    tie(a, b, at, force(axis.cross(u)));
+  }
+  void hold_tilt(int a, int b, const Vector3d& at, const Vector3d& axis) {
+    const Vector3d u = axis.unitOrthogonal();
+    tie(a, b, at, couple(u));
+    tie(a, b, at, couple(axis.cross(u)));
+  }
+  /// A thread advances by so much a radian.
+  void hold_thread(int a, int b, const Vector3d& at, const Vector3d& axis, double pitch) {
+    tie(a, b, at, force(axis) - pitch * couple(axis));
+  }
+
+  void add_joint(std::size_t i) {
+    const spatial::Joint& of = mechanism_->joints[i];
+    const int a = of.parent, b = static_cast<int>(i);
+    const Vector3d at = in_beam(spatial::position_of(*state_, {b, of.point}));
+    const Vector3d axis = turned(of.parent, of.axis);
+    hold_across(a, b, at, axis);
+    hold_tilt(a, b, at, axis);
+    const bool moves = of.kind != spatial::JointKind::fixed && !spatial::is_driven(of);
+    if (!moves) {
+      tie(a, b, at, force(axis));
+      tie(a, b, at, couple(axis));
+      return;
+    }
+    switch (of.kind) {
+      case spatial::JointKind::fixed: break;
+      case spatial::JointKind::revolute: tie(a, b, at, force(axis)); break;
+      case spatial::JointKind::prismatic: tie(a, b, at, couple(axis)); break;
+      case spatial::JointKind::screw:
+        hold_thread(a, b, at, axis, spatial::pitch_of(of.lead));
+        break;
+    }
+  }
+
+  void add_closing(const spatial::ClosingJoint& of) {
+    using Kind = spatial::ClosingKind;
+    const int a = of.a.body, b = of.b.body;
+    if (spatial::has_teeth(of.kind)) {
+      add_mesh(of.mesh);
+      return;
+    }
+    const Vector3d at = in_beam(spatial::position_of(*state_, of.b));
+    const Vector3d axis = turned(a, of.axis);
+    switch (of.kind) {
+      case Kind::fixed:
+        hold_across(a, b, at, axis);
+        hold_tilt(a, b, at, axis);
+        tie(a, b, at, force(axis));
+        tie(a, b, at, couple(axis));
+        break;
+      case Kind::revolute:
+        hold_across(a, b, at, axis);
+        hold_tilt(a, b, at, axis);
+        tie(a, b, at, force(axis));
+        break;
+      case Kind::prismatic:
+        hold_across(a, b, at, axis);
+        hold_tilt(a, b, at, axis);
+        tie(a, b, at, couple(axis));
+        break;
+      case Kind::cylindrical:
+        hold_across(a, b, at, axis);
+        hold_tilt(a, b, at, axis);
+        break;
+      case Kind::universal:
+        hold_across(a, b, at, axis);
+        tie(a, b, at, force(axis));
+        tie(a, b, at, couple(axis.cross(turned(b, of.other)).normalized()));
+        break;
+      case Kind::spherical:
+        hold_across(a, b, at, axis);
+        tie(a, b, at, force(axis));
+        break;
+      case Kind::planar:
+        tie(a, b, at, force(axis));
+        hold_tilt(a, b, at, axis);
+        break;
+      case Kind::slot: hold_across(a, b, at, axis); break;
+      case Kind::distance: along_line(of.a, of.b); break;
+      case Kind::screw:
+        hold_across(a, b, at, axis);
+        hold_tilt(a, b, at, axis);
+        hold_thread(a, b, at, axis, spatial::pitch_of(of.lead));
+        break;
+      case Kind::gear:
+      case Kind::rack: break;
+    }
+  }
+
+  /// The sum of factor q of the coordinates that teeth tie.
+  void add_mesh(const spatial::Mesh& mesh) {
+    frame::Tie& of = ties.emplace_back();
+    for (const spatial::Mesh::Part& part : mesh.parts) {
+      const spatial::Joint& joint = mechanism_->joints[part.joint];
+      const int body = static_cast<int>(part.joint);
+      const Vector3d at = in_beam(spatial::position_of(*state_, {body, joint.point}));
+      const Vector3d axis = part.factor * turned(joint.parent, joint.axis);
+      const frame::Vector6 per = spatial::is_angle(joint.kind) ? couple(axis) : force(axis);
+      of.ends.push_back(end(body, at, per));
+      of.ends.push_back(end(joint.parent, at, -per));
+    }
+  }
+
+  frame::Tie& along_line(const spatial::Attachment& a, const spatial::Attachment& b) {
+    const Vector3d from = in_beam(spatial::position_of(*state_, a)),
+                   to = in_beam(spatial::position_of(*state_, b));
+    const Vector3d along = (to - from).normalized();
+    frame::Tie& of = ties.emplace_back();
+    of.ends = {end(a.body, from, force(-along)), end(b.body, to, force(along))};
+    return of;
+  }
+
+  void add_spring(const spatial::Spring& spring) {
+    if (!spatial::acts(spring, *state_)) return;
+    frame::Tie& of = along_line(spring.a, spring.b);
+    of.stiffness = spring.stiffness;
+    of.damping = spring.damping;
+  }
+
+  void add_spring(const spatial::TorsionSpring& spring) {
+    const spatial::Joint& joint = mechanism_->joints[static_cast<std::size_t>(spring.joint)];
+    if (spatial::is_driven(joint)) return;
+    const Vector3d at = in_beam(spatial::position_of(*state_, {spring.joint, joint.point}));
+    frame::Tie& of = tie(joint.parent, spring.joint, at, couple(turned(joint.parent, joint.axis)));
+    of.stiffness = spring.stiffness;
+    of.damping = spring.damping;
+  }
+
+  const spatial::Mechanism* mechanism_;
+  const spatial::State* state_;
+  int own_;
+  Vector3d start_;
+  Matrix3d R_BW_;
+  std::vector<int> member_;
+};
+
+std::vector<double> stations_held(const spatial::Mechanism& mechanism,
+                                  const spatial::BeamPlacement& placement) {
+  std::vector<double> at;
+  const auto add = [&](const Vector3d& place) {
+    at.push_back(spatial::in_beam(placement, place).x());
+  };
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const spatial::Joint& joint = mechanism.joints[i];
+    if (static_cast<int>(i) == placement.body) add(joint.point);
+    if (joint.parent == placement.body) add(joint.at);
+  }
+  const auto add_ends = [&](const auto& of) {
+    for (const spatial::Attachment& end : {of.a, of.b})
+      if (end.body == placement.body) add(end.p);
+  };
+  for (const spatial::ClosingJoint& joint : mechanism.closing)
+    if (!spatial::has_teeth(joint.kind)) add_ends(joint);
+  for (const spatial::Spring& spring : mechanism.springs) add_ends(spring);
+  return at;
+}
+
+/// What makes stress of the cut forces of a place.
+struct PlaceInSpace {
+  Station station;
+  double per_N, per_M_y, per_M_z, per_T;
+};
+constexpr Eigen::Index stresses_of_place = 5;
+
+std::vector<PlaceInSpace> places_in_space(const TaperedBeam& beam) {
+  std::vector<PlaceInSpace> places;
+  for (const ComparedPlace& place : compared_places_of(beam)) {
+    const Section section = section_at(beam, place.station);
+    const double A = 1.0 / place.per_N;
+    const TorsionProperties torsion = torsion_properties_of(section);
+    double per_T = 0.0;
+    if (torsion.I_T) {
+      const double open = torsion.enclosed.value() > 0.0 ? 1.0 : std::sqrt(3.0);
+      per_T = std::sqrt(3.0) * open / std::sqrt(torsion.I_T->value() * A);
+    }
+    places.push_back(
+        {place.station, place.per_N, place.per_M, 1.0 / properties_of(section).W_z.value(), per_T});
+  }
+  return places;
+}
+
+Eigen::RowVectorXd stresses_at(const CutForceDiagram& diagram,
+                               const std::vector<PlaceInSpace>& places) {
+  Eigen::RowVectorXd stresses(stresses_of_place * static_cast<Eigen::Index>(places.size()));
+  Eigen::Index i = 0;
+  for (const PlaceInSpace& place : places) {
+    const CutForces cut = diagram.at(place.station);
+    const double axial = cut.N.value() * place.per_N, y = cut.M_y.value() * place.per_M_y,
+                 z = cut.M_z.value() * place.per_M_z;
+    for (const double both : {y + z, y - z, -y + z, -y - z}) stresses[i++] = axial + both;
+    stresses[i++] = cut.T.value() * place.per_T;
+  }
+  return stresses;
+}
+
+double friction_in(const spatial::Mechanism& mechanism) {
+  double largest = 0.0;
+  for (const spatial::Joint& joint : mechanism.joints)
+    largest = std::max(largest, joint.friction.coulomb);
+  for (const spatial::ClosingJoint& joint : mechanism.closing)
+    largest = std::max(largest, joint.friction.coulomb);
+  return largest;
+}
+
+/// M_y or M_z at a station over the period, the one with the larger stress.
+Eigen::VectorXd bending_in_space(const LoadHistory& history, const PlaceInSpace& place) {
+  const auto count = static_cast<Eigen::Index>(history.even_instants());
+  Eigen::VectorXd y(count), z(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const CutForces cut = history.even_diagram(static_cast<std::size_t>(i)).at(place.station);
+    y[i] = cut.M_y.value();
+    z[i] = cut.M_z.value();
+  }
+  const bool about_y = place.per_M_y * (y.maxCoeff() - y.minCoeff()) >=
+                       place.per_M_z * (z.maxCoeff() - z.minCoeff());
+  return about_y ? y : z;
+}
+
+/// Six cut forces at every station of the vibrating beam, a row for each even instant.
+Eigen::MatrixXd cuts_over(const LoadHistory& history, const std::vector<Station>& stations) {
+  Eigen::MatrixXd cuts(static_cast<Eigen::Index>(history.even_instants()),
+                       6 * static_cast<Eigen::Index>(stations.size()));
+  for (Eigen::Index i = 0; i < cuts.rows(); ++i) {
+    const CutForceDiagram& diagram = history.even_diagram(static_cast<std::size_t>(i));
+    Eigen::Index column = 0;
+    for (const Station& station : stations) {
+      const CutForces cut = diagram.at(station);
+      for (const double value : {cut.N.value(), cut.V_y.value(), cut.V_z.value(), cut.T.value(),
+                                 cut.M_y.value(), cut.M_z.value()})
+        cuts(i, column++) = value;
+    }
+  }
+  return cuts;
+}
+
+/// What the first modes of a posture, taken for the whole motion, are estimated to add.
+class SpaceEstimate {
+ public:
+  SpaceEstimate(const LoadHistory& history, const frame::VibratingBeam& beam, const TaperedBeam& of)
+      : history_(&history), places_(places_in_space(of)), base_(1.0 / history.period().value()) {
+    stresses_.resize(static_cast<Eigen::Index>(history.even_instants()),
+                     stresses_of_place * static_cast<Eigen::Index>(places_.size()));
+    for (Eigen::Index i = 0; i < stresses_.rows(); ++i)
+      stresses_.row(i) = stresses_at(history.even_diagram(static_cast<std::size_t>(i)), places_);
+    peak_ = stresses_.cwiseAbs().maxCoeff();
+    range_ = largest_range(stresses_);
+    if (peak_ > 0.0) cuts_ = cuts_over(history, beam.stations());
+  }
+
+  bool loaded() const { return peak_ > 0.0; }
+
+  /// With none, one, ... of the modes counted.
+  std::vector<double> missed_by(const std::vector<frame::BeamMode>& modes) const {
+    std::vector<double> missed(modes.size() + 1, 0.0);
+    Eigen::MatrixXd beside = Eigen::MatrixXd::Zero(stresses_.rows(), stresses_.cols());
+    for (std::size_t j = modes.size(); j-- > 0;) {
+      const frame::BeamMode& mode = modes[j];
+      beside += dynamic_part(cuts_ * mode.work, mode.frequency, mode.damping, base_) *
+                stresses_at(mode.cut, places_);
+      const double of_range = range_ > 0.0 ? largest_range(beside) / range_ : 0.0;
+      missed[j] = std::max(beside.cwiseAbs().maxCoeff() / peak_, of_range);
+      // A harmonic that meets a frequency without damping has no bound.
+      constexpr double no_bound = 1e6;
+      missed[j] = std::isfinite(beside.sum()) ? std::min(missed[j], no_bound) : no_bound;
+    }
+    return missed;
+  }
+
+  std::vector<LoadHarmonic> harmonics() const {
+    Eigen::Index governing = 0;
+    (stresses_.colwise().maxCoeff() - stresses_.colwise().minCoeff()).maxCoeff(&governing);
+    const auto place = static_cast<std::size_t>(governing / stresses_of_place);
+    return harmonics_of(bending_in_space(*history_, places_[place]), base_);
+  }
+
+ private:
+  const LoadHistory* history_;
+  std::vector<PlaceInSpace> places_;
+  double base_, peak_ = 0.0, range_ = 0.0;
+  Eigen::MatrixXd stresses_, cuts_;
+};
+
+}  // namespace
+
+StoppedVibration::StoppedVibration(const Project& project, const spatial::Chain& chain, int parts)
+    : chain_(&chain),
+      placement_(placement_in(project, chain.mechanism())),
+      beam_(project.beam, project.model.youngs_modulus, project.model.shear_modulus,
+            stations_held(chain.mechanism(), placement_), parts) {}
+
+std::vector<frame::BeamMode> StoppedVibration::modes(const spatial::State& state,
+                                                     const CutForceDiagram& rigid,
+                                                     std::size_t count) const {
+  const StoppedTies stopped(*chain_, state, placement_);
+  return beam_.modes(stopped.bodies, stopped.ties, rigid, count);
+}
+
+std::string shape_of(const frame::BeamMode& mode) {
+  constexpr const char* words[] = {"stretching", "bending about y", "bending about z", "torsion",
+                                   "springs beside the beam"};
+  return words[std::max_element(mode.energy.begin(), mode.energy.end()) - mode.energy.begin()];
+}
+
+std::string obstacle_to_vibration_in_space(const std::deque<SituationRun>& rigid) {
+  for (const SituationRun& run : rigid) {
+    const spatial::Mechanism& mechanism = chain_of(run).mechanism();
+    if (std::any_of(mechanism.joints.begin(), mechanism.joints.end(),
+                    [](const spatial::Joint& joint) { return spatial::is_forced(joint); }))
+      return "forces decide the motion: with its drivers held the mechanism is free to move";
+    if (!run.loads.closed()) return "the motion does not repeat";
+    if (spatial::time_span_of(mechanism).steeper)
+      return "the edges of a table of forces are steeper than the instants looked at";
+  }
+  return "";
+}
+
+double vibration_missed_in_space(const Project& project, const ModelChoice& model) {
+  if (!std::holds_alternative<spatial::Mechanism>(project.mechanism)) return 0.0;
+  // Else there stands second order, which in space is weighed where there is none.
+  return model.weighed.empty() ? 0.0 : model.weighed.front().error;
+}
+
+VibrationInSpace estimate_vibration_in_space(const Project& project, const SituationRun& run,
+                                             int parts) {
+  const spatial::Chain& chain = chain_of(run);
+  const StoppedVibration stopped(project, chain, parts);
+  const SpaceEstimate of_loads(run.loads, stopped.beam(), project.beam);
+  VibrationInSpace result;
+  VibrationEstimate& estimate = result.estimate;
+  estimate.without_modes = {0.0};
+  if (!of_loads.loaded()) return result;
+  const double begin = run.loads.begin().value(), period = run.loads.period().value();
+  double fastest = 0.0;
+  /// The first frequency in a posture, which is weighed; infinite without mass.
+  const auto look_at = [&](double time) {
+    const spatial::State state = chain.at(time);
+    const std::vector<frame::BeamMode> modes =
+        stopped.modes(state, run.loads.diagram_at(si<Time>(time)), modes_estimated);
+    if (modes.empty()) return std::numeric_limits<double>::infinity();
+    const double omega =
+        state.bodies[static_cast<std::size_t>(stopped.placement().body)].omega.norm();
+    fastest = std::max(fastest, omega);
+    const std::vector<double> missed =
+        run.loads.closed() ? of_loads.missed_by(modes) : std::vector<double>{};
+    if (estimate.without_modes.size() < missed.size())
+      estimate.without_modes.resize(missed.size(), 0.0);
+    for (std::size_t k = 0; k < missed.size(); ++k)
+      estimate.without_modes[k] = std::max(estimate.without_modes[k], missed[k]);
+    if (estimate.frequencies.empty() || modes.front().frequency < estimate.frequencies.front()) {
+      estimate.frequencies.clear();
+      for (const frame::BeamMode& mode : modes) estimate.frequencies.push_back(mode.frequency);
+      result.lowest_at = si<Time>(time);
+      result.shape = shape_of(modes.front());
+    }
+    return modes.front().frequency;
+  };
+  double now = begin;
+  try {
+    const bool closed = run.loads.closed();
+    const std::size_t postures = closed ? postures_estimated : postures_estimated + 1;
+    const double step = period / postures_estimated;
+    std::vector<double> first;
+    for (std::size_t k = 0; k < postures; ++k) {
+      now = begin + step * static_cast<double>(k);
+      first.push_back(look_at(now));
+    }
+    const auto [low, high] = std::minmax_element(first.begin(), first.end());
+    // What hardly changes is known.
+    if (*high > 1.001 * *low && std::isfinite(*high)) {
+      double half = 0.5 * step;
+      double middle = result.lowest_at.value();
+      for (int round = 0; round < 4; ++round) {
+        for (const double side : {middle - half, middle + half}) {
+          now = closed ? begin + std::fmod(side - begin + period, period)
+                       : std::clamp(side, begin, begin + period);
+          look_at(now);
+        }
+        middle = result.lowest_at.value();
+        half *= 0.5;
+      }
+    }
+  } catch (const AnalysisError& error) {
+    result.obstacle = fmt::format("stopped at {:.4g} s, {}", now, error.failure().what);
+    return result;
+  }
+  if (estimate.frequencies.empty() || !run.loads.closed()) return result;
+  const double turning = std::pow(fastest / (full_turn * estimate.frequencies.front()), 2);
+  estimate.without_modes.front() += turning;
+  estimate.left_out = friction_in(chain.mechanism()) * estimate.without_modes.front();
+  for (double& error : estimate.without_modes) error += estimate.left_out;
+  estimate.harmonics = of_loads.harmonics();
+  return result;
+}
+
+}  // namespace boxbeam
