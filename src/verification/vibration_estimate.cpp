@@ -48,7 +48,7 @@ Eigen::VectorXd samples_of(const Spectrum& spectrum) {
 }
 
 /// M_y of a station at equal steps of a period.
-Eigen::VectorXd bending_at(const LoadHistory& history, const Station& station) {
+Eigen::VectorXd bending_over_period(const LoadHistory& history, const Station& station) {
   Eigen::VectorXd moment(static_cast<Eigen::Index>(history.even_instants()));
   for (std::size_t i = 0; i < history.even_instants(); ++i) {
     moment[static_cast<Eigen::Index>(i)] = history.even_diagram(i).at(station).M_y.value();
@@ -174,7 +174,7 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
   Eigen::Index governing = 0;
   (stresses.colwise().maxCoeff() - stresses.colwise().minCoeff()).maxCoeff(&governing);
   const Station& station = places[static_cast<std::size_t>(governing / 2)].station;
-  estimate.harmonics = harmonics_of(bending_at(history, station), base);
+  estimate.harmonics = harmonics_of(bending_over_period(history, station), base);
   return estimate;
 }
 

@@ -25,9 +25,9 @@ constexpr std::size_t modes_estimated = 6, postures_estimated = 12;
 /// How the bodies of a stopped mechanism are tied to each other, in beam axes.
 class StoppedTies {
  public:
-  StoppedTies(const spatial::Chain& chain, const spatial::State& state,
+  StoppedTies(const spatial::Mechanism& mechanism, const spatial::State& state,
               const spatial::BeamPlacement& placement)
-      : mechanism_(&chain.mechanism()), state_(&state), own_(placement.body) {
+      : mechanism_(&mechanism), state_(&state), own_(placement.body) {
     const spatial::BodyMotion& own = state.bodies[static_cast<std::size_t>(own_)];
     start_ = own.position + own.R_WB * placement.start;
     R_BW_ = (own.R_WB * placement.axes).transpose();
@@ -371,6 +371,12 @@ class SpaceEstimate {
 
 }  // namespace
 
+StoppedScene stopped_scene(const spatial::Mechanism& mechanism, const spatial::State& state,
+                           const spatial::BeamPlacement& placement) {
+  StoppedTies of(mechanism, state, placement);
+  return {std::move(of.bodies), std::move(of.ties)};
+}
+
 StoppedVibration::StoppedVibration(const Project& project, const spatial::Chain& chain, int parts)
     : chain_(&chain),
       placement_(placement_in(project, chain.mechanism())),
@@ -380,7 +386,7 @@ StoppedVibration::StoppedVibration(const Project& project, const spatial::Chain&
 std::vector<frame::BeamMode> StoppedVibration::modes(const spatial::State& state,
                                                      const CutForceDiagram& rigid,
                                                      std::size_t count) const {
-  const StoppedTies stopped(*chain_, state, placement_);
+  const StoppedScene stopped = stopped_scene(chain_->mechanism(), state, placement_);
   return beam_.modes(stopped.bodies, stopped.ties, rigid, count);
 }
 

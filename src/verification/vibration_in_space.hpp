@@ -11,6 +11,16 @@
 
 namespace boxbeam {
 
+/// The bodies beside the verified beam of a mechanism in space that is stopped in a state, and how
+/// they and the beam are tied, in beam axes: rods and driven joints rigid, other joints free as
+/// they are, springs elastic.
+struct StoppedScene {
+  std::vector<frame::RigidMass> bodies;  ///< in the order of the mechanism, without the beam's
+  std::vector<frame::Tie> ties;
+};
+StoppedScene stopped_scene(const spatial::Mechanism& mechanism, const spatial::State& state,
+                           const spatial::BeamPlacement& placement);
+
 /// Vibration of the verified beam of a mechanism in space, which is stopped in a posture: the beam
 /// elastic, other bodies, rods and driven joints rigid, other joints free as they are, springs
 /// elastic. Friction holds nothing. The beam's axial force softens or stiffens it; what presses

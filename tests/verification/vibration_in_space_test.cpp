@@ -18,6 +18,7 @@
 #include "boxbeam/verification/unsaid.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
+#include "support/program.hpp"
 #include "support/slender_beam.hpp"
 
 namespace vibration_in_space_test {
@@ -391,6 +392,114 @@ law = {{ kind = "harmonic", mean = "0 N m", amplitude = "1 kN m", frequency = "{
   const Verification of = verify(parse_project("arm.toml", under(r * first)));
   CHECK(std::any_of(of.not_judged.begin(), of.not_judged.end(),
                     [](const NotJudged& what) { return what.what == "vibration"; }));
+}
+
+namespace {
+
+/// At how many ties the mechanism's own motion opens a gap, and the largest speed.
+std::size_t opened_by_motion(const Project& project) {
+  const spatial::Chain chain(std::get<spatial::Mechanism>(project.mechanism));
+  const spatial::BeamPlacement placement = placement_in(project, chain.mechanism());
+  const spatial::State state = chain.at(0.13);
+  const StoppedScene scene = stopped_scene(chain.mechanism(), state, placement);
+  const auto own = static_cast<std::size_t>(placement.body);
+  const Matrix3d R_WB = state.bodies[own].R_WB * placement.axes;
+  const Vector3d start = state.bodies[own].position + state.bodies[own].R_WB * placement.start;
+  std::vector<double> gaps;
+  for (const frame::Tie& tie : scene.ties) {
+    if (!std::isinf(tie.stiffness)) continue;
+    double gap = 0.0;
+    for (const frame::Tie::End& end : tie.ends) {
+      if (end.at.member == frame::ground) continue;
+      // The beam's body is member 0, the others follow in their order.
+      const auto k = static_cast<std::size_t>(end.at.member);
+      const std::size_t body = k == 0 ? own : (k - 1 < own ? k - 1 : k);
+      const spatial::BodyMotion& of = state.bodies[body];
+      const Vector3d at = start + R_WB * end.at.p;
+      gap += (R_WB * end.per.head<3>()).dot(of.velocity + of.omega.cross(at - of.position)) +
+             (R_WB * end.per.tail<3>()).dot(of.omega);
+    }
+    gaps.push_back(std::abs(gap));
+  }
+  const double largest = *std::max_element(gaps.begin(), gaps.end());
+  REQUIRE(largest > 1e-4);
+  return static_cast<std::size_t>(std::count_if(
+      gaps.begin(), gaps.end(), [&](double gap) { return gap > 1e-9 * (1.0 + largest); }));
+}
+
+const std::string luffed = R"(
+[joints.heel]
+kind = "revolute"
+connect = ["ground", "arm.heel"]
+at = ["0 m", "0 m", "0 m"]
+axis = "-y"
+start = "0 deg"
+)";
+
+/// A wheel beside the heel's hinge that a driver turns.
+const std::string wheel = R"(
+[bodies.wheel]
+points = { c = ["0 m", "0 m", "0 m"] }
+[joints.wheel]
+kind = "revolute"
+connect = ["ground", "wheel.c"]
+at = ["0 m", "0 m", "-0.9 m"]
+axis = "y"
+[drivers.wheel]
+joint = "wheel"
+kind = "harmonic"
+mean = "0 deg"
+amplitude = "20 deg"
+frequency = "1 Hz"
+)";
+
+}  // namespace
+
+// Invariant: the mechanism's own motion keeps all ties of its joints but that of each coordinate
+// that a driver moves.
+TEST_CASE("what holds a stopped mechanism lets it move as it does but for its drivers",
+          "[vibration]") {
+  const auto opened = [](const std::string& joints) {
+    return opened_by_motion(parse_project("arm.toml", arm(joints, light_point, "7850")));
+  };
+  CHECK(opened(luffed + wheel + R"(
+[joints.teeth]
+kind = "gear"
+joints = ["wheel", "heel"]
+ratio = 0.5
+)") == 1);
+  // A spindle about x, whose thread shifts the arm on its guide.
+  CHECK(opened(R"(
+[joints.heel]
+kind = "prismatic"
+connect = ["ground", "arm.heel"]
+at = ["0 m", "0 m", "0 m"]
+axis = "x"
+start = "0 m"
+[bodies.spindle]
+points = { c = ["0 m", "0 m", "0 m"] }
+[joints.spindle]
+kind = "revolute"
+connect = ["ground", "spindle.c"]
+at = ["0 m", "0 m", "0 m"]
+axis = "x"
+[drivers.spindle]
+joint = "spindle"
+kind = "harmonic"
+mean = "0 deg"
+amplitude = "90 deg"
+frequency = "1 Hz"
+[joints.thread]
+kind = "screw"
+connect = ["spindle.c", "arm.heel"]
+axis = "x"
+lead = "20 mm"
+closes = true
+)") == 1);
+  // The platform on six cylinders; the crane slews and luffs.
+  CHECK(opened_by_motion(read_project(test::project_file("sections/stewart-rig/rig.toml"))) == 6);
+  CHECK(opened_by_motion(read_project(test::project_file("sections/luffing-crane/crane.toml"))) ==
+        2);
 }
 
 namespace {
