@@ -89,9 +89,9 @@ void put_state(Fields& to, const ChainInstant& state) {
   to.number({"residual", "largest error of the loops' equations"}, "1", state.residual);
   to.number({"condition", "of the loops' equations"}, "1", state.condition);
   to.named("bodies", state.bodies, name_of<ChainBody>, [](Fields& of, const ChainBody& body) {
-    of.vector({"position", "of its origin"}, "m", body.position);
     of.vector("omega", "rad/s", body.omega);
     of.vector("alpha", "rad/s^2", body.alpha);
+    of.vector({"position", "of its origin"}, "m", body.position);
     of.rows({"rotation", "by rows"}, "1", body.rotation);
     of.vector("inertia_force", "N", body.inertia_force);
     of.vector("inertia_moment", "N m", body.inertia_moment);

@@ -78,8 +78,10 @@ TEST_CASE("motion of a case in space: keys in their order, the values of the cha
   REQUIRE(at["bodies"].size() == mechanism.bodies.size());
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     const Json& body = at["bodies"][mechanism.bodies[i].name];
-    CHECK(keys_of(body) == std::vector<std::string>{"omega", "alpha", "rotation", "inertia_force",
-                                                    "inertia_moment", "gyroscopic_moment"});
+    CHECK(keys_of(body) == std::vector<std::string>{"position", "omega", "alpha", "rotation",
+                                                    "inertia_force", "inertia_moment",
+                                                    "gyroscopic_moment"});
+    CHECK(same(vector(body["position"]), state.bodies[i].position));
     CHECK(same(vector(body["omega"]), state.bodies[i].omega));
     CHECK(same(vector(body["alpha"]), state.bodies[i].alpha));
     for (int row = 0; row < 3; ++row) {
