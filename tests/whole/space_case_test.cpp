@@ -78,7 +78,7 @@ TEST_CASE("motion of a case in space: keys in their order, the values of the cha
   REQUIRE(at["bodies"].size() == mechanism.bodies.size());
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     const Json& body = at["bodies"][mechanism.bodies[i].name];
-    CHECK(keys_of(body) == std::vector<std::string>{"position", "omega", "alpha", "rotation",
+    CHECK(keys_of(body) == std::vector<std::string>{"omega", "alpha", "position", "rotation",
                                                     "inertia_force", "inertia_moment",
                                                     "gyroscopic_moment"});
     CHECK(same(vector(body["position"]), state.bodies[i].position));
