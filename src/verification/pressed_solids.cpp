@@ -246,9 +246,9 @@ class PressedSolids {
           of.name, of.use, of.with_own, of.again ? " in fatigue" : "");
       if (of.stops)
         found.gates.push_back({segment_name(at.s), "",
-                               what + ": " + why +
-                                   "; [[beam.load_introductions]], into = \"webs\", say that it "
-                                   "does not come by an edge",
+                               fmt::format("{}: {}; [[beam.load_introductions]], into = \"webs\", "
+                                           "say that it does not come by an edge",
+                                           what, why),
                                true});
       else
         found.not_judged.push_back({Criterion::patch_loading, what, why});

@@ -116,7 +116,8 @@ TEST_CASE("by time a default is weighed where work is not counted", "[front]") {
   CHECK(charts::better_than_default(chart).empty());
 }
 
-TEST_CASE("every default lies on the front of its chart, or the chart says why not", "[front]") {
+TEST_CASE("every default lies on the front of its chart, or the chart says why not",
+          "[front][unsanitized]") {
   // Where no work is counted for the program itself, time alone tells: not here.
   const std::set<std::string> not_counted = {"kinematics-positions",     "kinematics-velocities",
                                              "kinematics-accelerations", "reactions-balance",
