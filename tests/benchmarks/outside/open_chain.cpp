@@ -1,6 +1,6 @@
-// Bodies in a row in space, beside Pinocchio: positions, velocities, accelerations and the forces of all joints at one
-// instant, by boxbeam (drivers, `Chain::at` and `joint_wrenches`) and by Pinocchio's `rnea`, the same bodies by turns in
-// one process. open_chain.sh builds and runs it.
+// Bodies in a row in space, beside Pinocchio: positions, velocities, accelerations and the forces
+// of all joints at one instant, by boxbeam (drivers, `Chain::at` and `joint_wrenches`) and by
+// Pinocchio's `rnea`, the same bodies by turns in one process. open_chain.sh builds and runs it.
 
 #include <pinocchio/algorithm/rnea.hpp>
 #include <pinocchio/multibody.hpp>
@@ -41,8 +41,9 @@ pinocchio::Model model_of(const Mechanism& row) {
     const Body& body = row.bodies[i];
     // Theirs is in the axes of the body.
     const Eigen::Vector3d axis = joint.turn.transpose() * joint.axis;
-    const auto index = model.addJoint(i, pinocchio::JointModelRevoluteUnaligned(axis),
-                                      pinocchio::SE3(joint.turn, joint.at), "j" + std::to_string(i));
+    const auto index =
+        model.addJoint(i, pinocchio::JointModelRevoluteUnaligned(axis),
+                       pinocchio::SE3(joint.turn, joint.at), "j" + std::to_string(i));
     model.appendBodyToJoint(index, pinocchio::Inertia(body.mass, body.centre, body.inertia));
   }
   return model;
@@ -101,7 +102,8 @@ void compare(int bodies) {
     by_them.push_back(time_of(theirs, passes, bodies));
   }
   const double us = median_of(by_us), them = median_of(by_them);
-  std::printf("%6d %12.1f %12.1f %8.2f %12.1e\n", bodies, us, them, us / them, difference / largest);
+  std::printf("%6d %12.1f %12.1f %8.2f %12.1e\n", bodies, us, them, us / them,
+              difference / largest);
 }
 
 }  // namespace
