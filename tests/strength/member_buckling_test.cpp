@@ -73,6 +73,44 @@ TEST_CASE("equations 6.61 and 6.62 by hand") {
     }
 }
 
+TEST_CASE("equations 6.61 and 6.62 never give less for more of anything") {
+  // What lets the largest of each term stand for all places and instants; by the curves of members.
+  std::mt19937 engine(662);
+  const auto in = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine);
+  };
+  for (int i = 0; i < 20000; ++i) {
+    MemberLoad load{in(0.001, 1.0), in(0.0, 1.0), in(0.001, 0.99)};
+    MemberLoad::Straight& of = load.straight;
+    of = {i % 2 == 0, i % 3 == 0, in(0.0, 1.0), in(0.0, 1.0), in(0.0, 0.99), in(0.0, 0.99)};
+    of.C_my = in(0.4, 1.0);
+    of.C_mz = in(0.4, 1.0);
+    CAPTURE(i, load.compressed, load.critical, of.other, of.turning);
+    const auto use = [](const MemberLoad& by, BucklingCurve curve) {
+      return flexural_use(by, curve, 1.1);
+    };
+    for (const BucklingCurve curve : {BucklingCurve::c, BucklingCurve::d}) {
+      const double before = use(load, curve);
+      // Never milder than without them.
+      MemberLoad bent_alone = load;
+      bent_alone.straight = {};
+      CHECK(before >= use(bent_alone, curve));
+      const auto grows = [&](auto&& change) {
+        MemberLoad more = load;
+        change(more);
+        return use(more, curve) >= before * (1.0 - 1e-12);
+      };
+      CHECK(grows([](MemberLoad& more) { more.compressed *= 1.02; }));
+      CHECK(grows([](MemberLoad& more) { more.critical *= 1.02; }));
+      CHECK(grows([](MemberLoad& more) { more.bent *= 1.02; }));
+      CHECK(grows([](MemberLoad& more) { more.straight.m_y *= 1.02; }));
+      CHECK(grows([](MemberLoad& more) { more.straight.m_z *= 1.02; }));
+      CHECK(grows([](MemberLoad& more) { more.straight.other *= 1.02; }));
+      CHECK(grows([](MemberLoad& more) { more.straight.turning *= 1.02; }));
+    }
+  }
+}
+
 TEST_CASE("a published column: chi = 0.878, 2297 kN") {
   // xcfem/xc, verif/tests/materials/ec3/test_buckling_resistance_02.py: CHS 244.5 x 10, S355, 4 m,
   // curve a. A = 73.67 cm^2, I = 5073 cm^4: N_cr = 6571 kN.
