@@ -70,8 +70,9 @@ struct SecondOrderEstimate {
   double turn = 0.0;  ///< largest turn of a section by bending [rad]
   /// Times the load factor of its situation and the safety factor that is asked for: the largest
   /// N/(A f_y), and M/(W f_y) in the plane, of the bent beam, of the straight one where it buckles;
-  /// and of the straight one in the plane and across it. Over all instants where N/N_cr or M/M_cr
-  /// is above `no_buckling_below`, and of beams of open thin walls; else at those looked at.
+  /// and of the straight one in the plane and across it, where N off the centroid and axes that are
+  /// not principal ones count as a bow grows. Over all instants where N/N_cr or M/M_cr is above
+  /// `no_buckling_below`, and of beams of open thin walls; else at those looked at.
   double compressed = 0.0, bending = 0.0, straight = 0.0, bending_across = 0.0;
   bool whole = false;  ///< the mechanism holds the beam in all of this
 };
