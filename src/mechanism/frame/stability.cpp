@@ -30,12 +30,12 @@ Eigen::Matrix4d geometric_stiffness(double force, double h) {
 Eigen::Matrix<double, 12, 12> geometric_block(double force, double h) {
   Eigen::Matrix<double, 12, 12> block = Eigen::Matrix<double, 12, 12>::Zero();
   const Eigen::Matrix4d across = geometric_stiffness(force, h);
-  struct Place {
+  struct Signed {
     Index at;
     double sign;
   };
-  const Place in_z[] = {{2, 1.0}, {4, -1.0}, {8, 1.0}, {10, -1.0}};
-  const Place in_y[] = {{1, 1.0}, {5, 1.0}, {7, 1.0}, {11, 1.0}};
+  const Signed in_z[] = {{2, 1.0}, {4, -1.0}, {8, 1.0}, {10, -1.0}};
+  const Signed in_y[] = {{1, 1.0}, {5, 1.0}, {7, 1.0}, {11, 1.0}};
   for (const auto& places : {in_z, in_y}) {
     for (Index i = 0; i < 4; ++i) {
       for (Index j = 0; j < 4; ++j)
