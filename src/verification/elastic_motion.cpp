@@ -217,13 +217,14 @@ ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t
   for (Eigen::Index i = 0; i < n; ++i) {
     const planar::State& state = motion.states[static_cast<std::size_t>(i * stride)];
     const BeamLoads loads = rigid_.loads(si<Time>(state.time));
-    const auto [at, turn] = aligned_at(posture_at(state, loads), state.time);
+    const LoadedPosture posture = posture_at(state, loads);
+    const auto [at, turn] = aligned_at(posture, state.time);
     Eigen::VectorXd squares(k);
     for (Eigen::Index j = 0; j < k; ++j) {
       squares[j] = std::pow(full_turn * at.frequencies[static_cast<std::size_t>(j)], 2);
     }
     lowest_ = std::min(lowest_, at.frequencies.front());
-    const Eigen::VectorXd force = modal_loads(at, cut_forces_of(loads));
+    const Eigen::VectorXd force = modal_loads(at, posture);
     const FrameTerms frame = frame_terms(at, state);
     p.row(i) = (turn.transpose() * force).transpose();
     statically.row(i) = (turn.transpose() * force.cwiseQuotient(squares)).transpose();
