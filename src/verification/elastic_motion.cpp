@@ -160,14 +160,22 @@ double axial_part(const RigidMotion& rigid, const ElasticBody& elastic) {
 }  // namespace
 
 ElasticBody elastic_body_of(const Project& project, int parts) {
-  ElasticBody elastic;
-  elastic.body = project.beam_body;
-  elastic.centre = mass_properties_of(project.beam).centre.value();
-  elastic.length = project.beam.length().value();
-  elastic.stretches =
-      link_stretches_of(project.beam, project.model.youngs_modulus, project.model.shear_modulus);
-  elastic.retardation = project.model.retardation;
-  elastic.parts = parts;
+  const auto body_of = [&](const TaperedBeam& beam, int body) {
+    ElasticBody elastic;
+    elastic.body = body;
+    elastic.centre = mass_properties_of(beam).centre.value();
+    elastic.length = beam.length().value();
+    elastic.stretches =
+        link_stretches_of(beam, project.model.youngs_modulus, project.model.shear_modulus);
+    elastic.retardation = project.model.retardation;
+    elastic.parts = parts;
+    return elastic;
+  };
+  ElasticBody elastic = body_of(project.beam, project.beam_body);
+  for (const BeamBeside& other : project.beams_beside) {
+    ElasticBody& beside = elastic.beside.emplace_back(body_of(other.beam, other.body));
+    beside.laid_out = planar::beam_body_of(other.beam, other.body);
+  }
   return elastic;
 }
 

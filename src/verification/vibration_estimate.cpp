@@ -66,8 +66,8 @@ bool same_places(const std::vector<flexible::SpringElement>& a,
                     });
 }
 
-/// The mean cut forces over the parts of an elastic body as a rigid one, instant by instant: in most
-/// postures it is divided alike.
+/// The mean cut forces over the parts of an elastic body as a rigid one, instant by instant: in
+/// most postures it is divided alike.
 class MeansOverTime {
  public:
   /// `diagram(i)`: of the instant i.
@@ -95,8 +95,7 @@ std::vector<std::vector<CutForceDiagram>> cuts_beside(const RigidMotion& rigid,
   planar::StateFinder finder(*rigid.mechanism, *rigid.motion);
   const double step = history.period().value() / static_cast<double>(history.even_instants());
   for (std::size_t i = 0; i < history.even_instants(); ++i) {
-    const planar::State state =
-        finder.at(history.begin().value() + step * static_cast<double>(i));
+    const planar::State state = finder.at(history.begin().value() + step * static_cast<double>(i));
     for (std::size_t k = 0; k < cuts.size(); ++k) {
       cuts[k].push_back(cut_forces_of(
           planar::beam_loads_of(*rigid.mechanism, state, elastic.beside[k].laid_out)));
@@ -183,9 +182,8 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
       for (std::size_t i = 0; i < of_instants.size(); ++i)
         p.row(static_cast<Eigen::Index>(i)) += modal_loads(of, of_instants[i]).transpose();
     };
-    add_work(modes.beam, means, [&](std::size_t i) -> const CutForceDiagram& {
-      return history.even_diagram(i);
-    });
+    add_work(modes.beam, means,
+             [&](std::size_t i) -> const CutForceDiagram& { return history.even_diagram(i); });
     for (std::size_t k = 0; k < beside.size(); ++k) {
       add_work(modes.beside[k], means_beside[k],
                [&](std::size_t i) -> const CutForceDiagram& { return beside[k][i]; });

@@ -1,10 +1,15 @@
 // Elastic bodies beside the verified beam: a beam cut in two, whose halves are bodies joined
 // rigidly, is the whole beam, whichever half is verified.
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#include "boxbeam/verification/model_choice.hpp"
+#include "boxbeam/verification/situation_run.hpp"
+#include "boxbeam/verification/vibrating_stress.hpp"
 #include "boxbeam/verification/vibration_estimate.hpp"
 #include "catch.hpp"
 #include "support/slender_beam.hpp"
@@ -169,9 +174,67 @@ TEST_CASE("a beam in two bodies bends under its axial force as the whole", "[bea
   for (const std::size_t half : {std::size_t{0}, std::size_t{1}}) {
     const LoadsAt found = bent_statically(halves.rigid(half), halves.elastic(half, 0.0));
     const Time time = si<Time>(0.3 * whole.motion.period);
-    check_same(cut_forces_of(found(time)), cut_forces_of(expected(time)),
-               half == 0 ? 0.0 : 0.5 * L, divided);
+    check_same(cut_forces_of(found(time)), cut_forces_of(expected(time)), half == 0 ? 0.0 : 0.5 * L,
+               divided);
   }
+}
+
+namespace {
+
+/// An arm of 4 m that its pivot swings, as one beam or as two that are joined rigidly.
+std::string swung(bool cut) {
+  const std::string section =
+      "[sections.box]\nkind = \"box\"\nwidth = \"60 mm\"\nheight = \"80 mm\"\n"
+      "flange = \"4 mm\"\nweb = \"4 mm\"\n";
+  const auto beam = [](const char* name, const char* length) {
+    return fmt::format(
+        "[[beam]]\nname = \"{0}\"\nbody = \"{0}\"\ndensity = \"7850 kg/m^3\"\n"
+        "[[beam.segments]]\nlength = \"{1} m\"\nsection = \"box\"\n",
+        name, length);
+  };
+  const auto body = [](const char* name, const char* length, const char* at) {
+    return fmt::format(
+        "[bodies.{}]\npoints = {{ A = [\"0 m\", \"0 m\"], B = [\"{} m\", \"0 m\"] }}\n"
+        "sketch = {{ at = [\"{} m\", \"0 m\"], angle = \"0 rad\" }}\n",
+        name, length, at);
+  };
+  std::string text =
+      "[case]\nname = \"swung\"\nkind = \"planar\"\n"
+      "[mechanism]\ngravity = [\"0 m/s^2\", \"-9.81 m/s^2\"]\n" +
+      body("inner", cut ? "2" : "4", "0") + (cut ? body("outer", "2", "2") : "") +
+      "[joints.pivot]\nkind = \"pin\"\nconnect = [\"inner.A\", \"ground\"]\n"
+      "at = [\"0 m\", \"0 m\"]\n" +
+      (cut ? "[joints.cut]\nkind = \"rigid\"\nconnect = [\"inner.B\", \"outer.A\"]\n" : "") +
+      "[drivers.swing]\ncoordinate = \"angle\"\npoint = \"inner.A\"\nkind = \"harmonic\"\n"
+      "mean = \"0 rad\"\namplitude = \"0.05 rad\"\nfrequency = \"1.2 Hz\"\n" +
+      section + beam("inner", cut ? "2" : "4") + (cut ? beam("outer", "2") : "");
+  return text +
+         "[material]\nsteel = \"S355\"\n[strength]\nrequired = 1.5\n"
+         "[fatigue]\ncategory = 71\ncycles = 1e5\nloading = \"spectrum\"\ngamma_Mf = 1.35\n"
+         "required = 1.0\n";
+}
+
+double largest_stress(const ModelledRuns& of, const TaperedBeam& beam) {
+  return stress_history(of.runs.front().loads, compared_places_of(beam)).cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+TEST_CASE("beams of one case bend with each other", "[beams_beside]") {
+  const std::vector<Project> whole = parse_beams("whole.toml", swung(false)),
+                             cut = parse_beams("cut.toml", swung(true));
+  REQUIRE(whole.size() == 1);
+  REQUIRE(cut.size() == 2);
+  const ModelledRuns expected = run_by_chosen_model(whole[0]), found = run_by_chosen_model(cut[0]);
+  CHECK(found.model.frequencies.front() ==
+        Approx(expected.model.frequencies.front()).epsilon(divided));
+  CHECK(found.model.chosen.level == expected.model.chosen.level);
+  CHECK(largest_stress(found, cut[0].beam) ==
+        Approx(largest_stress(expected, whole[0].beam)).epsilon(1e-3));
+  CHECK(found.model.reason.find("outer") != std::string::npos);
+  // Of either half.
+  CHECK(run_by_chosen_model(cut[1]).model.frequencies.front() ==
+        Approx(expected.model.frequencies.front()).epsilon(divided));
 }
 
 }  // namespace beams_beside_test

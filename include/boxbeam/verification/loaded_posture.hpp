@@ -10,8 +10,8 @@
 
 namespace boxbeam {
 
-/// A mechanism with its elastic beams, stopped in a posture, its links bearing what they bear in the
-/// rigid motion at that instant: theory of the second order about the rigid bodies.
+/// A mechanism with its elastic beams, stopped in a posture, its links bearing what they bear in
+/// the rigid motion at that instant: theory of the second order about the rigid bodies.
 ///
 /// Forces keep their direction while links turn. On a link that turns by phi the forces F at arms p
 /// from its centre of mass do the work -phi^2/2 sum of F . p, which is stiffness, in the beam along
