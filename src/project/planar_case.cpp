@@ -104,6 +104,10 @@ class PlanarReader : public FrontEndReader {
     beam.finish();
     if (root.problems().empty()) {
       project_->mechanism = placed(root, std::move(draft), project_->beam_body);
+      for (const OtherBeam& other : others_) {
+        const int of = body_index(planar_of(*project_), other.on);
+        if (of >= 0) project_->beams_beside.push_back({other.on, of, other.beam});
+      }
       add_points_of_body(tree, root.problems(), *project_);
     } else {
       project_->mechanism = std::move(draft.mechanism);

@@ -160,14 +160,22 @@ double axial_part(const RigidMotion& rigid, const ElasticBody& elastic) {
 }  // namespace
 
 ElasticBody elastic_body_of(const Project& project, int parts) {
-  ElasticBody elastic;
-  elastic.body = project.beam_body;
-  elastic.centre = mass_properties_of(project.beam).centre.value();
-  elastic.length = project.beam.length().value();
-  elastic.stretches =
-      link_stretches_of(project.beam, project.model.youngs_modulus, project.model.shear_modulus);
-  elastic.retardation = project.model.retardation;
-  elastic.parts = parts;
+  const auto body_of = [&](const TaperedBeam& beam, int body) {
+    ElasticBody elastic;
+    elastic.body = body;
+    elastic.centre = mass_properties_of(beam).centre.value();
+    elastic.length = beam.length().value();
+    elastic.stretches =
+        link_stretches_of(beam, project.model.youngs_modulus, project.model.shear_modulus);
+    elastic.retardation = project.model.retardation;
+    elastic.parts = parts;
+    return elastic;
+  };
+  ElasticBody elastic = body_of(project.beam, project.beam_body);
+  for (const BeamBeside& other : project.beams_beside) {
+    ElasticBody& beside = elastic.beside.emplace_back(body_of(other.beam, other.body));
+    beside.laid_out = planar::beam_body_of(other.beam, other.body);
+  }
   return elastic;
 }
 
@@ -217,13 +225,14 @@ ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t
   for (Eigen::Index i = 0; i < n; ++i) {
     const planar::State& state = motion.states[static_cast<std::size_t>(i * stride)];
     const BeamLoads loads = rigid_.loads(si<Time>(state.time));
-    const auto [at, turn] = aligned_at(posture_at(state, loads), state.time);
+    const LoadedPosture posture = posture_at(state, loads);
+    const auto [at, turn] = aligned_at(posture, state.time);
     Eigen::VectorXd squares(k);
     for (Eigen::Index j = 0; j < k; ++j) {
       squares[j] = std::pow(full_turn * at.frequencies[static_cast<std::size_t>(j)], 2);
     }
     lowest_ = std::min(lowest_, at.frequencies.front());
-    const Eigen::VectorXd force = modal_loads(at, cut_forces_of(loads));
+    const Eigen::VectorXd force = modal_loads(at, posture);
     const FrameTerms frame = frame_terms(at, state);
     p.row(i) = (turn.transpose() * force).transpose();
     statically.row(i) = (turn.transpose() * force.cwiseQuotient(squares)).transpose();

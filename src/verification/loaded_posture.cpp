@@ -99,12 +99,13 @@ class Arms {
     const auto link = static_cast<std::size_t>(on);
     const double angle = state_->q[3 * static_cast<Eigen::Index>(on) + 2];
     const Eigen::Vector2d own = Eigen::Rotation2Dd(-angle) * force;
-    if (on != elastic_->body) {
+    const ElasticBody* bends = elastic_at(*elastic_, on);
+    if (bends == nullptr) {
       structure_->links[link].elements.front().turning += factor_ * own.dot(point);
       return;
     }
-    if (std::abs(point.y()) <= near * elastic_->length) return;
-    const flexible::Attachment at{on, {point.x() + elastic_->centre, point.y()}};
+    if (std::abs(point.y()) <= near * bends->length) return;
+    const flexible::Attachment at{on, {point.x() + bends->centre, point.y()}};
     structure_->links[link].elements[flexible::grip_of(*structure_, at).element].turning +=
         factor_ * own.y() * point.y();
   }
@@ -128,6 +129,15 @@ void add_arms(const planar::Mechanism& mechanism, const planar::State& state, co
   }
 }
 
+/// Loads of other elastic bodies as rigid ones.
+std::vector<BeamLoads> loads_beside(const planar::Mechanism& mechanism, const planar::State& state,
+                                    const ElasticBody& elastic) {
+  std::vector<BeamLoads> loads;
+  for (const ElasticBody& other : elastic.beside)
+    loads.push_back(planar::beam_loads_of(mechanism, state, other.laid_out));
+  return loads;
+}
+
 /// Divides the links and loads the beam along its axis.
 void load_beam(const BeamLoads& rigid, const BeamLoads& axial, double factor,
                LoadedPosture& posture) {
@@ -143,21 +153,40 @@ Eigen::Vector3d in_link_axes(const CutForces& cut) {
   return {cut.N.value(), cut.V_z.value(), -cut.M_y.value()};
 }
 
-/// Loads in pairs on the two ends of every part that strain it as the rigid beam's cut forces do.
-flexible::LinkColumns<double> straining_loads(const LoadedPosture& posture) {
-  flexible::LinkColumns<double> loads = flexible::no_loads<double>(posture.structure);
-  const auto index = static_cast<std::size_t>(posture.beam_link);
-  const flexible::DividedLink& link = posture.structure.links[index];
+/// Adds loads in pairs on the two ends of every part of a link that strain it as these cut forces.
+void add_straining(const flexible::DividedLink& link, const CutForceDiagram& rigid,
+                   Eigen::Matrix3Xd& loads) {
   for (std::size_t i = 0; i < link.springs.size(); ++i) {
     const flexible::SpringElement& part = link.springs[i];
-    const Eigen::Vector3d mean = mean_over(posture.rigid, part);
+    const Eigen::Vector3d mean = mean_over(rigid, part);
     for (const auto& [element, sign] : {std::pair(i, -1.0), std::pair(i + 1, 1.0)}) {
       Eigen::Vector3d load = sign * mean;
       load[2] += (part.place - link.elements[element].node) * load[1];
-      loads[index].col(static_cast<Eigen::Index>(element)) += load;
+      loads.col(static_cast<Eigen::Index>(element)) += load;
     }
   }
+}
+
+/// What strains the elastic links as the cut forces of rigid bodies do.
+flexible::LinkColumns<double> straining_loads(const LoadedPosture& posture) {
+  flexible::LinkColumns<double> loads = flexible::no_loads<double>(posture.structure);
+  const auto add = [&](int of, const CutForceDiagram& rigid) {
+    const auto index = static_cast<std::size_t>(of);
+    add_straining(posture.structure.links[index], rigid, loads[index]);
+  };
+  add(posture.beam_link, posture.rigid);
+  for (const auto& [link, rigid] : posture.beside) add(link, rigid);
   return loads;
+}
+
+/// Whether no part of an elastic link buckles by itself.
+bool all_parts_stand(const LoadedPosture& posture) {
+  const auto parts_of = [&](int link) {
+    return flexible::parts_stand(posture.structure.links[static_cast<std::size_t>(link)]);
+  };
+  return parts_of(posture.beam_link) &&
+         std::all_of(posture.beside.begin(), posture.beside.end(),
+                     [&](const auto& other) { return parts_of(other.first); });
 }
 
 }  // namespace
@@ -180,12 +209,21 @@ LoadedPosture loaded_posture(const planar::Mechanism& mechanism, const planar::S
                              const BeamLoads& rigid, double factor, const BeamLoads* axial) {
   auto links = std::make_unique<flexible::Mechanism>(links_of(mechanism, state, elastic));
   keep_nodes(rigid, elastic.body, *links);
+  const std::vector<BeamLoads> others = loads_beside(mechanism, state, elastic);
+  for (std::size_t k = 0; k < others.size(); ++k)
+    keep_nodes(others[k], elastic.beside[k].body, *links);
   stiffen_lines(mechanism, state, factor, *links);
   LoadedPosture posture;
   posture.links = std::move(links);
   posture.beam_link = elastic.body;
   posture.beam = &beam;
   load_beam(rigid, axial != nullptr ? *axial : rigid, factor, posture);
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    const auto& [link, cut] =
+        posture.beside.emplace_back(elastic.beside[k].body, cut_forces_of(others[k]));
+    flexible::load_axially(posture.structure.links[static_cast<std::size_t>(link)],
+                           tension_in(cut, others[k], factor));
+  }
   add_arms(mechanism, state, Arms(state, elastic, factor, posture.structure));
   return posture;
 }
@@ -201,14 +239,12 @@ LoadedPosture loaded_beam(flexible::Mechanism held, const TaperedBeam& beam, con
 }
 
 bool stands(const LoadedPosture& posture) {
-  const auto index = static_cast<std::size_t>(posture.beam_link);
-  if (!flexible::parts_stand(posture.structure.links[index])) return false;
+  if (!all_parts_stand(posture)) return false;
   return flexible::DynamicStiffness<double>(posture.structure, 0.0, 0.0).frequencies_below() == 0;
 }
 
 void require_held(const LoadedPosture& posture) {
-  const auto index = static_cast<std::size_t>(posture.beam_link);
-  if (!flexible::parts_stand(posture.structure.links[index])) return;
+  if (!all_parts_stand(posture)) return;
   const flexible::DynamicStiffness<double> stiffness(posture.structure, 0.0, 0.0);
 }
 

@@ -440,7 +440,8 @@ void weigh_balance(const Project& project, const std::deque<SituationRun>& rigid
   for (std::size_t i = 0; i < rigid.size(); ++i) {
     // Series of Fourier have no second derivative where something jumps or bends.
     const std::string obstacle =
-        by_model[i].loads.span().breaks.empty()
+        !elastic.beside.empty() ? "other beams bend with it"
+        : by_model[i].loads.span().breaks.empty()
             ? obstacle_to_balance(planar_in(project, *rigid[i].situation), elastic.body)
             : "its loads jump or bend at points of a table or ends of a step";
     if (!obstacle.empty()) {

@@ -150,10 +150,14 @@ class PlanarMotion : public SolvedMotion {
       stopped_.emplace(
           Stopped{elastic_body_of(*project_, parts), planar::StateFinder(*mechanism_, motion)});
       // Nothing moves: no mass counts.
-      for (flexible::LinkStretch& of : stopped_->elastic.stretches) {
-        of.mass = {};
-        of.rotary = {};
-      }
+      const auto without_mass = [](ElasticBody& body) {
+        for (flexible::LinkStretch& of : body.stretches) {
+          of.mass = {};
+          of.rotary = {};
+        }
+      };
+      without_mass(stopped_->elastic);
+      for (ElasticBody& other : stopped_->elastic.beside) without_mass(other);
     }
     // Where loads break, the history has instants that the motion has not.
     const planar::State state = stopped_->finder.at(time.value());

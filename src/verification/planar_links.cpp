@@ -15,7 +15,7 @@ struct StoppedMechanism {
   const planar::Mechanism& mechanism;
   const planar::State& state;
   const ElasticBody& elastic;
-  flexible::Mechanism* wheels;  ///< of the elastic link, with their hubs
+  flexible::Mechanism* wheels;  ///< of elastic links, with their hubs
 
   double angle_of(int body) const {
     return body == planar::ground ? 0.0 : state.q[3 * static_cast<Eigen::Index>(body) + 2];
@@ -25,10 +25,11 @@ struct StoppedMechanism {
     return planar::position_of(at, state.q);
   }
 
-  /// The elastic link begins where the beam does, the others at their centres.
+  /// Elastic links begin where their beams do, others at their centres.
   flexible::Attachment on_link(const planar::Attachment& at) const {
     flexible::Attachment attachment{at.body, at.p};
-    if (at.body == elastic.body) attachment.p.x() += elastic.centre;
+    const ElasticBody* bends = elastic_at(elastic, at.body);
+    if (bends != nullptr) attachment.p.x() += bends->centre;
     return attachment;
   }
 
@@ -69,11 +70,11 @@ struct StoppedMechanism {
     return joint;
   }
 
-  /// Where a toothed wheel has its pitch point. On the elastic link it is a rigid body without mass
+  /// Where a toothed wheel has its pitch point. On an elastic link it is a rigid body without mass
   /// on the section at its hub, for what lies under its teeth bends freely.
   flexible::Attachment on_wheel(const planar::Attachment& hub,
                                 const Eigen::Vector2d& pitch_point) const {
-    if (hub.body != elastic.body) return on_link_at(hub.body, pitch_point);
+    if (elastic_at(elastic, hub.body) == nullptr) return on_link_at(hub.body, pitch_point);
     flexible::Link wheel;
     wheel.name = "wheel";
     wheel.kind = flexible::LinkKind::rigid;
@@ -166,12 +167,13 @@ flexible::Link link_of(const StoppedMechanism& posture, std::size_t index) {
   link.name = body.name;
   link.origin = posture.state.q.segment<2>(i);
   link.angle = posture.state.q[i + 2];
-  if (static_cast<int>(index) != posture.elastic.body) {
+  const ElasticBody* bends = elastic_at(posture.elastic, static_cast<int>(index));
+  if (bends == nullptr) {
     link.kind = flexible::LinkKind::rigid;
     link.rigid = {body.mass, Eigen::Vector2d::Zero(), body.inertia};
     return link;
   }
-  const ElasticBody& elastic = posture.elastic;
+  const ElasticBody& elastic = *bends;
   link.kind = flexible::LinkKind::full;
   link.origin -= elastic.centre * Eigen::Vector2d(std::cos(link.angle), std::sin(link.angle));
   link.length = elastic.length;
@@ -182,6 +184,13 @@ flexible::Link link_of(const StoppedMechanism& posture, std::size_t index) {
 }
 
 }  // namespace
+
+const ElasticBody* elastic_at(const ElasticBody& elastic, int body) {
+  if (body == elastic.body) return &elastic;
+  for (const ElasticBody& other : elastic.beside)
+    if (body == other.body) return &other;
+  return nullptr;
+}
 
 std::string obstacle_to_links(const planar::Mechanism& mechanism) {
   for (const planar::Joint& joint : mechanism.joints) {

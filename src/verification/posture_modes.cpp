@@ -13,26 +13,32 @@ constexpr int samples = 9;
 Eigen::VectorXd shape_of(const flexible::Structure& structure, int beam_link, double beam_mass,
                          const flexible::Deformation<double>& deformation) {
   const std::vector<flexible::Link>& links = structure.mechanism->links;
-  Eigen::VectorXd shape(3 * static_cast<Eigen::Index>(links.size() + samples));
-  Eigen::Index at = 0;
+  std::vector<double> shape;
+  const auto add_places = [&](int index, double mass) {
+    const flexible::Link& link = links[static_cast<std::size_t>(index)];
+    const double c = std::cos(link.angle);
+    const double s = std::sin(link.angle);
+    for (int k = 0; k < samples; ++k) {
+      const flexible::Attachment place{index, {link.length * k / (samples - 1.0), 0.0}};
+      const Eigen::Vector3d world = flexible::motion_at(structure, place, deformation);
+      shape.push_back(std::sqrt(mass / samples) * (c * world.x() + s * world.y()));
+      shape.push_back(std::sqrt(mass / samples) * (c * world.y() - s * world.x()));
+    }
+  };
   for (std::size_t i = 0; i < links.size(); ++i) {
     if (static_cast<int>(i) == beam_link) continue;
+    if (links[i].kind == flexible::LinkKind::full) {
+      add_places(static_cast<int>(i), flexible::rigid_mass_of(links[i]).mass);
+      continue;
+    }
     const flexible::RigidMass& mass = links[i].rigid;
-    shape.segment<3>(at) = deformation.motion[i].col(0);
-    shape.segment<2>(at) *= std::sqrt(mass.mass);
-    shape[at + 2] *= std::sqrt(mass.inertia);
-    at += 3;
+    const Eigen::Vector3d motion = deformation.motion[i].col(0);
+    shape.push_back(motion[0] * std::sqrt(mass.mass));
+    shape.push_back(motion[1] * std::sqrt(mass.mass));
+    shape.push_back(motion[2] * std::sqrt(mass.inertia));
   }
-  const flexible::Link& beam = links[static_cast<std::size_t>(beam_link)];
-  const double c = std::cos(beam.angle);
-  const double s = std::sin(beam.angle);
-  for (int k = 0; k < samples; ++k) {
-    const flexible::Attachment place{beam_link, {beam.length * k / (samples - 1.0), 0.0}};
-    const Eigen::Vector3d world = flexible::motion_at(structure, place, deformation);
-    shape[at++] = std::sqrt(beam_mass / samples) * (c * world.x() + s * world.y());
-    shape[at++] = std::sqrt(beam_mass / samples) * (c * world.y() - s * world.x());
-  }
-  return shape.head(at);
+  add_places(beam_link, beam_mass);
+  return Eigen::Map<const Eigen::VectorXd>(shape.data(), static_cast<Eigen::Index>(shape.size()));
 }
 
 /// d_i . d_j and d_i x d_j over the masses of a link in two modes.
@@ -68,6 +74,21 @@ Eigen::Vector3d strain_of(const flexible::DividedLink& link, std::size_t part,
           to[2] - from[2]};
 }
 
+PostureModes::Strained strained(const flexible::Structure& structure,
+                                const flexible::ModalModel& model, std::size_t link) {
+  PostureModes::Strained of;
+  of.link = structure.links[link];
+  const auto size = static_cast<Eigen::Index>(model.modes.size());
+  for (std::size_t i = 0; i < of.link.springs.size(); ++i) {
+    Eigen::Matrix3Xd& strains = of.strains.emplace_back(3, size);
+    for (Eigen::Index j = 0; j < size; ++j) {
+      strains.col(j) =
+          strain_of(of.link, i, model.modes[static_cast<std::size_t>(j)].shape.motion[link]);
+    }
+  }
+  return of;
+}
+
 }  // namespace
 
 PostureModes modes_in_posture(const LoadedPosture& posture, std::size_t count) {
@@ -99,14 +120,9 @@ PostureModes modes_in_posture(const LoadedPosture& posture, std::size_t count) {
       }
     }
   }
-  modes.beam = structure.links[beam_index];
-  for (std::size_t i = 0; i < modes.beam.springs.size(); ++i) {
-    Eigen::Matrix3Xd& strains = modes.strains.emplace_back(3, size);
-    for (Eigen::Index j = 0; j < size; ++j) {
-      strains.col(j) = strain_of(modes.beam, i,
-                                 model.modes[static_cast<std::size_t>(j)].shape.motion[beam_index]);
-    }
-  }
+  modes.beam = strained(structure, model, beam_index);
+  for (const auto& [link, rigid] : posture.beside)
+    modes.beside.push_back(strained(structure, model, static_cast<std::size_t>(link)));
   return modes;
 }
 
@@ -132,15 +148,20 @@ Eigen::Matrix3Xd means_over(const CutForceDiagram& diagram,
   return means;
 }
 
-Eigen::VectorXd modal_loads(const PostureModes& modes, const Eigen::Matrix3Xd& means) {
-  Eigen::VectorXd p = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(modes.diagrams.size()));
-  for (std::size_t i = 0; i < modes.strains.size(); ++i)
-    p.noalias() += modes.strains[i].transpose() * means.col(static_cast<Eigen::Index>(i));
+Eigen::VectorXd modal_loads(const PostureModes::Strained& of, const Eigen::Matrix3Xd& means) {
+  Eigen::VectorXd p = Eigen::VectorXd::Zero(of.strains.empty() ? 0 : of.strains.front().cols());
+  for (std::size_t i = 0; i < of.strains.size(); ++i)
+    p.noalias() += of.strains[i].transpose() * means.col(static_cast<Eigen::Index>(i));
   return p;
 }
 
-Eigen::VectorXd modal_loads(const PostureModes& modes, const CutForceDiagram& rigid) {
-  return modal_loads(modes, means_over(rigid, modes.beam.springs));
+Eigen::VectorXd modal_loads(const PostureModes& modes, const LoadedPosture& posture) {
+  Eigen::VectorXd p = modal_loads(modes.beam, means_over(posture.rigid, modes.beam.link.springs));
+  for (std::size_t k = 0; k < modes.beside.size(); ++k) {
+    const PostureModes::Strained& of = modes.beside[k];
+    p += modal_loads(of, means_over(posture.beside[k].second, of.link.springs));
+  }
+  return p;
 }
 
 }  // namespace boxbeam

@@ -9,6 +9,7 @@
 
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/planar/beam_loads.hpp"
 #include "boxbeam/mechanism/planar/forces.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
 
@@ -65,6 +66,44 @@ bool same_places(const std::vector<flexible::SpringElement>& a,
                     });
 }
 
+/// The mean cut forces over the parts of an elastic body as a rigid one, instant by instant: in
+/// most postures it is divided alike.
+class MeansOverTime {
+ public:
+  /// `diagram(i)`: of the instant i.
+  template <class DiagramAt>
+  const std::vector<Eigen::Matrix3Xd>& over(const std::vector<flexible::SpringElement>& springs,
+                                            std::size_t instants, const DiagramAt& diagram) {
+    if (same_places(divided_, springs)) return means_;
+    divided_ = springs;
+    means_.clear();
+    for (std::size_t i = 0; i < instants; ++i) means_.push_back(means_over(diagram(i), springs));
+    return means_;
+  }
+
+ private:
+  std::vector<flexible::SpringElement> divided_;
+  std::vector<Eigen::Matrix3Xd> means_;
+};
+
+/// Cut forces of the elastic bodies beside the beam as rigid ones, at the instants of a history.
+std::vector<std::vector<CutForceDiagram>> cuts_beside(const RigidMotion& rigid,
+                                                      const ElasticBody& elastic,
+                                                      const LoadHistory& history) {
+  std::vector<std::vector<CutForceDiagram>> cuts(elastic.beside.size());
+  if (cuts.empty()) return cuts;
+  planar::StateFinder finder(*rigid.mechanism, *rigid.motion);
+  const double step = history.period().value() / static_cast<double>(history.even_instants());
+  for (std::size_t i = 0; i < history.even_instants(); ++i) {
+    const planar::State state = finder.at(history.begin().value() + step * static_cast<double>(i));
+    for (std::size_t k = 0; k < cuts.size(); ++k) {
+      cuts[k].push_back(cut_forces_of(
+          planar::beam_loads_of(*rigid.mechanism, state, elastic.beside[k].laid_out)));
+    }
+  }
+  return cuts;
+}
+
 /// The largest coefficient of dry friction in a mechanism.
 double largest_friction(const planar::Mechanism& mechanism) {
   double largest = 0.0;
@@ -116,9 +155,9 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
   if (peak == 0.0) return estimate;
   if (!std::isfinite(peak)) refuse("the stresses under the loads of rigid bodies are no numbers");
 
-  // In most postures the beam is divided alike.
-  std::vector<flexible::SpringElement> divided;
-  std::vector<Eigen::Matrix3Xd> means;
+  MeansOverTime means;
+  const std::vector<std::vector<CutForceDiagram>> beside = cuts_beside(rigid, elastic, history);
+  std::vector<MeansOverTime> means_beside(beside.size());
   double fastest = 0.0;
   for (const planar::State& state : motion.states) {
     fastest = std::max(fastest, std::abs(state.v[3 * static_cast<Eigen::Index>(elastic.body) + 2]));
@@ -135,18 +174,23 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
       refuse("the lowest natural frequency of the beam in its mechanism cannot be told from zero");
     }
     const auto count = static_cast<Eigen::Index>(modes.frequencies.size());
-    Eigen::MatrixXd p(stresses.rows(), count);
-    if (!same_places(divided, modes.beam.springs)) {
-      divided = modes.beam.springs;
-      means.clear();
-      for (std::size_t i = 0; i < history.even_instants(); ++i)
-        means.push_back(means_over(history.even_diagram(i), divided));
+    Eigen::MatrixXd p = Eigen::MatrixXd::Zero(stresses.rows(), count);
+    const auto add_work = [&](const PostureModes::Strained& of, MeansOverTime& over,
+                              const auto& diagram) {
+      const std::vector<Eigen::Matrix3Xd>& of_instants =
+          over.over(of.link.springs, history.even_instants(), diagram);
+      for (std::size_t i = 0; i < of_instants.size(); ++i)
+        p.row(static_cast<Eigen::Index>(i)) += modal_loads(of, of_instants[i]).transpose();
+    };
+    add_work(modes.beam, means,
+             [&](std::size_t i) -> const CutForceDiagram& { return history.even_diagram(i); });
+    for (std::size_t k = 0; k < beside.size(); ++k) {
+      add_work(modes.beside[k], means_beside[k],
+               [&](std::size_t i) -> const CutForceDiagram& { return beside[k][i]; });
     }
-    for (std::size_t i = 0; i < means.size(); ++i)
-      p.row(static_cast<Eigen::Index>(i)) = modal_loads(modes, means[i]).transpose();
     const double turning = std::pow(fastest / (full_turn * modes.frequencies.front()), 2);
-    const double beside = 1.0 - modes.shifting[static_cast<std::size_t>(elastic.body)](0, 0);
-    const double left_out = turning * std::clamp(beside, 0.0, 1.0);
+    const double of_others = 1.0 - modes.shifting[static_cast<std::size_t>(elastic.body)](0, 0);
+    const double left_out = turning * std::clamp(of_others, 0.0, 1.0);
     estimate.left_out = std::max(estimate.left_out, left_out);
     const auto raise = [&](std::size_t counted, double error) {
       if (estimate.without_modes.size() <= counted) estimate.without_modes.resize(counted + 1, 0.0);

@@ -306,15 +306,14 @@ TEST_CASE("the vibration of a large motion is that of integration over time", "[
   mode.period = motion.period;
   Eigen::VectorXd first;
   for (const planar::State& state : motion.states) {
-    const PostureModes modes = modes_in_posture(
-        loaded_posture(mechanism, state, elastic, project.beam, rigid.loads(si<Time>(state.time))),
-        1);
+    const LoadedPosture posture =
+        loaded_posture(mechanism, state, elastic, project.beam, rigid.loads(si<Time>(state.time)));
+    const PostureModes modes = modes_in_posture(posture, 1);
     if (first.size() == 0) first = modes.shapes.col(0);
     const double sign = first.dot(modes.shapes.col(0)) > 0.0 ? 1.0 : -1.0;
     mode.square.push_back(std::pow(2 * pi * modes.frequencies.front(), 2) +
                           frame_terms(modes, state).of_size(0, 0));
-    mode.p.push_back(sign *
-                     modal_loads(modes, cut_forces_of(rigid.loads(si<Time>(state.time))))[0]);
+    mode.p.push_back(sign * modal_loads(modes, posture)[0]);
   }
   const std::vector<double> integrated = mode.periodic();
   REQUIRE(integrated.size() == static_cast<std::size_t>(vibration.coordinates().rows()));

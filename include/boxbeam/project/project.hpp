@@ -216,6 +216,13 @@ struct PinInput {
   double required = 1.0;
 };
 
+/// Another beam of the case, which the verified one moves with.
+struct BeamBeside {
+  std::string name;  ///< of its body
+  int body = 0;
+  TaperedBeam beam;
+};
+
 /// A rod between two points of one body, in the plane or in space.
 struct PlanarRod {
   planar::Attachment from, to;
@@ -372,6 +379,7 @@ struct Project {
   std::vector<Restraint> restraints;  ///< in stability alone
   /// The beam's body or link; ground: the beam is no body, only the chain can load it.
   int beam_body = planar::ground;
+  std::vector<BeamBeside> beams_beside;  ///< of a mechanism of bodies
   Dynamics dynamics = Dynamics::rigorous;
   spatial::BeamPlacement placement;  ///< of the beam in its body; in space only
   ModelInput model;

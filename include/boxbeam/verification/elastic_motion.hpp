@@ -10,7 +10,8 @@
 
 namespace boxbeam {
 
-/// The elastic body that the verified beam of a planar case is.
+/// The elastic body that the verified beam of a planar case is, with those of its other beams.
+/// `project` stays.
 ElasticBody elastic_body_of(const Project& project, int parts);
 
 /// A planar mechanism whose drivers fix its motion, and the loads on its beam as a rigid body.

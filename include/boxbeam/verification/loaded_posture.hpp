@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "boxbeam/beam/cut_force_diagram.hpp"
 #include "boxbeam/mechanism/flexible/response.hpp"
@@ -8,8 +10,8 @@
 
 namespace boxbeam {
 
-/// A mechanism with its elastic beam, stopped in a posture, its links bearing what they bear in the
-/// rigid motion at that instant: theory of the second order about the rigid bodies.
+/// A mechanism with its elastic beams, stopped in a posture, its links bearing what they bear in
+/// the rigid motion at that instant: theory of the second order about the rigid bodies.
 ///
 /// Forces keep their direction while links turn. On a link that turns by phi the forces F at arms p
 /// from its centre of mass do the work -phi^2/2 sum of F . p, which is stiffness, in the beam along
@@ -26,6 +28,8 @@ struct LoadedPosture {
   int beam_link = 0;
   const TaperedBeam* beam = nullptr;
   CutForceDiagram rigid;  ///< of the beam as a rigid body
+  /// Links of other elastic bodies, and the same of them.
+  std::vector<std::pair<int, CutForceDiagram>> beside = {};
 };
 
 /// `rigid`: loads on the rigid beam in this state; all forces that are there count `factor` times

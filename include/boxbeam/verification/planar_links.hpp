@@ -4,12 +4,13 @@
 #include <vector>
 
 #include "boxbeam/mechanism/flexible/mechanism.hpp"
+#include "boxbeam/mechanism/planar/beam_loads.hpp"
 #include "boxbeam/mechanism/planar/instant_solver.hpp"
 #include "boxbeam/mechanism/planar/mechanism.hpp"
 
 namespace boxbeam {
 
-/// The one elastic body of a planar mechanism.
+/// The verified beam as an elastic body of a planar mechanism, and those that bend with it.
 struct ElasticBody {
   int body = planar::ground;
   double centre = 0.0;  ///< distance of its centre of mass from its start, along its x [m]
@@ -17,7 +18,12 @@ struct ElasticBody {
   std::vector<flexible::LinkStretch> stretches;
   double retardation = 0.0;  ///< [s]
   int parts = 8;
+  planar::BeamBody laid_out = {};        ///< of those beside: its mass along its axis
+  std::vector<ElasticBody> beside = {};  ///< other beams of the mechanism
 };
+
+/// The elastic body of this index, that of the beam or one beside it; null: it is rigid.
+const ElasticBody* elastic_at(const ElasticBody& elastic, int body);
 
 /// Why small elastic motions of a mechanism about its postures cannot be described by elastic
 /// links: the gearbox that couples two turns by a ratio, by name; "" where they can.
@@ -29,7 +35,7 @@ inline constexpr std::size_t most_elastic_bodies = 50;
 bool has_too_many_bodies(const planar::Mechanism& mechanism);
 
 /// A planar mechanism stopped in a posture: every body a rigid link of the same index with its
-/// mass, the elastic one a full link; toothed wheels on it come behind them; joints without play
+/// mass, elastic ones full links; toothed wheels on it come behind them; joints without play
 /// and drivers held. Springs and dampers between points count along their line, with the length
 /// that they have. No loads and no weight: what the rigid motion asks for is not part of it.
 /// Toothed wheels and racks are joints without play along the pitch line, at the pitch point.

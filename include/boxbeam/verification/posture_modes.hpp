@@ -8,7 +8,7 @@
 
 namespace boxbeam {
 
-/// Free vibrations of a planar mechanism with its elastic beam, stopped in a posture under the
+/// Free vibrations of a planar mechanism with its elastic beams, stopped in a posture under the
 /// forces of its rigid motion there.
 struct PostureModes {
   std::vector<double> frequencies;  ///< ascending [Hz]
@@ -19,9 +19,14 @@ struct PostureModes {
   /// Motion of the bodies in their own axes, by roots of masses: a column per mode. Tells modes of
   /// different postures apart.
   Eigen::MatrixXd shapes;
-  flexible::DividedLink beam;  ///< the springs of the beam
-  /// Of every part of it, a column per mode: how it is stretched, shifted and turned.
-  std::vector<Eigen::Matrix3Xd> strains;
+  /// An elastic link, and of every part of it, a column per mode: how it is stretched, shifted and
+  /// turned.
+  struct Strained {
+    flexible::DividedLink link;
+    std::vector<Eigen::Matrix3Xd> strains;
+  };
+  Strained beam;
+  std::vector<Strained> beside;  ///< in the order of `LoadedPosture::beside`
   /// Of every body, over its masses: sum of m d_i . d_j and of m d_i x d_j of the modes' shifts,
   /// whose frame turns with the body.
   std::vector<Eigen::MatrixXd> shifting, turning;
@@ -45,14 +50,15 @@ FrameTerms frame_terms(const PostureModes& modes, const planar::State& state);
 /// The generalised force of a mode under loads on the rigid beam that are in balance: the work of
 /// their cut forces on its strains,
 ///
-///     p_j = integral of N epsilon_j + V gamma_j + M kappa_j   over the beam
+///     p_j = integral of N epsilon_j + V gamma_j + M kappa_j   over the elastic bodies
 ///
 /// the same as phi_j^T of all forces and inertia of the rigid mechanism, for joints do no work and
 /// rigid bodies are in balance. Per part with the mean cut forces. Source: principle of virtual
 /// work.
-Eigen::VectorXd modal_loads(const PostureModes& modes, const CutForceDiagram& rigid);
-/// The same by the mean cut forces over the parts of the beam.
-Eigen::VectorXd modal_loads(const PostureModes& modes, const Eigen::Matrix3Xd& means);
+/// `posture`: of these modes or of the same mechanism in another state.
+Eigen::VectorXd modal_loads(const PostureModes& modes, const LoadedPosture& posture);
+/// The part of one elastic link, by the mean cut forces over its parts.
+Eigen::VectorXd modal_loads(const PostureModes::Strained& of, const Eigen::Matrix3Xd& means);
 
 /// The mean cut forces over each part of a beam, a column each.
 Eigen::Matrix3Xd means_over(const CutForceDiagram& diagram,
