@@ -4,7 +4,7 @@
     tests/benchmarks/growth.py BOXBEAM [loops|chain|loops-in-space|parts]... [--runs 3]
 
 loops           parallelograms in a row, the first crank driven (plane)
-chain           bodies in a row in space on driven revolute joints
+chain           bodies in a row in space, every fourth on a driven revolute joint
 loops-in-space  four-bars in a row in space: cranks on revolute joints, couplers on universal and spherical ones
 parts           an elastic cantilever of five links, divided into many parts, with a load that vibrates
 
@@ -95,7 +95,7 @@ POINTS_OF_BEAM = 'points = { O = ["0 m", "0 m", "0 m"], A = ["1 m", "0 m", "0 m"
 
 
 def case_of_chain(bodies):
-    """A case of so many bodies in a row; the first is the beam."""
+    """A case of so many bodies in a row; the last is the beam."""
     parts = ["""[case]
 name = "chain"
 kind = "spatial"
@@ -104,11 +104,15 @@ gravity = ["0 m/s^2", "0 m/s^2", "-9.81 m/s^2"]
 """, BEAM_IN_SPACE]
     before = "ground"
     for i in range(bodies):
-        name = "lever" if i == 0 else f"rod-{i}"
-        parts.append(f"[bodies.{name}]\n" + (POINTS_OF_BEAM if i == 0 else ROD_IN_SPACE))
-        parts.append(f'[joints.j-{i}]\nkind = "revolute"\nconnect = ["{before}", "{name}.O"]\naxis = "{"yz"[i % 2]}"\n'
-                     f'[drivers.j-{i}]\njoint = "j-{i}"\nkind = "harmonic"\nmean = "{3 * (-1) ** i} deg"\n'
-                     'amplitude = "2 deg"\nfrequency = "0.7 Hz"\n')
+        name = "lever" if i + 1 == bodies else f"rod-{i}"
+        parts.append(f"[bodies.{name}]\n" + (POINTS_OF_BEAM if i + 1 == bodies else ROD_IN_SPACE))
+        # As many drivers as a case may have: every fourth joint turns.
+        if i % 4:
+            parts.append(f'[joints.j-{i}]\nkind = "fixed"\nconnect = ["{before}", "{name}.O"]\nturn = ["y", "{(-1) ** i} deg"]\n')
+        else:
+            parts.append(f'[joints.j-{i}]\nkind = "revolute"\nconnect = ["{before}", "{name}.O"]\naxis = "{"yz"[i // 4 % 2]}"\n'
+                         f'[drivers.j-{i}]\njoint = "j-{i}"\nkind = "harmonic"\nmean = "{3 * (-1) ** (i // 4)} deg"\n'
+                         'amplitude = "2 deg"\nfrequency = "0.7 Hz"\n')
         before = f"{name}.A"
     return "\n".join(parts)
 

@@ -11,7 +11,7 @@
 // accelerations, then the reactions of all mobilizers. Pinocchio has no kinematically driven loops:
 // written here on its Jacobians and rnea are Newton's method on the closing equations, rates and
 // accelerations, multipliers and a second rnea, with Eigen's sparse LU (columns ordered once).
-// All without NDEBUG, for Simbody of Debian has its assertions.
+// Simbody is compiled with its assertions, as Debian has it; the others without.
 
 #include <Eigen/SparseLU>
 #include <algorithm>
@@ -161,21 +161,14 @@ class ByPinocchio {
  public:
   explicit ByPinocchio(const Mechanism& row) : row_(row) {
     model_.gravity.linear() = row.gravity;
-    for (std::size_t i = 0; i < row.joints.size(); ++i) {
-      const Joint& joint = row.joints[i];
-      const auto parent = joint.parent < 0 ? 0 : of_body(static_cast<std::size_t>(joint.parent));
-      index_.push_back(model_.addJoint(parent, pinocchio::JointModelRevoluteUnaligned(joint.axis),
-                                       pinocchio::SE3(Matrix3d::Identity(), joint.at),
-                                       "j" + std::to_string(i)));
-      const Body& body = row.bodies[i];
-      model_.appendBodyToJoint(index_.back(),
-                               pinocchio::Inertia(body.mass, body.centre, body.inertia));
-    }
+    // It wants what a body carries right behind it.
+    index_.resize(row.joints.size());
+    add_carried_by(ground, 0);
     data_ = pinocchio::Data(model_);
     const auto n = static_cast<Eigen::Index>(row.joints.size());
     q_ = v_ = a_ = Eigen::VectorXd::Zero(n);
     external_.assign(model_.njoints, pinocchio::Force::Zero());
-    // Which coordinates move an end of a loop: pinocchio numbers joints depth first.
+    // Which coordinates move an end of a loop.
     for (const ClosingJoint& closing : row.closing) {
       std::vector<std::pair<std::size_t, int>> ways;
       for (const auto& [end, sign] : {std::pair{closing.a, -1}, std::pair{closing.b, 1}})
@@ -241,7 +234,18 @@ class ByPinocchio {
   }
 
  private:
-  pinocchio::JointIndex of_body(std::size_t body) const { return index_[body]; }
+  void add_carried_by(int body, pinocchio::JointIndex parent) {
+    for (std::size_t i = 0; i < row_.joints.size(); ++i) {
+      const Joint& joint = row_.joints[i];
+      if (joint.parent != body) continue;
+      index_[i] =
+          model_.addJoint(parent, pinocchio::JointModelRevoluteUnaligned(joint.axis),
+                          pinocchio::SE3(Matrix3d::Identity(), joint.at), "j" + std::to_string(i));
+      const Body& of = row_.bodies[i];
+      model_.appendBodyToJoint(index_[i], pinocchio::Inertia(of.mass, of.centre, of.inertia));
+      add_carried_by(static_cast<int>(i), index_[i]);
+    }
+  }
   Eigen::Index v_at(std::size_t joint) const { return model_.idx_vs[index_[joint]]; }
   const pinocchio::SE3& pose(int body) const {
     return data_.oMi[index_[static_cast<std::size_t>(body)]];
