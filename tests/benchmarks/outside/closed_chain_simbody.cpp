@@ -76,13 +76,14 @@ class SimbodyRow::Inside {
     for (const SimTK::Constraint& ball : balls_) {
       SimTK::Vector_<SimTK::SpatialVec> on_bodies;
       SimTK::Vector along;
-      // In the axes of the ground, their common ancestor.
+      // In the axes of the ground, their common ancestor. As the drive below with the sign that it
+      // has beside the inertia: M u' + ~G lambda + tau = f.
       ball.getConstraintForcesAsVectors(state_, on_bodies, along);
-      of.forces.push_back(triple(on_bodies[1][1]));
+      of.forces.push_back(triple(-on_bodies[1][1]));
     }
     SimTK::Vector motion;
     matter_.findMotionForces(state_, motion);
-    of.drive = motion[0];
+    of.drive = -motion[0];
     return of;
   }
 
