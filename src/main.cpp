@@ -292,15 +292,19 @@ Entry init_entry(CLI::App& app) {
                   "where to, which must not be there yet (default: KIND.toml); - for standard "
                   "output")
       ->type_name("FILE.toml");
-  CLI::Option* const robot =
+  CLI::Option* const urdf =
       command
-          .add_option("--from-urdf", options->robot,
+          .add_option("--from-urdf", options->urdf,
                       "begin a case in space with the bodies and joints of this robot (URDF)")
           ->type_name("FILE.urdf");
   command
+      .add_option("--from-mjcf", options->mjcf,
+                  "the same of a model of MuJoCo (MJCF), with the loops that it closes")
+      ->excludes(urdf)
+      ->type_name("FILE.xml");
+  command
       .add_option("--beam", options->beam,
                   "the robot's link that is the beam (default: its heaviest but the root)")
-      ->needs(robot)
       ->type_name("LINK");
   command.add_flag("--schema", options->schema,
                    "write the schema beside it, boxbeam-case.schema.json, by which editors of TOML "

@@ -8,7 +8,7 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/project/project.hpp"
-#include "boxbeam/project/urdf.hpp"
+#include "boxbeam/project/robot.hpp"
 #include "boxbeam/report/case_schema.hpp"
 #include "boxbeam/report/files.hpp"
 #include "program/exit_code.hpp"
@@ -31,14 +31,26 @@ std::string template_of(const std::string& kind) {
 /// The file that the first line of every template names for editors.
 constexpr const char* schema_file = "boxbeam-case.schema.json";
 
+bool begins_with_robot(const InitOptions& options) {
+  return !options.urdf.empty() || !options.mjcf.empty();
+}
+
 /// The text of the case. That of a robot is read once, so that none is written that is no case.
 std::string text_of(const InitOptions& options) {
-  if (options.robot.empty()) return template_of(options.kind);
+  if (!begins_with_robot(options)) {
+    if (!options.beam.empty())
+      throw InputError("a template has its own beam",
+                       "write --from-urdf or --from-mjcf with --beam, or leave it out");
+    return template_of(options.kind);
+  }
   if (options.kind != "spatial") {
     throw InputError("a robot moves in space", "write boxbeam init spatial, or leave the kind out");
   }
-  std::string text = urdf::case_text(urdf::read_robot(options.robot), options.beam);
-  parse_project(options.robot + " as a case", text);
+  const bool urdf = !options.urdf.empty();
+  const std::string& file = urdf ? options.urdf : options.mjcf;
+  std::string text =
+      robots::case_text(urdf ? robots::read_urdf(file) : robots::read_mjcf(file), options.beam);
+  parse_project(file + " as a case", text);
   return text;
 }
 
@@ -48,7 +60,7 @@ bool is_case_file(const std::string& word) { return word.ends_with(".toml"); }
 
 int run_init(const InitOptions& given) {
   InitOptions options = given;
-  const std::string usual = options.robot.empty() ? "planar" : "spatial";
+  const std::string usual = begins_with_robot(options) ? "spatial" : "planar";
   if (is_case_file(given.kind)) {
     if (!given.file.empty()) {
       throw InputError(fmt::format("two files: {} and {}", given.kind, given.file),

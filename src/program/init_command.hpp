@@ -8,7 +8,8 @@ struct InitOptions {
   std::string kind;     ///< or the file; "": planar, of a robot spatial
   std::string file;     ///< "": KIND.toml; "-": standard output
   bool schema = false;  ///< whether the schema that it names is written beside it
-  std::string robot;    ///< URDF file of the robot with which the case begins; "": a template
+  std::string urdf;     ///< file of the robot with which the case begins; "": none
+  std::string mjcf;     ///< the same as a MuJoCo model; one of both at most
   std::string beam;     ///< the robot's link that is the beam; "": its heaviest
 };
 

@@ -2,7 +2,7 @@
 // written out here: the roll-pitch-yaw matrix of the specification, Rodrigues' formula, R I R^T in
 // sums, and equilibrium of the weights.
 
-#include "boxbeam/project/urdf.hpp"
+#include "boxbeam/project/robot.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -53,14 +53,14 @@ const std::string arm_text =
 
 Project project_of(const std::string& robot, const std::vector<std::string>& overrides = {},
                    const std::string& beam = "") {
-  const std::string text = urdf::case_text(urdf::parse_robot("arm.urdf", robot), beam);
+  const std::string text = robots::case_text(robots::parse_urdf("arm.urdf", robot), beam);
   INFO(text);
   return parse_project("arm.toml", text, overrides);
 }
 
 std::string text_of(const std::string& links_and_joints, const std::string& beam = "") {
-  return urdf::case_text(
-      urdf::parse_robot("r.urdf", "<robot name=\"r\">" + links_and_joints + "</robot>"), beam);
+  return robots::case_text(
+      robots::parse_urdf("r.urdf", "<robot name=\"r\">" + links_and_joints + "</robot>"), beam);
 }
 
 /// The roll-pitch-yaw matrix, element by element.
@@ -246,7 +246,7 @@ TEST_CASE("joints shift, turn without end, or stand still; limits and mimics dec
   CHECK((state.bodies[body(project, "carriage")].position - expected).norm() < 1e-15);
   // 0.5 about z and then -0.7 about -z.
   CHECK(state.bodies[body(project, "wheel")].R_WB(1, 0) == Approx(std::sin(1.2)).epsilon(1e-14));
-  const std::string text = urdf::case_text(urdf::parse_robot("r.urdf", robot), "");
+  const std::string text = robots::case_text(robots::parse_urdf("r.urdf", robot), "");
   CHECK(contains(text, "# mimics \"lift\": -4 times its coordinate, and 0.5 more"));
   CHECK_FALSE(contains(text, "beyond its limits"));
   const std::string beyond =
@@ -354,7 +354,7 @@ TEST_CASE("what is too small to be meant is zero, and what is not read is listed
   CHECK(contains(text, "at = [\"0 m\", \"0 m\", \"1 m\"]"));
   CHECK_FALSE(contains(text, "turn ="));
   for (const char* part : {"<gazebo> (2)", "<material> (1)", "<visual> (2)", "<collision> (1)",
-                           "<safety_controller> (1)", "damping 7 N m s/rad"})
+                           "<safety_controller> (1)", "damping = \"7 N m s/rad\""})
     CHECK(contains(text, part));
 }
 
@@ -434,7 +434,7 @@ TEST_CASE("what is wrong with a robot is said, with its line") {
   for (const Broken& each : broken) {
     INFO(each.text.substr(0, 400));
     try {
-      urdf::parse_robot("r.urdf", each.text);
+      robots::parse_urdf("r.urdf", each.text);
       FAIL_CHECK("nothing was found wrong");
     } catch (const InputError& error) {
       INFO(std::string(error.what()).substr(0, 1000));
@@ -445,7 +445,7 @@ TEST_CASE("what is wrong with a robot is said, with its line") {
       CHECK(contains(problem.message, each.message));
     }
   }
-  CHECK_THROWS_AS(urdf::read_robot("no/such.urdf"), InputError);
+  CHECK_THROWS_AS(robots::read_urdf("no/such.urdf"), InputError);
 }
 
 }  // namespace urdf_test

@@ -188,6 +188,17 @@ TEST_CASE("init: a case begun from a robot is valid, runs, and says what is a pl
   CHECK(run({"init", "p.toml", "--from-urdf", "no.urdf"}).exit_code == 2);
   CHECK(run({"init", "p.toml", "--from-urdf", "arm.urdf", "--beam", "hand"}).exit_code == 2);
   CHECK(run({"init", "p.toml", "--beam", "load"}).exit_code == 2);
+  // A model of MuJoCo likewise, but not both at once.
+  folder.write("arm.xml",
+               "<mujoco model=\"press\"><worldbody><body name=\"beam\"><joint name=\"hinge\" "
+               "axis=\"0 1 0\"/><geom type=\"box\" size=\"1 0.1 0.1\" pos=\"1 0 0\" "
+               "mass=\"200\"/></body></worldbody></mujoco>");
+  CHECK(run({"init", "press.toml", "--from-mjcf", "arm.xml"}).exit_code == 0);
+  CHECK(run({"verify", "press.toml", "--no-plots", "--no-pdf"}).exit_code == 0);
+  CHECK(run({"init", "spatial", "-", "--from-mjcf", "arm.xml", "--beam", "beam"}).exit_code == 0);
+  CHECK(run({"init", "p.toml", "--from-mjcf", "arm.xml", "--from-urdf", "arm.urdf"}).exit_code ==
+        2);
+  CHECK(run({"init", "p.toml", "--from-mjcf", "arm.urdf"}).exit_code == 2);
   folder.write("far.urdf",
                "<robot name=\"far\"><link name=\"world\"/><link name=\"a\"/><joint name=\"j\" "
                "type=\"revolute\"><parent link=\"world\"/><child link=\"a\"/><origin xyz=\"1e9 0 "

@@ -194,7 +194,8 @@ void Loops::choose_rows(const Tree& tree, const State& state) {
   const auto& order = qr.colsPermutation().indices();
   for (Eigen::Index k = 0; k < columns; ++k) chosen_.push_back(static_cast<std::size_t>(order[k]));
   std::sort(chosen_.begin(), chosen_.end());
-  branch_ = jacobian(tree, state, chosen_).determinant() > 0.0 ? 1 : -1;
+  branch_ =
+      sign_of_determinant(Eigen::PartialPivLU<Eigen::MatrixXd>(jacobian(tree, state, chosen_)));
 }
 
 /// Forces that loops can hold without any load make what they reach not unique.

@@ -205,6 +205,16 @@ std::vector<BodyWrench> on_both_bodies(const Mechanism& mechanism,
   return wrenches;
 }
 
+int sign_of_determinant(const Eigen::PartialPivLU<Eigen::MatrixXd>& lu) {
+  int sign = lu.permutationP().determinant() > 0 ? 1 : -1;
+  for (Eigen::Index k = 0; k < lu.rows(); ++k) {
+    const double pivot = lu.matrixLU()(k, k);
+    if (!(pivot != 0.0)) return 0;
+    if (pivot < 0.0) sign = -sign;
+  }
+  return sign;
+}
+
 bool stands_right(const ClosingJoint& joint, const State& state) {
   const auto same = [&](const Vector3d& of_a) {
     const Vector3d of_b = joint.turn.transpose() * of_a;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/LU>
+
 #include <string>
 
 #include "boxbeam/mechanism/spatial/loops.hpp"
@@ -30,6 +32,10 @@ std::vector<Wrench> closing_wrenches(const Mechanism& mechanism, const std::vect
 /// The same on both bodies of each.
 std::vector<BodyWrench> on_both_bodies(const Mechanism& mechanism,
                                        const std::vector<Wrench>& closing, const State& state);
+
+/// Sign of the determinant of a matrix that is factorised; that of many loops is too small for a
+/// number of its own.
+int sign_of_determinant(const Eigen::PartialPivLU<Eigen::MatrixXd>& lu);
 
 /// Whether a closing joint stands as it says and not turned by half a turn, which leaves its
 /// equations zero as well.

@@ -20,8 +20,6 @@ constexpr double largest_correction = 0.02;
 /// From one followed position to the next.
 constexpr double largest_move = 0.3;
 
-int sign_of(double x) { return x > 0.0 ? 1 : (x < 0.0 ? -1 : 0); }
-
 /// Taylor's series up to the acceleration.
 Eigen::VectorXd predicted(const auto& from, double time) {
   const double dt = time - from.time;
@@ -89,7 +87,7 @@ bool Loops::converge(const Tree& tree, State& state, Eigen::VectorXd& q, double&
     if (step == 0) first = size;
     q += column_scale_.cwiseProduct(correction);
     set(state, {state.time, q, {}, {}});
-    if (size < converged) return branch_ == 0 || sign_of(lu.determinant()) == branch_;
+    if (size < converged) return branch_ == 0 || sign_of_determinant(lu) == branch_;
   }
   return false;
 }

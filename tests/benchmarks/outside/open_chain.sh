@@ -11,5 +11,5 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 g++ -std=c++20 -O2 -DNDEBUG -w -Iinclude -Itests -isystem "$headers" -isystem /usr/include/eigen3 \
   -DBOOST_MPL_LIMIT_LIST_SIZE=30 -DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS -DBOOST_FUSION_INVOKE_MAX_ARITY=12 \
-  tests/benchmarks/outside/open_chain.cpp "$build/libboxbeam.a" -lfmt -o "$folder/open_chain"
+  tests/benchmarks/outside/open_chain.cpp "$build/libboxbeam.a" -lfmt -ltomlplusplus -lmd -o "$folder/open_chain"
 "$folder/open_chain"

@@ -10,10 +10,10 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/project/limits.hpp"
 #include "boxbeam/project/quantity_text.hpp"
+#include "boxbeam/project/robot.hpp"
 #include "boxbeam/project/toml_text.hpp"
-#include "boxbeam/project/urdf.hpp"
 
-namespace boxbeam::urdf {
+namespace boxbeam::robots {
 namespace {
 
 constexpr double steel_density = 7850.0;  // [kg/m^3], EN 1991-1-1, table A.4: 77 to 78.5 kN/m^3
@@ -58,13 +58,13 @@ std::string direction_text(const Eigen::Vector3d& given) {
   return fmt::format("[{}, {}, {}]", direction.x() + 0.0, direction.y() + 0.0, direction.z() + 0.0);
 }
 
-/// Turns about the axes that the body has by then, as the case writes them: Rz Ry Rx; or "".
-std::string turn_text(const Eigen::Vector3d& rpy) {
+/// Turns one after the other, as the case writes them; or "".
+std::string turn_text(const std::vector<Turn>& given) {
   std::string turns;
-  for (const int k : {2, 1, 0}) {
-    if (meant(rpy[k], wanted::angle) == 0.0) continue;
-    turns += fmt::format("{}[\"{}\", {}]", turns.empty() ? "" : ", ", "xyz"[k],
-                         quantity(rpy[k], wanted::angle, "rad"));
+  for (const Turn& turn : given) {
+    if (meant(turn.angle, wanted::angle) == 0.0) continue;
+    turns += fmt::format("{}[{}, {}]", turns.empty() ? "" : ", ", direction_text(turn.axis),
+                         quantity(turn.angle, wanted::angle, "rad"));
   }
   return turns.empty() ? "" : fmt::format("turn = [{}]\n", turns);
 }
@@ -102,24 +102,31 @@ InertiaDoubt doubt_of(const Inertial& of) {
 struct PlaceholderBeam {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
   Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
-  double start = 0.0, length = 1.0;  ///< along the axis from the link's origin [m]
-  double width = 0.0, wall = 0.0;    ///< of a square box [m]
+  Eigen::Vector3d joint = Eigen::Vector3d::Zero();  ///< that carries the link, in its axes [m]
+  double start = 0.0, length = 1.0;                 ///< along the axis from the joint [m]
+  double width = 0.0, wall = 0.0;                   ///< of a square box [m]
   const char* why = "";
 };
 
 PlaceholderBeam placeholder_beam(const Robot& robot, std::size_t link) {
   constexpr double nothing = 1e-6;  // [m]
   PlaceholderBeam beam;
-  std::vector<Eigen::Vector3d> places;
   for (const Joint& joint : robot.joints)
-    if (joint.parent == link) places.push_back(joint.xyz);
+    if (joint.child == link) beam.joint = joint.point;
+  std::vector<Eigen::Vector3d> places;  // from the joint that carries it
+  for (const Joint& joint : robot.joints)
+    if (joint.parent == link) places.push_back(joint.xyz - beam.joint);
+  for (const Closing& closing : robot.closings) {
+    if (closing.a == link) places.push_back(closing.p_a - beam.joint);
+    if (closing.b == link) places.push_back(closing.p_b - beam.joint);
+  }
   Eigen::Vector3d end = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& place : places)
     if (place.norm() > end.norm()) end = place;
   beam.why = "from the link's joint to the farthest one that it carries";
   const std::optional<Inertial>& inertial = robot.links[link].inertial;
   if (end.norm() <= nothing && inertial) {
-    end = 2.0 * inertial->centre;
+    end = 2.0 * (inertial->centre - beam.joint);
     places.push_back(end);
     beam.why = "from the link's joint through its centre of mass, and as far again";
   }
@@ -149,7 +156,10 @@ PlaceholderBeam placeholder_beam(const Robot& robot, std::size_t link) {
 class CaseOfRobot {
  public:
   CaseOfRobot(const Robot& robot, const std::string& beam)
-      : robot_(robot), beam_(beam_link(beam)), placeholder_(placeholder_beam(robot, beam_)) {
+      : robot_(robot),
+        beam_(beam_link(beam)),
+        placeholder_(placeholder_beam(robot, beam_)),
+        left_(left_to_closings(robot)) {
     std::set<std::string> joints;
     for (const Joint& joint : robot.joints) joints.insert(joint.name);
     base_ = free_name("base", joints);
@@ -161,6 +171,7 @@ class CaseOfRobot {
     write_bodies();
     write_joints();
     write_drivers();
+    write_springs();
     write_beam();
     return std::move(text_);
   }
@@ -212,6 +223,17 @@ class CaseOfRobot {
     origin_ = free_name("origin", taken);
     taken.insert(origin_);
     start_ = free_name("beam_start", taken);
+    for (const Closing& closing : robot_.closings) {
+      std::string name = closing.name;
+      std::replace(name.begin(), name.end(), '.', '_');
+      closing_points_.push_back(free_name(name, taken));
+      taken.insert(closing_points_.back());
+    }
+  }
+
+  /// The point of the carried link at which a joint has it: its origin, or one called as the joint.
+  const std::string& carried_point(std::size_t joint) const {
+    return robot_.joints[joint].point.isZero(0.0) ? origin_ : points_[joint];
   }
 
   void write_head() {
@@ -233,7 +255,7 @@ class CaseOfRobot {
         "#\n"
         "# `boxbeam validate` says what is wrong, line by line; `boxbeam init spatial` writes an "
         "example\n"
-        "# of every part. Units of the robot's file: m, kg, s, rad.\n",
+        "# of every part. Units: m, kg, s, rad.\n",
         toml_quoted(robot_.name), file);
     if (!robot_.left_out.empty()) {
       put("#\n# Not read of the robot:\n");
@@ -244,16 +266,19 @@ class CaseOfRobot {
     put("\n[case]\nname = {}\n", toml_quoted(name.substr(0, 60) + "-with-placeholders"));
     put("title = {}\nkind = \"spatial\"\n",
         toml_quoted(robot_.name + ", with PLACEHOLDERS for section, steel and drivers"));
-    put("assumptions = [\n"
-        "  \"bodies and joints are those of a robot's description (URDF)\",\n"
+    put("assumptions = [\n  \"bodies and joints are those of a robot's description ({})\",\n{}"
         "  \"PLACEHOLDER: beam, section, steel and drivers are not those of the machine "
-        "yet\",\n]\n");
-    put("\n[mechanism]\ngravity = [\"0 m/s^2\", \"0 m/s^2\", \"-9.81 m/s^2\"]\n");
+        "yet\",\n]\n",
+        robot_.format, robot_.closings.empty() ? "" : "  \"joints that close loops are rigid\",\n");
+    const auto part = [&](int k) {
+      return quantity(robot_.gravity[k], wanted::acceleration, "m/s^2");
+    };
+    put("\n[mechanism]\ngravity = [{}, {}, {}]\n", part(0), part(1), part(2));
   }
 
   void write_bodies() {
     rule("bodies");
-    put("# In the axes of the link's frame, which is that of the joint that carries it.\n");
+    put("# In the axes of the link's frame.\n");
     if (robot_.is_ground(robot_.root))
       put("# The root {} has no mass: it is the ground.\n",
           toml_quoted(robot_.links[robot_.root].name));
@@ -272,9 +297,24 @@ class CaseOfRobot {
       for (std::size_t k = 0; k < robot_.joints.size(); ++k)
         if (robot_.joints[k].parent == i)
           put("{} = {}\n", toml_key(points_[k]), place_text(robot_.joints[k].xyz));
-      if (i == beam_ && placeholder_.start < 0.0)
-        put("{} = {}\n", start_, place_text(placeholder_.start * placeholder_.axis));
+      for (std::size_t k = 0; k < robot_.joints.size(); ++k)
+        if (robot_.joints[k].child == i && carried_point(k) != origin_)
+          put("{} = {}\n", toml_key(points_[k]), place_text(robot_.joints[k].point));
+      for (std::size_t k = 0; k < robot_.closings.size(); ++k) {
+        const Closing& closing = robot_.closings[k];
+        if (closing.a == i || closing.b == i)
+          put("{} = {}\n", toml_key(closing_points_[k]),
+              place_text(closing.a == i ? closing.p_a : closing.p_b));
+      }
+      if (i == beam_ && begins_elsewhere())
+        put("{} = {}\n", start_,
+            place_text(placeholder_.joint + placeholder_.start * placeholder_.axis));
     }
+  }
+
+  /// Whether the beam begins at another place than its link's origin.
+  bool begins_elsewhere() const {
+    return placeholder_.start < 0.0 || !placeholder_.joint.isZero(0.0);
   }
 
   void write_mass(const Inertial& of, bool is_beam) {
@@ -294,20 +334,35 @@ class CaseOfRobot {
       put("\n[joints.{}]\nkind = \"fixed\"\nconnect = [\"ground\", {}]\n", toml_key(base_),
           toml_quoted(robot_.links[robot_.root].name + "." + origin_));
     }
-    for (std::size_t k = 0; k < robot_.joints.size(); ++k)
-      write_joint(robot_.joints[k], points_[k]);
+    for (std::size_t k = 0; k < robot_.joints.size(); ++k) write_joint(k);
+    for (std::size_t k = 0; k < robot_.closings.size(); ++k) write_closing(k);
   }
 
-  void write_joint(const Joint& joint, const std::string& point) {
+  void write_closing(std::size_t index) {
+    const Closing& closing = robot_.closings[index];
+    const bool on_ground = robot_.is_ground(closing.a);
+    const auto end = [&](std::size_t link) {
+      return toml_quoted(robot_.links[link].name + "." + closing_points_[index]);
+    };
+    put("\n[joints.{}]\nkind = \"{}\"\ncloses = true\nconnect = [{}, {}]\n", toml_key(closing.name),
+        closing.kind == Closing::Kind::weld ? "fixed" : "spherical",
+        on_ground ? "\"ground\"" : end(closing.a), end(closing.b));
+    if (on_ground) put("at = {}\n", place_text(closing.p_a));
+    if (closing.kind == Closing::Kind::weld) text_ += turn_text(closing.turns);
+  }
+
+  void write_joint(std::size_t index) {
+    const Joint& joint = robot_.joints[index];
     put("\n[joints.{}]\n", toml_key(joint.name));
-    const std::string to = toml_quoted(robot_.links[joint.child].name + "." + origin_);
+    const std::string to = toml_quoted(robot_.links[joint.child].name + "." + carried_point(index));
     const bool on_ground = robot_.is_ground(joint.parent);
     const std::string from =
-        on_ground ? "\"ground\"" : toml_quoted(robot_.links[joint.parent].name + "." + point);
+        on_ground ? "\"ground\""
+                  : toml_quoted(robot_.links[joint.parent].name + "." + points_[index]);
     const auto kind = [&](const char* word) {
       put("kind = \"{}\"\nconnect = [{}, {}]\n", word, from, to);
       if (on_ground) put("at = {}\n", place_text(joint.xyz));
-      text_ += turn_text(joint.rpy);
+      text_ += turn_text(joint.turns);
     };
     switch (joint.type) {
       case JointType::fixed: kind("fixed"); return;
@@ -322,6 +377,10 @@ class CaseOfRobot {
             toml_key(joint.name));
         kind("planar");
         break;
+      case JointType::spherical:
+        put("# {0}.1 to {0}.3 turn about z, y and x, one after the other\n", toml_key(joint.name));
+        kind("spherical");
+        return;
       case JointType::floating:
         put("# floating: nothing of the robot holds it; {0}.1 to {0}.3 shift, {0}.4 to {0}.6 "
             "turn\n",
@@ -330,16 +389,27 @@ class CaseOfRobot {
         return;
     }
     put("axis = {}\n", direction_text(joint.axis));
+    if (left_[index].size() == 1 && left_[index][0])
+      put("start = {}\n", coordinate_text(joint, held_at(joint)));
+    if (joint.type == JointType::prismatic && joint.passive.damping.value_or(0.0) > 0.0)
+      put("friction = {{ viscous = {} }}\n",
+          quantity(*joint.passive.damping, wanted::damping, "N s/m"));
   }
 
-  /// The coordinate at which a joint is held: zero, or what is next to it within its limits; of one
-  /// that mimics, what follows from the other's.
+  /// A value of the one coordinate of a joint.
+  static std::string coordinate_text(const Joint& joint, double value) {
+    return joint.type == JointType::prismatic ? quantity(value, wanted::length, "m")
+                                              : quantity(value, wanted::angle, "rad");
+  }
+
+  /// The coordinate at which a joint is held: its reference, or what is next to it within its
+  /// limits; of one that mimics, what follows from the other's.
   double held_at(const Joint& joint) const {
     if (joint.mimic)
       return joint.mimic->multiplier * held_at(robot_.joints[joint.mimic->joint]) +
              joint.mimic->offset;
-    if (joint.type == JointType::continuous) return 0.0;
-    double value = 0.0;
+    if (joint.type == JointType::continuous) return joint.reference;
+    double value = joint.reference;
     if (joint.limit.lower) value = std::max(value, *joint.limit.lower);
     if (joint.limit.upper) value = std::min(value, *joint.limit.upper);
     return value;
@@ -351,9 +421,20 @@ class CaseOfRobot {
         "table (a\n"
         "# CSV file), hold. Where a load moves a joint: moved_by = \"forces\" in the joint, and no "
         "driver.\n");
-    for (const Joint& joint : robot_.joints) {
+    if (!robot_.closings.empty())
+      put("# As many as the loops leave freedoms where the robot stands; other joints may have "
+          "them "
+          "instead.\n");
+    for (std::size_t k = 0; k < robot_.joints.size(); ++k) {
+      const Joint& joint = robot_.joints[k];
       const std::vector<Coordinate> coordinates = coordinates_of(joint);
-      for (const Coordinate& of : coordinates) {
+      for (std::size_t c = 0; c < coordinates.size(); ++c) {
+        const Coordinate& of = coordinates[c];
+        if (left_[k][c]) {
+          put("\n# {} follows the loops.\n", toml_key(of.name));
+          if (coordinates.size() == 1) write_facts(joint, of.turns, held_at(joint));
+          continue;
+        }
         const double value = coordinates.size() == 1 ? held_at(joint) : 0.0;
         put("\n[drivers.{}]\njoint = {}\n", toml_key(of.name), toml_quoted(of.name));
         put("kind = \"hold\"\nvalue = {}\n", of.turns ? quantity(value, wanted::angle, "rad")
@@ -373,9 +454,11 @@ class CaseOfRobot {
     fact("upper", joint.limit.upper, turns ? "rad" : "m");
     fact("effort", joint.limit.effort, turns ? "N m" : "N");
     fact("velocity", joint.limit.velocity, turns ? "rad/s" : "m/s");
-    fact("damping", joint.damping, turns ? "N m s/rad" : "N s/m");
-    fact("friction", joint.friction, turns ? "N m" : "N");
-    if (!facts.empty()) put("# the robot's: {}\n", facts);
+    const Passive& passive = joint.passive;
+    if (!turns) fact("stiffness", passive.stiffness, "N/m");
+    fact("friction", passive.friction, turns ? "N m" : "N");
+    fact("inertia of its drive", passive.armature, turns ? "kg m^2" : "kg");
+    if (!facts.empty()) put("# the robot's, not looked at: {}\n", facts);
     const bool beyond =
         joint.type != JointType::continuous && ((joint.limit.lower && value < *joint.limit.lower) ||
                                                 (joint.limit.upper && value > *joint.limit.upper));
@@ -388,6 +471,26 @@ class CaseOfRobot {
         "# it a joint of kind = \"gear\" or \"rack\" and no driver here\n",
         toml_quoted(robot_.joints[joint.mimic->joint].name), joint.mimic->multiplier,
         joint.mimic->offset);
+  }
+
+  /// Springs and dampers of joints that turn.
+  void write_springs() {
+    bool any = false;
+    for (const Joint& joint : robot_.joints) {
+      const Passive& passive = joint.passive;
+      const bool turns = joint.type == JointType::revolute || joint.type == JointType::continuous;
+      const double stiffness = passive.stiffness.value_or(0.0);
+      const double damping = passive.damping.value_or(0.0);
+      if (!turns || !(stiffness > 0.0 || damping > 0.0)) continue;
+      if (!any) rule("springs and dampers");
+      any = true;
+      put("\n[forces.{}]\nkind = \"torsion spring\"\njoint = {}\n", toml_key(joint.name),
+          toml_quoted(joint.name));
+      put("stiffness = {}\n", quantity(stiffness, wanted::torsional_stiffness, "N m/rad"));
+      if (stiffness > 0.0) put("free_angle = {}\n", quantity(passive.free, wanted::angle, "rad"));
+      if (damping > 0.0)
+        put("damping = {}\n", quantity(damping, wanted::torsional_damping, "N m s/rad"));
+    }
   }
 
   void write_beam() {
@@ -403,9 +506,8 @@ class CaseOfRobot {
         millimetres(placeholder_.width), millimetres(placeholder_.wall));
     put("\n# PLACEHOLDER: {}.\n", placeholder_.why);
     put("[beam]\nbody = {}\nstart = {}\naxis = {}\nz = {}\ndensity = \"{} kg/m^3\"\n",
-        toml_quoted(robot_.links[beam_].name),
-        toml_quoted(placeholder_.start < 0.0 ? start_ : origin_), direction_text(placeholder_.axis),
-        direction_text(placeholder_.z), steel_density);
+        toml_quoted(robot_.links[beam_].name), toml_quoted(begins_elsewhere() ? start_ : origin_),
+        direction_text(placeholder_.axis), direction_text(placeholder_.z), steel_density);
     put("\n[[beam.segments]]\nlength = {}\nsection = \"placeholder\"\n",
         metres(placeholder_.length));
     put("\n# PLACEHOLDER: plates across the box, where torque comes in and goes.\n");
@@ -424,8 +526,10 @@ class CaseOfRobot {
   const Robot& robot_;
   std::size_t beam_;
   PlaceholderBeam placeholder_;
+  std::vector<std::vector<bool>> left_;  ///< to closings, of every joint its coordinates
   std::string base_, origin_, start_;
-  std::vector<std::string> points_;  ///< of every joint, on the link that carries by it
+  std::vector<std::string> points_;  ///< of every joint, on its links
+  std::vector<std::string> closing_points_;
   std::string text_;
 };
 
@@ -435,4 +539,4 @@ std::string case_text(const Robot& robot, const std::string& beam) {
   return CaseOfRobot(robot, beam).text();
 }
 
-}  // namespace boxbeam::urdf
+}  // namespace boxbeam::robots
