@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 from ._errors import AnalysisError as AnalysisError, Error as Error, InputError as InputError
 from ._errors import OutputError as OutputError, Problem as Problem
 from .results import Check as Check, Cycles as Cycles, Fatigue as Fatigue, Motion as Motion, Section as Section
-from .results import Sweep as Sweep, Verification as Verification
+from .results import Sweep as Sweep, Verification as Verification, study_to_parquet as study_to_parquet
 
 __version__: str
 

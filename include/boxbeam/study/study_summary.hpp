@@ -42,6 +42,7 @@ struct StudySummary {
   std::string name, study_file, case_file;
   std::string sha256;       ///< of the study, the case and its tables
   std::string rows_sha256;  ///< of the table as it is written
+  std::string statistics_sha256;  ///< of the file of all designs, where not all have a row
   std::string version;      ///< of the program
   std::uint64_t seed = 0;
   std::size_t designs = 0;
@@ -56,6 +57,9 @@ struct StudySummary {
   std::vector<std::string> index_variables;  ///< whose indices were asked for
   std::vector<ColumnIndices> indices;        ///< of results that are numbers
 };
+
+/// The cells of a row of comma-separated values. Source: RFC 4180.
+std::vector<std::string> cells_in(std::string_view row);
 
 /// The number in a cell as it is written; nothing where there is none.
 std::optional<double> number_of_cell(std::string_view cell);
