@@ -17,6 +17,15 @@ ROOT = pathlib.Path(__file__).resolve().parent
 VERSION = re.search(r"project\(boxbeam VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
 
 
+def pybind11_folder():
+    """That of PyPI where it is there: arrays of numpy 2 want 2.12, which Debian 12 has not."""
+    try:
+        import pybind11
+    except ImportError:
+        return []
+    return ["-Dpybind11_DIR=" + pybind11.get_cmake_dir()]
+
+
 class CMakeBuild(build_ext):
     """One extension, built by the project's own CMake lists."""
 
@@ -27,7 +36,7 @@ class CMakeBuild(build_ext):
         subprocess.run(["cmake", "-S", ROOT, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                         f"-DPython3_EXECUTABLE={sys.executable}", "-DBOXBEAM_PYTHON=ON", "-DBOXBEAM_TESTS=OFF",
                         "-DBOXBEAM_BENCH=OFF", "-DBOXBEAM_CHARTS=OFF", "-DBOXBEAM_PRECOMPILE=ON", "-DBOXBEAM_BATCHES=ON",
-                        *shlex.split(os.environ.get("CMAKE_ARGS", ""))],
+                        *pybind11_folder(), *shlex.split(os.environ.get("CMAKE_ARGS", ""))],
                        check=True)
         subprocess.run(["cmake", "--build", build, "--target", "boxbeam_python"], check=True)
         target.parent.mkdir(parents=True, exist_ok=True)

@@ -109,8 +109,7 @@ class Sweeping {
       work();
     }
     if (trouble_) std::rethrow_exception(trouble_);
-    if (hint_)
-      throw InputError(fmt::format("there is no result \"{}\"", unknown_column_), *hint_);
+    if (hint_) throw InputError(fmt::format("there is no result \"{}\"", unknown_column_), *hint_);
     return std::move(swept_);
   }
 
@@ -249,11 +248,25 @@ void translate(std::exception_ptr thrown) {
   }
 }
 
+/// Arrays of numpy 2 are laid out otherwise than pybind11 knew before 2.12: they would have wrong
+/// numbers.
+void require_known_arrays() {
+  if (PYBIND11_VERSION_MAJOR > 2 || PYBIND11_VERSION_MINOR >= 12) return;
+  const auto numpy = py::module_::import("numpy").attr("__version__").cast<std::string>();
+  if (std::stoi(numpy) < 2) return;
+  throw py::import_error(
+      fmt::format("boxbeam is built with pybind11 {}.{}, which does not know the arrays of numpy "
+                  "{}: build it with pybind11 2.12 or later (pip install pybind11), or install "
+                  "numpy below 2",
+                  PYBIND11_VERSION_MAJOR, PYBIND11_VERSION_MINOR, numpy));
+}
+
 }  // namespace
 }  // namespace boxbeam::python
 
 PYBIND11_MODULE(_core, module) {
   namespace of = boxbeam::python;
+  of::require_known_arrays();
   pybind11::register_exception_translator(of::translate);
   module.attr("version") = boxbeam::version;
   module.def("verify", of::verified);

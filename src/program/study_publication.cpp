@@ -184,7 +184,8 @@ Manifest manifest_in(const std::string& text, const std::string& folder) {
     Manifest of{json.at("name"),         json.at("study"),    json.at("case"),
                 json.at("input_sha256"), json.at("version"),  json.at("seed"),
                 json.at("designs"),      json.at("chunk"),    {},
-                json.at("variables"),    json.at("scatters"), {}, json.value("keep", "")};
+                json.at("variables"),    json.at("scatters"), {},
+                json.value("keep", "")};
     for (const nlohmann::json& column : json.at("columns"))
       of.columns.push_back({column.at("name"), column.at("unit")});
     if (json.contains("indices"))

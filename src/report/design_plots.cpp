@@ -165,9 +165,9 @@ std::optional<Drawing> histogram(const DesignRows& rows) {
 }
 
 std::optional<Drawing> histogram(const StudySummary& summary) {
-  const auto shown = std::find_if(
-      summary.statistics.begin(), summary.statistics.end(),
-      [](const ColumnStatistics& of) { return of.column.name == "utilisation"; });
+  const auto shown =
+      std::find_if(summary.statistics.begin(), summary.statistics.end(),
+                   [](const ColumnStatistics& of) { return of.column.name == "utilisation"; });
   if (shown == summary.statistics.end() || !(shown->quantiles.back() > shown->quantiles.front()))
     return std::nullopt;
   const double low = shown->quantiles.front(), high = shown->quantiles.back();

@@ -104,7 +104,7 @@ std::vector<std::string> draw_study(const StudySummary& summary, const DesignRow
 }
 
 std::vector<std::string> files_of_study() {
-  return {"rows.csv",    "rows.nc",     "study.json",   "study.html", "statistics.json",
+  return {"rows.csv",    "rows.nc",     "study.json",   "study.html",   "statistics.json",
           "indices.svg", "contour.svg", "parallel.svg", "histogram.svg"};
 }
 

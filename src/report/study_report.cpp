@@ -179,26 +179,26 @@ void report::put_study(Fields& to, const StudySummary& summary) {
     to.optional().number({"p_f_low", "of 95 % confidence"}, "1", p_f.low);
     to.optional().number("p_f_high", "1", p_f.high);
   }
-  to.list({"statistics", "of the columns of numbers"}, "{column}", summary.statistics,
-          [](Fields& of, const ColumnStatistics& column) {
-            of.text("column", column.column.name);
-            of.text({"unit", "of a variable as in the study, of a result SI; empty without"},
-                    column.column.unit);
-            of.whole({"count", "designs that have a number"}, column.count);
-            of.number_in("mean", "", "unit", column.mean);
-            of.number_in("sd", "", "unit", column.sd);
-            of.number_in("min", "", "unit", column.quantiles[0]);
-            of.number_in({"p5", "5 % of the designs are not above it"}, "", "unit",
-                         column.quantiles[1]);
-            of.number_in("p50", "", "unit", column.quantiles[2]);
-            of.number_in("p95", "", "unit", column.quantiles[3]);
-            of.number_in("max", "", "unit", column.quantiles[4]);
-            of.number({"quantile_error", "relative, of p5, p50 and p95; 0 where they are exact"},
-                      "1", column.quantile_error);
-            const std::vector<double> parts(column.histogram.begin(), column.histogram.end());
-            of.numbers({"histogram", "designs in each of 20 equal parts from min to max"}, "1",
-                       parts);
-          });
+  to.list(
+      {"statistics", "of the columns of numbers"}, "{column}", summary.statistics,
+      [](Fields& of, const ColumnStatistics& column) {
+        of.text("column", column.column.name);
+        of.text({"unit", "of a variable as in the study, of a result SI; empty without"},
+                column.column.unit);
+        of.whole({"count", "designs that have a number"}, column.count);
+        of.number_in("mean", "", "unit", column.mean);
+        of.number_in("sd", "", "unit", column.sd);
+        of.number_in("min", "", "unit", column.quantiles[0]);
+        of.number_in({"p5", "5 % of the designs are not above it"}, "", "unit",
+                     column.quantiles[1]);
+        of.number_in("p50", "", "unit", column.quantiles[2]);
+        of.number_in("p95", "", "unit", column.quantiles[3]);
+        of.number_in("max", "", "unit", column.quantiles[4]);
+        of.number({"quantile_error", "relative, of p5, p50 and p95; 0 where they are exact"}, "1",
+                  column.quantile_error);
+        const std::vector<double> parts(column.histogram.begin(), column.histogram.end());
+        of.numbers({"histogram", "designs in each of 20 equal parts from min to max"}, "1", parts);
+      });
   if (summary.index_variables.empty() && !to.is_describing()) return;
   to.optional().list({"indices", "where asked for: Sobol's, of results that are numbers"},
                      "{column}", summary.indices, [&](Fields& of, const ColumnIndices& column) {

@@ -26,8 +26,8 @@ std::string trimmed_cell(std::string text) {
 }
 
 /// "t [mm]" in its parts.
-TableOfDesigns::Cells column_named(const TableOfDesigns& table, int line, const std::string& written,
-                                   const std::string& head) {
+TableOfDesigns::Cells column_named(const TableOfDesigns& table, int line,
+                                   const std::string& written, const std::string& head) {
   TableOfDesigns::Cells column;
   const std::size_t open = head.find('[');
   column.name = trimmed_cell(head.substr(0, open));

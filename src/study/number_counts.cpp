@@ -86,9 +86,9 @@ void NumberCounts::keep_few() {
 }
 
 double NumberCounts::error() const {
-  return dropped_ == 0 ? 0.0
-                       : std::ldexp(1.0, static_cast<int>(dropped_) -
-                                             static_cast<int>(mantissa_bits) - 1);
+  return dropped_ == 0
+             ? 0.0
+             : std::ldexp(1.0, static_cast<int>(dropped_) - static_cast<int>(mantissa_bits) - 1);
 }
 
 /// The middle of a bin.

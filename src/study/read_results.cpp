@@ -52,7 +52,8 @@ void read_formula(TableReader& table, const std::string& written, Study& study) 
 /// Names in it are variables and columns, whose numbers a row has.
 void read_keep(TableReader& table, Study& study) {
   study.keep = without_ends(table.text(
-      {"keep", "which designs have a row, all count: \"utilisation > 0.9\", of variables and columns"},
+      {"keep",
+       "which designs have a row, all count: \"utilisation > 0.9\", of variables and columns"},
       ""));
   if (study.keep.empty()) return;
   std::vector<std::string> names;
@@ -66,14 +67,13 @@ void read_keep(TableReader& table, Study& study) {
   }
   for (const std::string& name : names) {
     const bool is_word = name == "verdict" || name == "governing";
-    const bool is_column = std::find(study.columns.begin(), study.columns.end(), name) !=
-                           study.columns.end();
+    const bool is_column =
+        std::find(study.columns.begin(), study.columns.end(), name) != study.columns.end();
     const bool is_variable =
         std::any_of(study.variables.begin(), study.variables.end(),
                     [&](const Variable& of) { return of.name == name && of.words.empty(); });
     if (is_variable || (is_column && !is_word)) continue;
-    table.problem("keep",
-                  fmt::format("\"{}\" in \"{}\" is no number of a row", name, study.keep),
+    table.problem("keep", fmt::format("\"{}\" in \"{}\" is no number of a row", name, study.keep),
                   is_word ? "write \"utilisation > 1\""
                           : "name a variable, or a column that stands in \"columns\"");
   }
@@ -143,7 +143,8 @@ void read_indices(TableReader& root, Study& study) {
         "leave [correlation] out, or tie variables by expression = \"...\" and let what "
         "they share scatter");
   if (!study.keep.empty())
-    root.problem("results", "indices rest on all designs, of which \"keep\" leaves some without a row",
+    root.problem("results",
+                 "indices rest on all designs, of which \"keep\" leaves some without a row",
                  "leave keep out");
   table.finish();
   study.indices = demand;

@@ -116,16 +116,16 @@ void read_column(TableReader& table, const std::optional<TableOfDesigns>& design
   }
   for (std::size_t row = 0; row < column->cells.size(); ++row) {
     const std::optional<WrittenQuantity> written = quantity_written_in(column->cells[row]);
-    const std::optional<double> ratio =
-        !written                ? std::nullopt
-        : written->unit.empty() ? std::optional(1.0)
-                                : ratio_of_units(variable.unit, written->unit);
+    const std::optional<double> ratio = !written ? std::nullopt
+                                        : written->unit.empty()
+                                            ? std::optional(1.0)
+                                            : ratio_of_units(variable.unit, written->unit);
     if (!ratio) {
-      table.problem("column",
-                    fmt::format("{}, line {}: \"{}\" is no number{}", designs->path,
-                                designs->lines[row], column->cells[row],
-                                variable.unit.empty() ? "" : " in " + variable.unit),
-                    "write a number in the unit of the column, \"t [mm]\"");
+      table.problem(
+          "column",
+          fmt::format("{}, line {}: \"{}\" is no number{}", designs->path, designs->lines[row],
+                      column->cells[row], variable.unit.empty() ? "" : " in " + variable.unit),
+          "write a number in the unit of the column, \"t [mm]\"");
       return;
     }
     variable.values.push_back(written->value * *ratio);
@@ -189,13 +189,12 @@ void require_known(TableReader& table, const std::string& expression,
                    const std::vector<Variable>& before) {
   try {
     for (const std::string& name : names_in(expression))
-      if (std::none_of(before.begin(), before.end(), [&](const Variable& of) {
-            return of.name == name && of.words.empty();
-          }))
-        table.problem("expression",
-                      fmt::format("\"{}\" in \"{}\" is no number of a variable above it", name,
-                                  expression),
-                      "name variables that stand before this one");
+      if (std::none_of(before.begin(), before.end(),
+                       [&](const Variable& of) { return of.name == name && of.words.empty(); }))
+        table.problem(
+            "expression",
+            fmt::format("\"{}\" in \"{}\" is no number of a variable above it", name, expression),
+            "name variables that stand before this one");
   } catch (const std::invalid_argument& error) {
     table.problem("expression", fmt::format("\"{}\": {}", expression, error.what()),
                   "write \"0.5*t + 2\"");
@@ -220,7 +219,8 @@ Variable read_variable(const std::string& name, TableReader& table,
     if (!keys_taken.insert(key).second)
       table.problem("key", fmt::format("{} is set by two variables", key),
                     "tie one to the other: expression = \"...\"");
-  if (!table.says_one_of({{{"values"}}, {{"grid"}}, {{"column"}}, {{"distribution"}}, {{"expression"}}}))
+  if (!table.says_one_of(
+          {{{"values"}}, {{"grid"}}, {{"column"}}, {{"distribution"}}, {{"expression"}}}))
     table.problem("", fmt::format("variable \"{}\" does not say which values it takes", name),
                   "write one of values, grid, column, distribution, expression");
   if (table.is_there("values")) {

@@ -145,7 +145,8 @@ void StudyStatistics::put_into(StudySummary& summary) const {
 std::string StudyStatistics::text() const {
   nlohmann::ordered_json columns = nlohmann::ordered_json::array();
   for (const Numbers& of : numbers_)
-    columns.push_back({fmt::format("{}", of.mean), fmt::format("{}", of.squares), of.counts.text()});
+    columns.push_back(
+        {fmt::format("{}", of.mean), fmt::format("{}", of.squares), of.counts.text()});
   return nlohmann::ordered_json{{"designs", designs_},
                                 {"failed", failed_},
                                 {"verdicts", verdicts_},

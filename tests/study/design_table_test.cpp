@@ -48,7 +48,8 @@ constexpr const char* t_and_steel =
 
 TEST_CASE("each row of a table is a design", "[study]") {
   const StudyBesideTable files(
-      "\xEF\xBB\xBF# from the stock\r\nt [mm], steel\r\n8, S235\r\n\r\n10, \"S355\"\r\n12.5, S355\r\n",
+      "\xEF\xBB\xBF# from the stock\r\nt [mm], steel\r\n8, S235\r\n\r\n10, \"S355\"\r\n12.5, "
+      "S355\r\n",
       t_and_steel);
   const Study study = files.read();
   CHECK(study.variables[0].unit == "mm");
@@ -61,13 +62,12 @@ TEST_CASE("each row of a table is a design", "[study]") {
 }
 
 TEST_CASE("rows are combined with what else varies", "[study]") {
-  const StudyBesideTable files(
-      "t [mm],w [mm],steel\n8,1,S235\n10,2 cm,S355\n",
-      "[variables.a]\nvalues = [1, 2, 3]\n[variables.t]\ncolumn = \"t\"\n"
-      "[variables.b]\nvalues = [5, 6]\n[variables.w]\ncolumn = \"w\"\n"
-      "[variables.x]\ndistribution = \"uniform\"\nmin = 0\nmax = 1\n"
-      "[variables.sum]\nexpression = \"t + w\"\nunit = \"mm\"\n",
-      "samples = 4\n");
+  const StudyBesideTable files("t [mm],w [mm],steel\n8,1,S235\n10,2 cm,S355\n",
+                               "[variables.a]\nvalues = [1, 2, 3]\n[variables.t]\ncolumn = \"t\"\n"
+                               "[variables.b]\nvalues = [5, 6]\n[variables.w]\ncolumn = \"w\"\n"
+                               "[variables.x]\ndistribution = \"uniform\"\nmin = 0\nmax = 1\n"
+                               "[variables.sum]\nexpression = \"t + w\"\nunit = \"mm\"\n",
+                               "samples = 4\n");
   const Study study = files.read();
   const DesignSpace space(study);
   REQUIRE(space.size() == 3 * 2 * 2 * 4);
@@ -114,8 +114,9 @@ TEST_CASE("tables of which no designs can be had say why", "[study]") {
       CHECK_THAT(error.what(), Catch::Contains(broken.says));
     }
   }
-  CHECK_THROWS_WITH(parse_study("study.toml", "[study]\n[variables.t]\ncolumn = \"t\"\n[results]\n"
-                                              "columns = [\"f = t\"]\n"),
+  CHECK_THROWS_WITH(parse_study("study.toml",
+                                "[study]\n[variables.t]\ncolumn = \"t\"\n[results]\n"
+                                "columns = [\"f = t\"]\n"),
                     Catch::Contains("no table of designs"));
 }
 

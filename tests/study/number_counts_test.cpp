@@ -27,7 +27,8 @@ NumberCounts counts_of(const std::vector<double>& numbers, std::size_t most) {
 /// The smallest number that such a share is not above, from the sorted numbers themselves.
 double exact_quantile(std::vector<double> numbers, double share) {
   std::sort(numbers.begin(), numbers.end());
-  const auto place = static_cast<std::size_t>(std::ceil(share * static_cast<double>(numbers.size())));
+  const auto place =
+      static_cast<std::size_t>(std::ceil(share * static_cast<double>(numbers.size())));
   return numbers[place == 0 ? 0 : place - 1];
 }
 

@@ -38,9 +38,9 @@ void take(StudyStatistics& statistics, const Row& row) {
     statistics.take({fmt::format("{}", row.t), "", ""}, "it does not fit");
     return;
   }
-  statistics.take({fmt::format("{}", row.t), row.use > 1.0 ? "fail" : "pass",
-                   fmt::format("{}", row.use)},
-                  "ok");
+  statistics.take(
+      {fmt::format("{}", row.t), row.use > 1.0 ? "fail" : "pass", fmt::format("{}", row.use)},
+      "ok");
 }
 
 StudyStatistics by_parts(const std::vector<Row>& rows, std::size_t part, std::size_t most) {
@@ -112,8 +112,9 @@ TEST_CASE("statistics are read as they were written, and nothing else is", "[stu
   StudyStatistics again(columns, 1, true);
   again.take_text(all.text());
   CHECK(again.text() == all.text());
-  for (const char* text : {"", "{}", "[1]", "{\"designs\": 1, \"failed\": 0, \"verdicts\": {}, "
-                                            "\"reasons\": {}, \"columns\": []}"})
+  for (const char* text : {"", "{}", "[1]",
+                           "{\"designs\": 1, \"failed\": 0, \"verdicts\": {}, "
+                           "\"reasons\": {}, \"columns\": []}"})
     CHECK_THROWS_AS(again.take_text(text), std::invalid_argument);
 }
 

@@ -13,7 +13,8 @@ using namespace boxbeam;
 namespace {
 
 Box box_with(double height, double throat) {
-  Box box = symmetric_box(si<Length>(0.2), si<Length>(height), si<Length>(0.016), si<Length>(0.012));
+  Box box =
+      symmetric_box(si<Length>(0.2), si<Length>(height), si<Length>(0.016), si<Length>(0.012));
   box.seam_throat = si<Length>(throat);
   return box;
 }

@@ -49,7 +49,7 @@ class NumberCounts {
   void keep_few();
 
   std::size_t most_;
-  unsigned dropped_ = 0;                        ///< bits, k above
+  unsigned dropped_ = 0;                         ///< bits, k above
   std::map<std::uint64_t, std::uint64_t> bins_;  ///< counts
   std::uint64_t count_ = 0;
   double least_ = 0.0, largest_ = 0.0;

@@ -40,14 +40,14 @@ struct ColumnIndices {
 /// A study that has run.
 struct StudySummary {
   std::string name, study_file, case_file;
-  std::string sha256;       ///< of the study, the case and its tables
-  std::string rows_sha256;  ///< of the table as it is written
+  std::string sha256;             ///< of the study, the case and its tables
+  std::string rows_sha256;        ///< of the table as it is written
   std::string statistics_sha256;  ///< of the file of all designs, where not all have a row
-  std::string version;      ///< of the program
+  std::string version;            ///< of the program
   std::uint64_t seed = 0;
   std::size_t designs = 0;
-  std::string keep;      ///< which designs have a row; "": all
-  std::size_t kept = 0;  ///< of them have one
+  std::string keep;                             ///< which designs have a row; "": all
+  std::size_t kept = 0;                         ///< of them have one
   std::size_t failed = 0;                       ///< of them could not be verified
   std::map<std::string, std::size_t> verdicts;  ///< of the others, where this is a column
   std::map<std::string, std::size_t> reasons;   ///< why designs failed, the first thousand
