@@ -192,8 +192,8 @@ class Sweep:
     def to_parquet(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes all columns and `status` to an Apache Parquet file, units as metadata "unit" of the columns.
         Wants pyarrow."""
-        import pyarrow
-        import pyarrow.parquet
+        import pyarrow  # type: ignore
+        import pyarrow.parquet  # type: ignore
         columns = {**self.columns, "status": self.status}
         fields, arrays = [], []
         for name, values in columns.items():
@@ -217,9 +217,9 @@ def study_to_parquet(folder: Union[str, "os.PathLike[str]"], path: Union[str, "o
     """Writes the table of a study, rows.csv in the folder of `boxbeam sweep`, as an Apache Parquet file, block by block:
     numbers as doubles with their units as metadata "unit", the rest as texts. path: rows.parquet beside it. Returns the
     path. Wants pyarrow."""
-    import pyarrow
-    import pyarrow.csv
-    import pyarrow.parquet
+    import pyarrow  # type: ignore
+    import pyarrow.csv  # type: ignore
+    import pyarrow.parquet  # type: ignore
     folder = os.fspath(folder)
     path = os.path.join(folder, "rows.parquet") if path is None else os.fspath(path)
     with open(os.path.join(folder, "study.json"), encoding="utf-8") as file:

@@ -20,8 +20,8 @@ std::string trimmed_cell(std::string text) {
   return text.substr(std::min(text.find_first_not_of(blanks), text.size()));
 }
 
-[[noreturn]] void refuse(const TableOfDesigns& table, int line, const std::string& written,
-                         const std::string& message, const std::string& hint) {
+[[noreturn]] void refuse_table(const TableOfDesigns& table, int line, const std::string& written,
+                               const std::string& message, const std::string& hint) {
   throw InputError({Problem{table.path, line, 1, written, message, hint}});
 }
 
@@ -35,11 +35,11 @@ TableOfDesigns::Cells column_named(const TableOfDesigns& table, int line,
     column.unit = trimmed_cell(head.substr(open + 1, head.size() - open - 2));
   if (column.name.empty() || (open != std::string::npos && head.back() != ']') ||
       !ratio_of_units(column.unit, column.unit))
-    refuse(table, line, written, fmt::format("\"{}\" is no name of a column with its unit", head),
-           "write t [mm]");
+    refuse_table(table, line, written,
+                 fmt::format("\"{}\" is no name of a column with its unit", head), "write t [mm]");
   if (table.find(column.name) != nullptr)
-    refuse(table, line, written, fmt::format("two columns are named \"{}\"", column.name),
-           "give each a name of its own");
+    refuse_table(table, line, written, fmt::format("two columns are named \"{}\"", column.name),
+                 "give each a name of its own");
   return column;
 }
 
@@ -72,10 +72,10 @@ TableOfDesigns read_design_table(const std::string& path) {
       continue;
     }
     if (cells.size() != table.columns.size())
-      refuse(table, line, written,
-             fmt::format("the row has {} cells, its table {} columns", cells.size(),
-                         table.columns.size()),
-             "write a cell for each column");
+      refuse_table(table, line, written,
+                   fmt::format("the row has {} cells, its table {} columns", cells.size(),
+                               table.columns.size()),
+                   "write a cell for each column");
     table.lines.push_back(line);
     for (std::size_t k = 0; k < cells.size(); ++k)
       table.columns[k].cells.push_back(std::move(cells[k]));

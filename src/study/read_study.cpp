@@ -293,7 +293,7 @@ void read_correlation(TableReader& root, Study& study) {
   }
 }
 
-std::string beside(const Study& study, const std::string& file) {
+std::string beside_study(const Study& study, const std::string& file) {
   return (std::filesystem::path(study.path).parent_path() / file).lexically_normal().string();
 }
 
@@ -302,7 +302,7 @@ std::optional<TableOfDesigns> read_table(TableReader& of, Study& study) {
   const std::string written =
       of.text({"table", "of designs, comma-separated, beside the study: \"designs.csv\""}, "");
   if (written.empty()) return std::nullopt;
-  std::optional<TableOfDesigns> table = read_design_table(beside(study, written));
+  std::optional<TableOfDesigns> table = read_design_table(beside_study(study, written));
   if (table->lines.size() > most_values)
     of.problem("table", "the table has more than a million rows", "share it among several studies");
   study.text += table->text;
@@ -314,7 +314,7 @@ void read_case(TableReader& of, bool may_be_missing, Study& study) {
   const Key key{"case", "file of the case, beside the study"};
   study.case_written = may_be_missing ? of.text(key, "") : of.text(key);
   if (study.case_written.empty()) return;
-  study.case_file = beside(study, study.case_written);
+  study.case_file = beside_study(study, study.case_written);
 }
 
 Study read(const CaseDocument& document, std::string text) {
