@@ -12,6 +12,7 @@
 
 #include "arrays.hpp"
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/project/case_source.hpp"
 #include "boxbeam/project/catalogue.hpp"
 #include "boxbeam/project/named_section.hpp"
 #include "boxbeam/project/project.hpp"
@@ -92,6 +93,7 @@ class Sweeping {
   Sweeping(const Case& of, const std::vector<Settings>& designs,
            const std::vector<std::string>& columns)
       : case_(&of), designs_(&designs), columns_(&columns) {
+    if (!of.text) source_.emplace(of.path);
     const double none = std::numeric_limits<double>::quiet_NaN();
     swept_.numbers.assign(columns.size(), std::vector<double>(designs.size(), none));
     swept_.words.assign(columns.size(), std::vector<std::string>(designs.size()));
@@ -107,7 +109,7 @@ class Sweeping {
       work();
     }
     if (trouble_) std::rethrow_exception(trouble_);
-    if (hint_) throw InputError(unknown_, *hint_);
+    if (hint_) throw InputError(fmt::format("there is no result \"{}\"", unknown_column_), *hint_);
     return std::move(swept_);
   }
 
@@ -127,7 +129,7 @@ class Sweeping {
   /// "ok", or the first thing that is wrong with a design.
   std::string trouble_of(std::size_t design) {
     try {
-      take(design, verify_beams(read(*case_, (*designs_)[design])));
+      take(design, verify_beams(beams_of((*designs_)[design])));
       return "ok";
     } catch (const InputError& error) {
       return error.problems().empty() ? error.what() : error.problems().front().message;
@@ -137,6 +139,14 @@ class Sweeping {
     } catch (const OutputError& error) {
       return error.what();
     }
+  }
+
+  /// Of a case in a file that file is read once.
+  std::vector<Project> beams_of(const Settings& set) const {
+    if (!source_) return read(*case_, set);
+    std::vector<Project> beams = source_->read_beams(set);
+    if (beams.size() == 1) beams.front().beam_name.clear();
+    return beams;
   }
 
   void take(std::size_t design, const std::vector<VerifiedBeam>& beams) {
@@ -152,7 +162,7 @@ class Sweeping {
         if (!worst.checks.empty())
           swept_.numbers[k][design] = worst.checks.front().check.utilisation();
       } else {
-        if (!book) book = results_of(beams);
+        if (!book) book = results_of(beams, *columns_);
         const ResultValue* const value = book->find(column);
         const std::lock_guard lock(mutex_);
         if (value != nullptr) {
@@ -160,23 +170,25 @@ class Sweeping {
           if (value->unit != "1") swept_.units[k] = value->unit;
         }
         known_[column] = known_[column] || value != nullptr;
-        note_unknown(*book);
+        note_unknown(beams);
       }
     }
   }
 
   /// A column that no design has had yet; which is what is said where none ever does.
-  void note_unknown(const ResultBook& book) {
-    hint_.reset();
+  void note_unknown(const std::vector<VerifiedBeam>& beams) {
     for (const auto& [column, is_known] : known_) {
       if (is_known) continue;
-      unknown_ = fmt::format("there is no result \"{}\"", column);
-      hint_ = book.hint_for(column);
+      if (hint_ && unknown_column_ == column) return;
+      unknown_column_ = column;
+      hint_ = results_of(beams).hint_for(column);
       return;
     }
+    hint_.reset();
   }
 
   const Case* case_;
+  std::optional<CaseSource> source_;  ///< of a case in a file
   const std::vector<Settings>* designs_;
   const std::vector<std::string>* columns_;
   SweptDesigns swept_;
@@ -184,7 +196,7 @@ class Sweeping {
   std::mutex mutex_;  ///< of what follows, and of units
   std::exception_ptr trouble_;
   std::map<std::string, bool> known_;
-  std::string unknown_;
+  std::string unknown_column_;
   std::optional<std::string> hint_;
 };
 
@@ -236,11 +248,25 @@ void translate(std::exception_ptr thrown) {
   }
 }
 
+/// Arrays of numpy 2 are laid out otherwise than pybind11 knew before 2.12: they would have wrong
+/// numbers.
+void require_known_arrays() {
+  if (PYBIND11_VERSION_MAJOR > 2 || PYBIND11_VERSION_MINOR >= 12) return;
+  const auto numpy = py::module_::import("numpy").attr("__version__").cast<std::string>();
+  if (std::stoi(numpy) < 2) return;
+  throw py::import_error(
+      fmt::format("boxbeam is built with pybind11 {}.{}, which does not know the arrays of numpy "
+                  "{}: build it with pybind11 2.12 or later (pip install pybind11), or install "
+                  "numpy below 2",
+                  PYBIND11_VERSION_MAJOR, PYBIND11_VERSION_MINOR, numpy));
+}
+
 }  // namespace
 }  // namespace boxbeam::python
 
 PYBIND11_MODULE(_core, module) {
   namespace of = boxbeam::python;
+  of::require_known_arrays();
   pybind11::register_exception_translator(of::translate);
   module.attr("version") = boxbeam::version;
   module.def("verify", of::verified);

@@ -14,11 +14,12 @@ import numpy as np
 
 from . import _core, _toml
 from ._errors import AnalysisError, Error, InputError, OutputError, Problem
-from .results import Check, Cycles, Fatigue, Motion, Section, Sweep, Verification
+from .results import Check, Cycles, Fatigue, Motion, Section, Sweep, Verification, study_to_parquet
 
 __version__ = _core.version
 __all__ = ["AnalysisError", "Check", "Cycles", "Error", "Fatigue", "InputError", "Motion", "OutputError", "Problem",
-           "Section", "Sweep", "Verification", "damage", "fatigue", "motion", "rainflow", "section", "sweep", "verify"]
+           "Section", "Sweep", "Verification", "damage", "fatigue", "motion", "rainflow", "section", "study_to_parquet",
+           "sweep", "verify"]
 
 
 def _case(case, folder):

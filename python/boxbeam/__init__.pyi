@@ -7,15 +7,18 @@ from numpy.typing import ArrayLike
 from ._errors import AnalysisError as AnalysisError, Error as Error, InputError as InputError
 from ._errors import OutputError as OutputError, Problem as Problem
 from .results import Check as Check, Cycles as Cycles, Fatigue as Fatigue, Motion as Motion, Section as Section
-from .results import Sweep as Sweep, Verification as Verification
+from .results import Sweep as Sweep, Verification as Verification, study_to_parquet as study_to_parquet
 
 __version__: str
+__all__ = ["AnalysisError", "Check", "Cycles", "Error", "Fatigue", "InputError", "Motion", "OutputError", "Problem",
+           "Section", "Sweep", "Verification", "damage", "fatigue", "motion", "rainflow", "section", "study_to_parquet",
+           "sweep", "verify"]
 
-Case = Union[str, "os.PathLike[str]", dict]
-Settings = Optional[Mapping[str, Any]]
+_Case = Union[str, "os.PathLike[str]", dict]
+_Settings = Optional[Mapping[str, Any]]
 
-def verify(case: Case, set: Settings = ..., *, folder: Union[str, "os.PathLike[str]", None] = ...) -> Verification: ...
-def motion(case: Case, times: Iterable[float] = ..., set: Settings = ..., *,
+def verify(case: _Case, set: _Settings = ..., *, folder: Union[str, "os.PathLike[str]", None] = ...) -> Verification: ...
+def motion(case: _Case, times: Iterable[float] = ..., set: _Settings = ..., *,
            folder: Union[str, "os.PathLike[str]", None] = ...) -> Motion: ...
 def section(profile: str, steel: str = ..., forces: Optional[Mapping[str, float]] = ...) -> Section: ...
 def rainflow(history: ArrayLike, counting: str = ..., residue: str = ...) -> Cycles: ...
@@ -25,6 +28,6 @@ def damage(cycles: Cycles, detail: Union[str, int], *, thickness: Optional[float
 def fatigue(history: ArrayLike, detail: Union[str, int], *, repetitions: float = ..., counting: str = ...,
             residue: str = ..., thickness: Optional[float] = ..., gamma_Ff: float = ..., gamma_Mf: float = ...,
             loading: str = ..., stress_relieved: bool = ..., shear: bool = ...) -> Fatigue: ...
-def sweep(case: Case, designs: Mapping[str, Union[Sequence[Any], np.ndarray, Tuple[ArrayLike, str]]],
+def sweep(case: _Case, designs: Mapping[str, Union[Sequence[Any], np.ndarray, Tuple[ArrayLike, str]]],
           columns: Sequence[str] = ..., *, threads: int = ...,
           folder: Union[str, "os.PathLike[str]", None] = ...) -> Sweep: ...

@@ -1,8 +1,10 @@
 """Results as values: numbers in SI units, many of them as numpy arrays."""
 
+import csv
 import dataclasses
 import json
-from typing import Any, Dict, List, Optional
+import os
+from typing import Any, Dict, List, Optional, Union
 
 import numpy as np
 
@@ -187,8 +189,50 @@ class Sweep:
     def __getitem__(self, column: str) -> Any:
         return self.columns[column]
 
+    def to_parquet(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes all columns and `status` to an Apache Parquet file, units as metadata "unit" of the columns.
+        Wants pyarrow."""
+        import pyarrow  # type: ignore
+        import pyarrow.parquet  # type: ignore
+        columns = {**self.columns, "status": self.status}
+        fields, arrays = [], []
+        for name, values in columns.items():
+            # Arrays of doubles are handed on without being copied; NaN is no number.
+            arrays.append(pyarrow.array(values, from_pandas=True))
+            fields.append(_with_unit(pyarrow.field(name, arrays[-1].type), self.units.get(name, "")))
+        pyarrow.parquet.write_table(pyarrow.Table.from_arrays(arrays, schema=pyarrow.schema(fields)), os.fspath(path))
+
     def __len__(self):
         return len(self.status)
 
     def __repr__(self):
         return f"<boxbeam.Sweep of {len(self)} designs, {int((~self.ok).sum())} not verified>"
+
+
+def _with_unit(field, unit):
+    return field.with_metadata({"unit": unit}) if unit else field
+
+
+def study_to_parquet(folder: Union[str, "os.PathLike[str]"], path: Union[str, "os.PathLike[str]", None] = None) -> str:
+    """Writes the table of a study, rows.csv in the folder of `boxbeam sweep`, as an Apache Parquet file, block by block:
+    numbers as doubles with their units as metadata "unit", the rest as texts. path: rows.parquet beside it. Returns the
+    path. Wants pyarrow."""
+    import pyarrow  # type: ignore
+    import pyarrow.csv  # type: ignore
+    import pyarrow.parquet  # type: ignore
+    folder = os.fspath(folder)
+    path = os.path.join(folder, "rows.parquet") if path is None else os.fspath(path)
+    with open(os.path.join(folder, "study.json"), encoding="utf-8") as file:
+        numbers = {of["column"]: of["unit"] for of in json.load(file)["statistics"]}
+    rows = os.path.join(folder, "rows.csv")
+    with open(rows, encoding="utf-8", newline="") as file:
+        names = next(csv.reader(file))
+    types = {name: pyarrow.float64() if name in numbers else pyarrow.string() for name in names}
+    types["design"] = pyarrow.int64()
+    schema = pyarrow.schema([_with_unit(pyarrow.field(name, types[name]), numbers.get(name, "")) for name in names])
+    options = pyarrow.csv.ConvertOptions(column_types=types, null_values=[""], strings_can_be_null=False)
+    with pyarrow.csv.open_csv(rows, convert_options=options) as blocks, \
+            pyarrow.parquet.ParquetWriter(path, schema) as writer:
+        for block in blocks:
+            writer.write_table(pyarrow.Table.from_batches([block]).cast(schema))
+    return path

@@ -74,7 +74,7 @@ class ColumnFile {
     put_text(NetcdfWriting::of_file, "source", std::string("boxbeam ") + version);
     put_text(NetcdfWriting::of_file, "input_sha256", summary.sha256);
     int designs = 0;
-    check(netcdf().dimension(id_, "design", summary.designs, &designs));
+    check(netcdf().dimension(id_, "design", summary.kept, &designs));
     for (const Column& column : columns) {
       const int type = column.name == "design"      ? NetcdfWriting::whole_64
                        : is_number(column, summary) ? NetcdfWriting::doubles
@@ -160,23 +160,6 @@ void write_column_file(const std::string& path, const std::string& rows,
   std::getline(from, row);  // the names
   while (std::getline(from, row)) file.take(cells_in(row));
   file.end();
-}
-
-std::vector<std::string> cells_in(std::string_view row) {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    const char c = row[i];
-    if (quoted && c == '"' && i + 1 < row.size() && row[i + 1] == '"')
-      cells.back() += row[++i];
-    else if (c == '"')
-      quoted = !quoted;
-    else if (c == ',' && !quoted)
-      cells.emplace_back();
-    else
-      cells.back() += c;
-  }
-  return cells;
 }
 
 }  // namespace boxbeam::program

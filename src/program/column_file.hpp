@@ -16,7 +16,4 @@ void require_column_files();
 void write_column_file(const std::string& path, const std::string& rows,
                        const std::vector<Column>& columns, const StudySummary& summary);
 
-/// The cells of a row of that table.
-std::vector<std::string> cells_in(std::string_view row);
-
 }  // namespace boxbeam::program

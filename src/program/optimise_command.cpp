@@ -252,12 +252,14 @@ class Optimising {
     if (problem_->demand().checks) columns.push_back({"utilisation", ""});
     columns.push_back({"verdict", ""});
     DesignSample sample(columns, variables, memory_.all().size(), problem_->study().seed);
+    std::size_t place = 0;
     for (const auto& [values, judged] : memory_.all()) {
+      if (!sample.wants(place++)) continue;
       std::vector<std::string> cells;
       for (const double value : values) cells.push_back(fmt::format("{}", value));
       cells.resize(columns.size());
       if (judged.trouble.empty()) put_results(judged, variables, cells);
-      sample.take(cells, judged.trouble.empty() ? "ok" : judged.trouble);
+      sample.take(place, cells, judged.trouble.empty() ? "ok" : judged.trouble);
     }
     return sample.rows();
   }

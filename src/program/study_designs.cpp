@@ -48,6 +48,12 @@ StudyDesigns::StudyDesigns(const Study& study)
     columns_.push_back({variable.name, variable.unit});
   for (const std::string& column : study.columns) columns_.push_back({column, ""});
   columns_.push_back({"status", ""});
+  if (!study.keep.empty()) keep_names_ = names_in(study.keep);
+  for (const std::string& name : keep_names_)
+    keep_columns_.push_back(static_cast<std::size_t>(
+        std::find_if(columns_.begin(), columns_.end(),
+                     [&](const Column& column) { return column.name == name; }) -
+        columns_.begin()));
   if (study.case_file.empty()) {
     require_no_keys();
     sha256_ = sha256_of(study.text);
@@ -147,6 +153,18 @@ std::vector<std::string> StudyDesigns::results_of_design(const std::vector<Setti
   return results;
 }
 
+/// A design that the condition cannot judge stays.
+bool StudyDesigns::keeps(const std::vector<std::string>& cells) const {
+  if (study_->keep.empty()) return true;
+  std::vector<double> numbers;
+  for (const std::size_t column : keep_columns_) {
+    const std::optional<double> number = number_of_cell(cells[column]);
+    if (!number) return true;
+    numbers.push_back(*number);
+  }
+  return NamedExpression(study_->keep, keep_names_).at(numbers) != 0.0;
+}
+
 StudyDesigns::Row StudyDesigns::row(std::size_t index) const {
   std::vector<std::string> cells{std::to_string(index + 1)};
   std::vector<std::string> results(study_->columns.size());
@@ -164,6 +182,7 @@ StudyDesigns::Row StudyDesigns::row(std::size_t index) const {
   cells.insert(cells.end(), values.begin(), values.end());
   cells.insert(cells.end(), results.begin(), results.end());
   cells.push_back(row.failed ? report::csv_cell(status) : "ok");
+  row.kept = row.failed || keeps(cells);
   row.text = report::csv_row(cells);
   return row;
 }

@@ -25,6 +25,7 @@ class StudyDesigns {
   struct Row {
     std::string text;  ///< with its end
     bool failed = false;
+    bool kept = true;  ///< has a row of the table; one that failed always has
   };
   Row row(std::size_t index) const;
 
@@ -33,11 +34,14 @@ class StudyDesigns {
   void require_keys() const;
   void require_columns();
   std::vector<std::string> results_of_design(const std::vector<Setting>& design) const;
+  bool keeps(const std::vector<std::string>& cells) const;
 
   const Study* study_;
   DesignSpace space_;
   DesignTrials trials_;
   std::vector<Column> columns_;
+  std::vector<std::string> keep_names_;    ///< in the condition of the study
+  std::vector<std::size_t> keep_columns_;  ///< of these, among all
   std::string sha256_;
 };
 

@@ -28,6 +28,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* rows_name = "rows.csv";
 constexpr const char* summary_name = "study.json";
+constexpr const char* statistics_name = "statistics.json";
+constexpr std::string_view of_statistics = "# ";  // begins the line behind the rows of a chunk
 
 /// "" where it cannot be read.
 std::string sha256_of_file(const std::string& path) {
@@ -41,7 +43,86 @@ std::string header_of(const Manifest& manifest) {
   return report::csv_row(cells);
 }
 
+/// All columns but the number of the design and its status.
+std::vector<Column> counted_columns(const Manifest& manifest) {
+  return {manifest.columns.begin() + 1, manifest.columns.end() - 1};
+}
+
+constexpr std::size_t unlike_numbers = 1U << 14U;
+
+/// What is known of no design yet.
+StudyStatistics no_statistics(const Manifest& manifest, std::size_t most = unlike_numbers) {
+  return {counted_columns(manifest), manifest.variables, manifest.scatters, manifest.indices, most};
+}
+
+void take_row(StudyStatistics& statistics, std::string_view row) {
+  const std::vector<std::string> cells = cells_in(row);
+  statistics.take({cells.begin() + 1, cells.end() - 1}, cells.back());
+}
+
+/// Hands on each line of a text, without its end.
+template <class Take>
+void each_line(std::string_view text, const Take& take) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    take(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+}
+
+/// Writes the rows of all chunks below their names, and gathers what they come to.
+StudyStatistics join_rows(const Manifest& manifest, const RowsOfChunk& rows_of, std::ostream& rows,
+                          std::size_t& kept) {
+  StudyStatistics statistics = no_statistics(manifest);
+  rows << header_of(manifest);
+  for (std::size_t chunk = 0; chunk < manifest.chunks(); ++chunk) {
+    StudyStatistics of_chunk = no_statistics(manifest);
+    each_line(rows_of(chunk), [&](std::string_view line) {
+      if (line.starts_with(of_statistics)) {
+        of_chunk.take_text(std::string(line.substr(of_statistics.size())));
+        return;
+      }
+      if (manifest.keep.empty()) take_row(of_chunk, line);
+      rows << line << '\n';
+      ++kept;
+    });
+    statistics.take(of_chunk);
+  }
+  return statistics;
+}
+
+/// Those of a table that are shown.
+DesignRows shown_rows(const Manifest& manifest, const std::string& table, std::size_t kept) {
+  DesignSample sample(counted_columns(manifest), manifest.variables, kept, manifest.seed);
+  std::ifstream rows(table, std::ios::binary);
+  std::string row;
+  std::getline(rows, row);  // the names
+  for (std::size_t place = 0; std::getline(rows, row); ++place) {
+    if (!sample.wants(place)) continue;
+    const std::vector<std::string> cells = cells_in(row);
+    sample.take(std::stoull(cells.front()), {cells.begin() + 1, cells.end() - 1}, cells.back());
+  }
+  DesignRows shown = sample.rows();
+  shown.scatters = manifest.scatters && manifest.keep.empty();
+  return shown;
+}
+
 }  // namespace
+
+ChunkRows::ChunkRows(const Manifest& manifest)
+    : filters_(!manifest.keep.empty()),
+      // Few, for else that line would be as long as the rows that it stands for.
+      statistics_(no_statistics(manifest, 1U << 9U)) {}
+
+void ChunkRows::take(const StudyDesigns::Row& row) {
+  if (filters_) take_row(statistics_, std::string_view(row.text).substr(0, row.text.size() - 1));
+  if (row.kept) rows_.push_back(row.text);
+}
+
+std::vector<std::string> ChunkRows::lines() && {
+  if (filters_) rows_.push_back(fmt::format("{}{}\n", of_statistics, statistics_.text()));
+  return std::move(rows_);
+}
 
 std::size_t Manifest::rows_in(std::size_t of) const {
   return std::min(chunk, designs - of * chunk);
@@ -59,7 +140,8 @@ Manifest manifest_of(const Study& study, const StudyDesigns& designs, std::size_
               designs.columns(),
               study.variables.size(),
               false,
-              {}};
+              {},
+              study.keep};
   const auto has_several = [](const Variable& variable) {
     return variable.values.size() + variable.words.size() > 1;
   };
@@ -90,6 +172,7 @@ std::string to_json(const Manifest& of) {
                               {"variables", of.variables},
                               {"scatters", of.scatters},
                               {"columns", columns}};
+  if (!of.keep.empty()) json["keep"] = of.keep;
   if (of.indices)
     json["indices"] = {{"variables", of.indices->variables}, {"resamples", of.indices->resamples}};
   return json.dump(2) + "\n";
@@ -101,7 +184,8 @@ Manifest manifest_in(const std::string& text, const std::string& folder) {
     Manifest of{json.at("name"),         json.at("study"),    json.at("case"),
                 json.at("input_sha256"), json.at("version"),  json.at("seed"),
                 json.at("designs"),      json.at("chunk"),    {},
-                json.at("variables"),    json.at("scatters"), {}};
+                json.at("variables"),    json.at("scatters"), {},
+                json.value("keep", "")};
     for (const nlohmann::json& column : json.at("columns"))
       of.columns.push_back({column.at("name"), column.at("unit")});
     if (json.contains("indices"))
@@ -124,38 +208,27 @@ PublishedStudy publish_study(const Manifest& manifest, const std::string& folder
   summary.sha256 = manifest.sha256;
   summary.version = manifest.version;
   summary.seed = manifest.seed;
-  const std::vector<Column>& columns = manifest.columns;
-  const std::vector<Column> counted(columns.begin() + 1, columns.end() - 1);
-  StudyStatistics statistics(counted, manifest.variables, manifest.scatters, manifest.indices);
-  DesignSample sample(counted, manifest.variables, manifest.designs, manifest.seed);
+  summary.keep = manifest.keep;
   report::FolderUpdate update(folder);
   const std::string path = update.path() + "/" + rows_name;
   std::ofstream rows(path, std::ios::binary);
-  rows << header_of(manifest);
-  for (std::size_t chunk = 0; chunk < manifest.chunks(); ++chunk) {
-    const std::string text = rows_of(chunk);
-    rows << text;
-    for (std::size_t from = 0; from < text.size();) {
-      const std::size_t end = text.find('\n', from);
-      const std::vector<std::string> cells =
-          cells_in(std::string_view(text).substr(from, end - from));
-      from = end + 1;
-      const std::vector<std::string> of_design(cells.begin() + 1, cells.end() - 1);
-      statistics.take(of_design, cells.back());
-      sample.take(of_design, cells.back());
-    }
-  }
+  const StudyStatistics statistics = join_rows(manifest, rows_of, rows, summary.kept);
   rows.close();
   if (!rows) throw OutputError(update.in_place(path) + " cannot be written: the disk may be full");
   statistics.put_into(summary);
   summary.rows_sha256 = sha256_of_file(path);
+  if (!manifest.keep.empty()) {
+    published.files.emplace_back(statistics_name);
+    const std::string file = update.path() + "/" + statistics_name;
+    write_file(file, statistics.text() + "\n");
+    summary.statistics_sha256 = sha256_of_file(file);
+  }
   write_file(update.path() + "/" + summary_name, study_json(summary));
   if (netcdf) {
     published.files.emplace_back("rows.nc");
-    write_column_file(update.path() + "/rows.nc", path, columns, summary);
+    write_column_file(update.path() + "/rows.nc", path, manifest.columns, summary);
   }
-  DesignRows shown = sample.rows();
-  shown.scatters = manifest.scatters;
+  const DesignRows shown = shown_rows(manifest, path, summary.kept);
   for (std::string& figure : draw_study(summary, shown, update.path()))
     published.files.push_back(std::move(figure));
   published.files.push_back(
@@ -175,20 +248,32 @@ bool stands_whole(const Manifest& manifest, const std::string& folder) {
   const auto says = [&](const char* key, const nlohmann::json& value) {
     return json.contains(key) && json.at(key) == value;
   };
+  const auto is_as_it_was = [&](const char* key, const char* name) {
+    return says(key, sha256_of_file((fs::path(folder) / name).string()));
+  };
   return says("input_sha256", manifest.sha256) && says("version", manifest.version) &&
          says("designs", manifest.designs) && says("seed", manifest.seed) &&
-         says("rows_sha256", sha256_of_file((fs::path(folder) / rows_name).string()));
+         is_as_it_was("rows_sha256", rows_name) &&
+         (manifest.keep.empty() || is_as_it_was("statistics_sha256", statistics_name));
 }
 
 RowsOfChunk rows_that_stand(const Manifest& manifest, const std::string& folder) {
   const auto file = std::make_shared<std::ifstream>(fs::path(folder) / rows_name, std::ios::binary);
-  std::string row;
-  std::getline(*file, row);  // the names
-  return [file, &manifest](std::size_t chunk) {
-    std::string rows, one;
-    for (std::size_t i = 0; i < manifest.rows_in(chunk) && std::getline(*file, one); ++i)
-      rows += one + "\n";
-    return rows;
+  const auto next = std::make_shared<std::string>();
+  std::getline(*file, *next);  // the names
+  std::getline(*file, *next);
+  return [file, next, folder, &manifest](std::size_t chunk) {
+    std::string rows;
+    const std::size_t behind = (chunk + 1) * manifest.chunk;
+    while (!next->empty() && std::stoull(*next) <= behind) {
+      rows += *next + "\n";
+      if (!std::getline(*file, *next)) next->clear();
+    }
+    if (chunk > 0 || manifest.keep.empty()) return rows;
+    std::ifstream statistics(fs::path(folder) / statistics_name, std::ios::binary);
+    std::string line;
+    std::getline(statistics, line);
+    return rows + std::string(of_statistics) + line + "\n";
   };
 }
 

@@ -20,6 +20,7 @@ struct Manifest {
   std::size_t variables = 0;         ///< of these, behind the number of the design
   bool scatters = false;             ///< designs are drawn as they scatter, and by nothing else
   std::optional<IndexPlan> indices;  ///< where they are asked for
+  std::string keep;                  ///< which designs have a row; "": all
 
   std::size_t chunks() const { return (designs + chunk - 1) / chunk; }
   std::size_t rows_in(std::size_t of) const;
@@ -30,7 +31,23 @@ std::string to_json(const Manifest& of);
 /// As it stands below a folder. Throws InputError where it is none.
 Manifest manifest_in(const std::string& text, const std::string& folder);
 
-/// The rows of a chunk.
+/// The rows of a chunk as they are kept, from those of all its designs; where not all designs have
+/// one, a line behind them that says what all come to.
+class ChunkRows {
+ public:
+  explicit ChunkRows(const Manifest& manifest);
+
+  void take(const StudyDesigns::Row& row);
+  /// Each with its end.
+  std::vector<std::string> lines() &&;
+
+ private:
+  bool filters_;
+  StudyStatistics statistics_;
+  std::vector<std::string> rows_;
+};
+
+/// The rows of a chunk, and the line behind them.
 using RowsOfChunk = std::function<std::string(std::size_t)>;
 
 /// What a study came to, and the names of its files.
@@ -40,7 +57,8 @@ struct PublishedStudy {
 };
 
 /// Joins all chunks, asked for one after the other, into the files of a folder: rows.csv,
-/// study.json, study.html with its figures, and rows.nc where it is wanted. Throws OutputError.
+/// study.json, study.html with its figures, and rows.nc where it is wanted; statistics.json, what
+/// all designs come to, where not all have a row. Throws OutputError.
 PublishedStudy publish_study(const Manifest& manifest, const std::string& folder, bool netcdf,
                              const RowsOfChunk& rows_of);
 

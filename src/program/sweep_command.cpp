@@ -56,9 +56,11 @@ Shard shard_in(const std::string& text) {
 }
 
 /// Of a study of so many designs; by their number alone, so that whoever works on it has the same
-/// chunks. Small ones for a small study, so that all threads have work; at most some 100 000 files.
+/// chunks. Small ones for a small study, so that all threads have work; a ten-thousandth of a large
+/// one, so that folders stay small; no more than a process can hold the rows of.
 std::size_t chunk_size(std::size_t designs) {
-  return std::max(std::clamp<std::size_t>(designs / 64, 1, 64), designs / 100'000);
+  constexpr std::size_t most = 100'000;
+  return std::max(std::clamp<std::size_t>(designs / 64, 1, 64), std::min(designs / 10'000, most));
 }
 
 /// "2 min 5 s".
@@ -83,7 +85,7 @@ class Sweep {
   void run(std::size_t threads, Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
     std::size_t total = 0;
-    for (const std::size_t chunk : chunks_) total += rows_in(chunk);
+    for (const std::size_t chunk : chunks_) total += manifest_->rows_in(chunk);
     {
       std::vector<std::jthread> workers;
       for (std::size_t i = 0; i < std::min(threads, chunks_.size()); ++i)
@@ -104,9 +106,6 @@ class Sweep {
   }
 
  private:
-  std::size_t rows_in(std::size_t chunk) const {
-    return std::min(manifest_->chunk, manifest_->designs - chunk * manifest_->chunk);
-  }
   bool finished(std::size_t workers) const { return ended_ >= workers; }
 
   void work() {
@@ -125,16 +124,16 @@ class Sweep {
   }
 
   void do_chunk(std::size_t chunk) {
-    std::vector<std::string> rows;
-    for (std::size_t i = 0; i < rows_in(chunk); ++i) {
+    ChunkRows rows(*manifest_);
+    for (std::size_t i = 0; i < manifest_->rows_in(chunk); ++i) {
       if (stop_) return;
       const StudyDesigns::Row row = designs_->row(chunk * manifest_->chunk + i);
-      rows.push_back(row.text);
+      rows.take(row);
       failed_ += row.failed ? 1 : 0;
       ++done_;
     }
     const std::lock_guard lock(mutex_);
-    store_->write(chunk, rows);
+    store_->write(chunk, std::move(rows).lines());
   }
 
   const StudyDesigns* designs_;

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "boxbeam/verification/beam_properties.hpp"
+#include "boxbeam/verification/seam_sum.hpp"
 
 namespace boxbeam::report {
 namespace {
@@ -85,6 +86,13 @@ void put_beam(Fields& to, const Project& project, const Verification& verificati
           });
   to.number({"inertia", "about the centre of mass"}, "kg m^2",
             verification.beam_mass.inertia.value());
+  to.object({"seams", "between flanges and webs of boxes, all four"}, [&](Fields& of) {
+    const SeamSum sum = seams_of(project.beam);
+    of.number({"fillet_length", "of those whose throat is said"}, "m", sum.fillets.value());
+    of.number({"full_length", "of the others, which penetrate fully"}, "m", sum.full.value());
+    of.number({"deposit", "of the fillets: length by the square of the throat"}, "m^3",
+              sum.deposit.value());
+  });
   to.list(
       {"parts", "between neighbouring named places"}, "{from}-{to}",
       [&] { return parts_of(project.beam); },

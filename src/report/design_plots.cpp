@@ -164,6 +164,42 @@ std::optional<Drawing> histogram(const DesignRows& rows) {
   return drawing;
 }
 
+std::optional<Drawing> histogram(const StudySummary& summary) {
+  const auto shown =
+      std::find_if(summary.statistics.begin(), summary.statistics.end(),
+                   [](const ColumnStatistics& of) { return of.column.name == "utilisation"; });
+  if (shown == summary.statistics.end() || !(shown->quantiles.back() > shown->quantiles.front()))
+    return std::nullopt;
+  const double low = shown->quantiles.front(), high = shown->quantiles.back();
+  const double step = (high - low) / static_cast<double>(shown->histogram.size());
+  const auto highest =
+      static_cast<double>(*std::max_element(shown->histogram.begin(), shown->histogram.end()));
+  Drawing drawing{figure_width, 300.0, {}};
+  const Panel panel{
+      {60.0, 62.0, figure_width - 16.0, 300.0 - heading_room}, low, high, 0.0, 1.05 * highest};
+  put_axes(drawing, panel);
+  for (std::size_t k = 0; k < shown->histogram.size(); ++k) {
+    const double l = low + step * (static_cast<double>(k) + 0.05), r = l + 0.9 * step;
+    const auto count = static_cast<double>(shown->histogram[k]);
+    if (count > 0.0)
+      drawing.shapes.emplace_back(
+          Line{{panel.at(l, 0.0), panel.at(r, 0.0), panel.at(r, count), panel.at(l, count)},
+               {colour(0), 0.6, {}, colour(0), ""},
+               true});
+  }
+  if (low < 1.0 && high > 1.0)
+    put_line(drawing, panel.at(1.0, 0.0), panel.at(1.0, panel.y_high),
+             {"#202020", 1.2, {4.0, 3.0}});
+  put_heading(drawing, panel, "designs");
+  put_footing(drawing, panel, label_of(shown->column));
+  put_text(drawing,
+           summary.p_f ? fmt::format("All {} designs, p_f about {:.3g} %", summary.designs,
+                                     100.0 * summary.p_f->value)
+                       : fmt::format("All {} designs", summary.designs),
+           {60.0, 10.0});
+  return drawing;
+}
+
 std::optional<Drawing> contour(const DesignRows& rows) {
   std::vector<const DesignColumn*> variables;
   for (const DesignColumn& column : rows.columns)

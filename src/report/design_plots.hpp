@@ -15,6 +15,9 @@ std::optional<Drawing> parallel_axes(const DesignRows& rows);
 /// How many designs have which use, or else which of the first result; how many fail.
 std::optional<Drawing> histogram(const DesignRows& rows);
 
+/// The same of all designs of a study, where not all have a row; nothing without the use.
+std::optional<Drawing> histogram(const StudySummary& summary);
+
 /// Lines of a result over the two variables of a grid, and where designs do not pass; nothing where
 /// the designs are no such grid.
 std::optional<Drawing> contour(const DesignRows& rows);

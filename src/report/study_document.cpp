@@ -68,6 +68,7 @@ Document study_document(const StudySummary& summary, const DesignRows& rows) {
     facts.emplace_back(verdict, of_all(count, summary.designs));
   if (summary.failed > 0)
     facts.emplace_back("not verified", of_all(summary.failed, summary.designs));
+  if (!summary.keep.empty()) facts.emplace_back("rows", report::kept_text(summary));
   if (summary.p_f) facts.emplace_back("p_f", p_f_text(*summary.p_f));
   facts.emplace_back("seed", std::to_string(summary.seed));
   document.chapters.push_back({"Designs", {designs_of(rows)}});
@@ -84,7 +85,10 @@ Document study_document(const StudySummary& summary, const DesignRows& rows) {
             captioned(report::indices_table(summary, column.indices), column.column.name));
     document.chapters.push_back(std::move(chapter));
   }
-  Chapter statistics{"Statistics", {captioned(report::statistics_table(summary), "")}};
+  Chapter statistics{summary.keep.empty() ? "Statistics" : "Statistics of all designs",
+                     {captioned(report::statistics_table(summary), "")}};
+  const std::string quantiles = report::quantiles_text(summary);
+  if (!quantiles.empty()) statistics.blocks.emplace_back(Paragraph{quantiles});
   if (!summary.reasons.empty()) {
     statistics.blocks.emplace_back(Subheading{"Why designs were not verified"});
     statistics.blocks.emplace_back(Bullets{report::reasons_text(summary)});

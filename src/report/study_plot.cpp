@@ -99,12 +99,12 @@ std::vector<std::string> draw_study(const StudySummary& summary, const DesignRow
   if (varies) add(indices_figure, index_bars(summary));
   add("contour", plot::contour(rows));
   add("parallel", plot::parallel_axes(rows));
-  add("histogram", plot::histogram(rows));
+  add("histogram", summary.keep.empty() ? plot::histogram(rows) : plot::histogram(summary));
   return figures.empty() ? std::vector<std::string>() : draw_into(folder, "", figures);
 }
 
 std::vector<std::string> files_of_study() {
-  return {"rows.csv",    "rows.nc",     "study.json",   "study.html",
+  return {"rows.csv",    "rows.nc",     "study.json",   "study.html",   "statistics.json",
           "indices.svg", "contour.svg", "parallel.svg", "histogram.svg"};
 }
 

@@ -70,6 +70,12 @@ std::string p_f_text(const BoundedEstimate& p_f) {
                      p_f.high);
 }
 
+std::string report::kept_text(const StudySummary& summary) {
+  return fmt::format("{} of {} designs: those with {}{}", summary.kept, summary.designs,
+                     summary.keep,
+                     summary.failed > 0 ? ", and those that could not be verified" : "");
+}
+
 layout::Table report::statistics_table(const StudySummary& summary) {
   layout::Table table(
       {"column", "unit", "designs", "mean", "sd", "least", "5 %", "half", "95 %", "largest"});
@@ -81,6 +87,14 @@ layout::Table report::statistics_table(const StudySummary& summary) {
     table.row(row);
   }
   return table;
+}
+
+std::string report::quantiles_text(const StudySummary& summary) {
+  double error = 0.0;
+  for (const ColumnStatistics& of : summary.statistics) error = std::max(error, of.quantile_error);
+  if (error == 0.0) return "";
+  return fmt::format("5 %, half and 95 %: within {:.2g} % of themselves; all others are exact.",
+                     100.0 * error);
 }
 
 layout::Table report::indices_table(const StudySummary& summary, const SobolIndices& indices) {
@@ -118,8 +132,11 @@ report::MarkedText study_text(const StudySummary& summary) {
         "not verified", fmt::format("{} of {}, status says why", summary.failed, summary.designs));
   if (summary.verdicts.empty() && summary.failed == 0)
     text += layout::entry("verified", fmt::format("{} of {}", verified, summary.designs));
+  if (!summary.keep.empty()) text += layout::entry("rows", report::kept_text(summary));
   if (summary.p_f) text += layout::entry("p_f", p_f_text(*summary.p_f));
   if (!summary.statistics.empty()) text += "\n" + report::statistics_table(summary).text();
+  const std::string quantiles = report::quantiles_text(summary);
+  if (!quantiles.empty()) text += layout::paragraph(quantiles);
   for (const ColumnIndices& column : summary.indices) text += indices_text(summary, column);
   const std::vector<std::string> reasons = report::reasons_text(summary);
   if (!reasons.empty()) text += "\nWhy designs were not verified:\n";
@@ -137,6 +154,13 @@ void report::put_study(Fields& to, const StudySummary& summary) {
   to.text({"rows_sha256", "of rows.csv"}, summary.rows_sha256);
   to.whole({"seed", "of random numbers"}, summary.seed);
   to.whole("designs", summary.designs);
+  if (!summary.keep.empty() || to.is_describing()) {
+    to.optional().text({"keep", "which designs have a row in rows.csv, and those that failed"},
+                       summary.keep);
+    to.optional().whole({"kept", "designs that have one; all others count, too"}, summary.kept);
+    to.optional().text({"statistics_sha256", "of statistics.json, all designs as --resume needs"},
+                       summary.statistics_sha256);
+  }
   to.whole({"failed", "of them could not be verified"}, summary.failed);
   const std::vector<Counted> verdicts = by_number(summary.verdicts);
   const auto put_count = [](Fields& of, const Counted& count) {
@@ -155,21 +179,26 @@ void report::put_study(Fields& to, const StudySummary& summary) {
     to.optional().number({"p_f_low", "of 95 % confidence"}, "1", p_f.low);
     to.optional().number("p_f_high", "1", p_f.high);
   }
-  to.list({"statistics", "of the columns of numbers"}, "{column}", summary.statistics,
-          [](Fields& of, const ColumnStatistics& column) {
-            of.text("column", column.column.name);
-            of.text({"unit", "of a variable as in the study, of a result SI; empty without"},
-                    column.column.unit);
-            of.whole({"count", "designs that have a number"}, column.count);
-            of.number_in("mean", "", "unit", column.mean);
-            of.number_in("sd", "", "unit", column.sd);
-            of.number_in("min", "", "unit", column.quantiles[0]);
-            of.number_in({"p5", "5 % of the designs are not above it"}, "", "unit",
-                         column.quantiles[1]);
-            of.number_in("p50", "", "unit", column.quantiles[2]);
-            of.number_in("p95", "", "unit", column.quantiles[3]);
-            of.number_in("max", "", "unit", column.quantiles[4]);
-          });
+  to.list(
+      {"statistics", "of the columns of numbers"}, "{column}", summary.statistics,
+      [](Fields& of, const ColumnStatistics& column) {
+        of.text("column", column.column.name);
+        of.text({"unit", "of a variable as in the study, of a result SI; empty without"},
+                column.column.unit);
+        of.whole({"count", "designs that have a number"}, column.count);
+        of.number_in("mean", "", "unit", column.mean);
+        of.number_in("sd", "", "unit", column.sd);
+        of.number_in("min", "", "unit", column.quantiles[0]);
+        of.number_in({"p5", "5 % of the designs are not above it"}, "", "unit",
+                     column.quantiles[1]);
+        of.number_in("p50", "", "unit", column.quantiles[2]);
+        of.number_in("p95", "", "unit", column.quantiles[3]);
+        of.number_in("max", "", "unit", column.quantiles[4]);
+        of.number({"quantile_error", "relative, of p5, p50 and p95; 0 where they are exact"}, "1",
+                  column.quantile_error);
+        const std::vector<double> parts(column.histogram.begin(), column.histogram.end());
+        of.numbers({"histogram", "designs in each of 20 equal parts from min to max"}, "1", parts);
+      });
   if (summary.index_variables.empty() && !to.is_describing()) return;
   to.optional().list({"indices", "where asked for: Sobol's, of results that are numbers"},
                      "{column}", summary.indices, [&](Fields& of, const ColumnIndices& column) {

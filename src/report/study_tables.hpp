@@ -8,7 +8,11 @@
 namespace boxbeam::report {
 
 layout::Table statistics_table(const StudySummary& summary);
+/// How exact its quantiles are; "" where they are.
+std::string quantiles_text(const StudySummary& summary);
 layout::Table indices_table(const StudySummary& summary, const SobolIndices& indices);
+/// Which designs have a row, where not all have.
+std::string kept_text(const StudySummary& summary);
 /// Why designs were not verified, the most frequent first.
 std::vector<std::string> reasons_text(const StudySummary& summary);
 

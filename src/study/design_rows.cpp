@@ -1,7 +1,6 @@
 #include "boxbeam/study/design_rows.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <optional>
 
@@ -11,13 +10,6 @@ namespace boxbeam {
 namespace {
 
 constexpr std::uint64_t stream_of_shown_designs = 7;
-
-std::optional<double> number_of_cell(const std::string& cell) {
-  double number = 0.0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
-  if (error != std::errc{} || end != cell.data() + cell.size()) return std::nullopt;
-  return number;
-}
 
 }  // namespace
 
@@ -35,15 +27,16 @@ DesignSample::DesignSample(std::vector<Column> columns, std::size_t variables, s
       part_((designs + most - 1) / most),
       seed_(seed) {}
 
-void DesignSample::take(const std::vector<std::string>& cells, const std::string& status) {
-  const std::size_t part = next_ / part_;
-  if (next_ % part_ == 0) {
-    const std::size_t size = std::min(part_, designs_ - std::min(designs_ - 1, part * part_));
-    const double share = uniform_number(seed_, stream_of_shown_designs << 44U | part, 0);
-    wanted_ = next_ + static_cast<std::size_t>(share * static_cast<double>(size));
-  }
-  if (next_++ != wanted_) return;
-  numbers_.push_back(next_);
+bool DesignSample::wants(std::size_t place) const {
+  const std::size_t part = place / part_, first = part * part_;
+  const double share = uniform_number(seed_, stream_of_shown_designs << 44U | part, 0);
+  const std::size_t size = std::min(part_, designs_ - first);
+  return place == first + static_cast<std::size_t>(share * static_cast<double>(size));
+}
+
+void DesignSample::take(std::size_t number, const std::vector<std::string>& cells,
+                        const std::string& status) {
+  numbers_.push_back(number);
   cells_.push_back(cells);
   cells_.back().push_back(status);
 }

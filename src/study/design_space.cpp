@@ -112,7 +112,11 @@ DesignSpace::DesignSpace(const Study& study) : study_(&study) {
     throw InputError(fmt::format("{}: the study has more than 1e10 designs", study.path),
                      "take fewer samples");
   size_ = samples_ * block_;
-  for (const Variable& variable : study.variables) {
+  for (std::size_t i = 0; i < study.variables.size(); ++i)
+    if (study.variables[i].is_of_table && !of_table_) of_table_ = i;
+  for (std::size_t i = 0; i < study.variables.size(); ++i) {
+    const Variable& variable = study.variables[i];
+    if (follows(i)) continue;
     if (count_of(variable) > most / size_)
       throw InputError(fmt::format("{}: the study has more than 1e10 designs", study.path),
                        "take fewer values or samples");
@@ -122,6 +126,10 @@ DesignSpace::DesignSpace(const Study& study) : study_(&study) {
   if (study.sampling == Sampling::latin_hypercube)
     for (std::size_t k = 0; k < scattering_.size() * (study.indices ? 2 : 1); ++k)
       shares_.push_back(permutation(study.seed, samples_, static_cast<std::uint32_t>(k)));
+}
+
+bool DesignSpace::follows(std::size_t variable) const {
+  return study_->variables[variable].is_of_table && variable != *of_table_;
 }
 
 /// Of so many variables, the share of all values that are below that of this sample.
@@ -177,10 +185,16 @@ std::vector<Setting> DesignSpace::at(std::size_t index) const {
   std::vector<Setting> design(study_->variables.size());
   const std::size_t drawn = samples_ * block_;
   std::size_t rest = index / drawn;
+  std::vector<std::size_t> places(design.size());
   for (std::size_t i = design.size(); i-- > 0;) {
-    const Variable& variable = study_->variables[i];
-    const std::size_t count = count_of(variable), place = rest % count;
+    if (follows(i)) continue;
+    const std::size_t count = count_of(study_->variables[i]);
+    places[i] = rest % count;
     rest /= count;
+  }
+  for (std::size_t i = 0; i < design.size(); ++i) {
+    const Variable& variable = study_->variables[i];
+    const std::size_t place = places[follows(i) ? *of_table_ : i];
     if (!variable.words.empty())
       design[i].word = variable.words[place];
     else if (!variable.values.empty())

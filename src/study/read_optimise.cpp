@@ -39,6 +39,9 @@ void read_optimise(TableReader& root, Study& study) {
   count({"designs", "at most, of all combinations of lists"}, demand.designs, 1);
   count({"points", "of the front of two goals"}, demand.points, 2);
   for (const Variable& variable : study.variables) {
+    if (variable.is_of_table)
+      table.problem("", fmt::format("variable \"{}\" goes with a table of designs", variable.name),
+                    "an optimum chooses each by itself: write values, or grid with its ends");
     if (!variable.words.empty())
       table.problem("", fmt::format("variable \"{}\" is a list of words", variable.name),
                     "an optimum is of numbers: sweep tries words");

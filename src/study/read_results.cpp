@@ -49,6 +49,36 @@ void read_formula(TableReader& table, const std::string& written, Study& study) 
   study.formulas.push_back(formula);
 }
 
+/// Names in it are variables and columns, whose numbers a row has.
+void read_keep(TableReader& table, Study& study) {
+  study.keep = without_ends(table.text(
+      {"keep",
+       "which designs have a row, all count: \"utilisation > 0.9\", of variables and columns"},
+      ""));
+  if (study.keep.empty()) return;
+  std::vector<std::string> names;
+  try {
+    names = names_in(study.keep);
+    NamedExpression looked_at(study.keep, names);
+  } catch (const std::invalid_argument& error) {
+    table.problem("keep", fmt::format("\"{}\": {}", study.keep, error.what()),
+                  "write a condition: \"utilisation > 0.9\"");
+    return;
+  }
+  for (const std::string& name : names) {
+    const bool is_word = name == "verdict" || name == "governing";
+    const bool is_column =
+        std::find(study.columns.begin(), study.columns.end(), name) != study.columns.end();
+    const bool is_variable =
+        std::any_of(study.variables.begin(), study.variables.end(),
+                    [&](const Variable& of) { return of.name == name && of.words.empty(); });
+    if (is_variable || (is_column && !is_word)) continue;
+    table.problem("keep", fmt::format("\"{}\" in \"{}\" is no number of a row", name, study.keep),
+                  is_word ? "write \"utilisation > 1\""
+                          : "name a variable, or a column that stands in \"columns\"");
+  }
+}
+
 }  // namespace
 
 bool is_identifier(const std::string& name) {
@@ -73,6 +103,7 @@ void read_results(TableReader& root, Study& study) {
     if (!taken.insert(column).second)
       results.problem("columns", fmt::format("column \"{}\" stands twice", column),
                       "write each once");
+  read_keep(results, study);
   for (const Variable& variable : study.variables)
     if (taken.count(variable.name) > 0)
       results.problem("columns", fmt::format("\"{}\" is a variable and a column", variable.name),
@@ -111,6 +142,10 @@ void read_indices(TableReader& root, Study& study) {
         "is that of one alone",
         "leave [correlation] out, or tie variables by expression = \"...\" and let what "
         "they share scatter");
+  if (!study.keep.empty())
+    root.problem("results",
+                 "indices rest on all designs, of which \"keep\" leaves some without a row",
+                 "leave keep out");
   table.finish();
   study.indices = demand;
 }

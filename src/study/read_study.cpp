@@ -9,8 +9,10 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/project/table_reader.hpp"
+#include "boxbeam/study/named_expression.hpp"
 #include "boxbeam/study/study.hpp"
 #include "boxbeam/study/written_quantity.hpp"
+#include "design_table.hpp"
 #include "read_optimise.hpp"
 #include "read_reliability.hpp"
 #include "read_results.hpp"
@@ -88,6 +90,48 @@ void read_values(TableReader& table, Variable& variable) {
   for (const Node& item : node.items) variable.values.push_back(unit.number("values", item));
 }
 
+/// The values that the designs of a table have, row by row.
+void read_column(TableReader& table, const std::optional<TableOfDesigns>& designs,
+                 Variable& variable) {
+  const std::string name = table.text({"column", "of the study's table of designs"});
+  variable.is_of_table = true;
+  if (!designs) {
+    table.problem("column", "the study has no table of designs",
+                  "write table = \"designs.csv\" in [study]");
+    return;
+  }
+  const TableOfDesigns::Cells* const column = designs->find(name);
+  if (column == nullptr) {
+    std::vector<std::string> names;
+    for (const TableOfDesigns::Cells& of : designs->columns) names.push_back(of.name);
+    table.problem("column", fmt::format("{} has no column \"{}\"", designs->path, name),
+                  fmt::format("one of {}", fmt::join(names, ", ")));
+    return;
+  }
+  variable.unit = column->unit;
+  const auto is_word = [](const std::string& cell) { return !quantity_written_in(cell); };
+  if (std::all_of(column->cells.begin(), column->cells.end(), is_word)) {
+    variable.words = column->cells;
+    return;
+  }
+  for (std::size_t row = 0; row < column->cells.size(); ++row) {
+    const std::optional<WrittenQuantity> written = quantity_written_in(column->cells[row]);
+    const std::optional<double> ratio = !written ? std::nullopt
+                                        : written->unit.empty()
+                                            ? std::optional(1.0)
+                                            : ratio_of_units(variable.unit, written->unit);
+    if (!ratio) {
+      table.problem(
+          "column",
+          fmt::format("{}, line {}: \"{}\" is no number{}", designs->path, designs->lines[row],
+                      column->cells[row], variable.unit.empty() ? "" : " in " + variable.unit),
+          "write a number in the unit of the column, \"t [mm]\"");
+      return;
+    }
+    variable.values.push_back(written->value * *ratio);
+  }
+}
+
 void read_grid(TableReader& table, Variable& variable) {
   TableReader grid = table.table({"grid", "equal steps: from, to, count"});
   OneUnit unit(grid, variable);
@@ -140,8 +184,26 @@ void read_distribution(TableReader& table, Variable& variable) {
   }
 }
 
+/// An expression names numbers of variables before it.
+void require_known(TableReader& table, const std::string& expression,
+                   const std::vector<Variable>& before) {
+  try {
+    for (const std::string& name : names_in(expression))
+      if (std::none_of(before.begin(), before.end(),
+                       [&](const Variable& of) { return of.name == name && of.words.empty(); }))
+        table.problem(
+            "expression",
+            fmt::format("\"{}\" in \"{}\" is no number of a variable above it", name, expression),
+            "name variables that stand before this one");
+  } catch (const std::invalid_argument& error) {
+    table.problem("expression", fmt::format("\"{}\": {}", expression, error.what()),
+                  "write \"0.5*t + 2\"");
+  }
+}
+
 Variable read_variable(const std::string& name, TableReader& table,
-                       std::set<std::string>& keys_taken) {
+                       const std::optional<TableOfDesigns>& designs,
+                       const std::vector<Variable>& before, std::set<std::string>& keys_taken) {
   Variable variable;
   variable.name = name;
   static const std::set<std::string> reserved{"design", "status", "verdict", "governing",
@@ -157,18 +219,22 @@ Variable read_variable(const std::string& name, TableReader& table,
     if (!keys_taken.insert(key).second)
       table.problem("key", fmt::format("{} is set by two variables", key),
                     "tie one to the other: expression = \"...\"");
-  if (!table.says_one_of({{{"values"}}, {{"grid"}}, {{"distribution"}}, {{"expression"}}}))
+  if (!table.says_one_of(
+          {{{"values"}}, {{"grid"}}, {{"column"}}, {{"distribution"}}, {{"expression"}}}))
     table.problem("", fmt::format("variable \"{}\" does not say which values it takes", name),
-                  "write one of values, grid, distribution, expression");
+                  "write one of values, grid, column, distribution, expression");
   if (table.is_there("values")) {
     read_values(table, variable);
   } else if (table.is_there("grid")) {
     read_grid(table, variable);
+  } else if (table.is_there("column")) {
+    read_column(table, designs, variable);
   } else if (table.is_there("distribution")) {
     read_distribution(table, variable);
   } else if (table.is_there("expression")) {
     variable.expression =
         table.text({"expression", "of the numbers of variables above: \"0.5*t + 2\""});
+    require_known(table, variable.expression, before);
     variable.unit = table.text({"unit", "of its number: \"mm\""}, "");
     if (!ratio_of_units(variable.unit, variable.unit))
       table.problem("unit", fmt::format("\"{}\" is no unit", variable.unit), "write \"mm\"");
@@ -227,13 +293,28 @@ void read_correlation(TableReader& root, Study& study) {
   }
 }
 
+std::string beside_study(const Study& study, const std::string& file) {
+  return (std::filesystem::path(study.path).parent_path() / file).lexically_normal().string();
+}
+
+/// What a study has changed with it: its hash is that of both.
+std::optional<TableOfDesigns> read_table(TableReader& of, Study& study) {
+  const std::string written =
+      of.text({"table", "of designs, comma-separated, beside the study: \"designs.csv\""}, "");
+  if (written.empty()) return std::nullopt;
+  std::optional<TableOfDesigns> table = read_design_table(beside_study(study, written));
+  if (table->lines.size() > most_values)
+    of.problem("table", "the table has more than a million rows", "share it among several studies");
+  study.text += table->text;
+  return table;
+}
+
 /// A study of expressions alone needs no case.
 void read_case(TableReader& of, bool may_be_missing, Study& study) {
   const Key key{"case", "file of the case, beside the study"};
   study.case_written = may_be_missing ? of.text(key, "") : of.text(key);
   if (study.case_written.empty()) return;
-  const std::filesystem::path beside = std::filesystem::path(study.path).parent_path();
-  study.case_file = (beside / study.case_written).lexically_normal().string();
+  study.case_file = beside_study(study, study.case_written);
 }
 
 Study read(const CaseDocument& document, std::string text) {
@@ -253,11 +334,12 @@ Study read(const CaseDocument& document, std::string text) {
     study.samples = static_cast<std::size_t>(std::max(0, of.whole_number("samples")));
   study.sampling = static_cast<Sampling>(
       of.choice({"sampling", "how they are drawn"}, {"random", "latin hypercube", "sobol"}, 0));
+  const std::optional<TableOfDesigns> designs = read_table(of, study);
   of.finish();
   std::set<std::string> keys_taken;
   TableReader variables = root.table({"variables", "what changes from design to design"});
   for (auto& [name, table] : variables.named_tables("a variable"))
-    study.variables.push_back(read_variable(name, table, keys_taken));
+    study.variables.push_back(read_variable(name, table, designs, study.variables, keys_taken));
   if (problems.empty() && study.variables.empty())
     variables.problem("", "the study has no variables",
                       "write [variables.t] with key = \"sections.A1.flange\" and values = [...]");

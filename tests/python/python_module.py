@@ -178,6 +178,37 @@ def check_sweep():
     raised(ValueError, lambda: boxbeam.sweep(RIG, {"a": [1], "b": [1, 2]}))
 
 
+def check_parquet(folder):
+    """Tables as columns of a file: written, read by pyarrow itself, the same numbers, texts and units."""
+    try:
+        import pyarrow.parquet
+    except ImportError:
+        print("  pyarrow is not installed: Parquet is not tested")
+        return
+    strokes = np.array([0.10, 0.25, 20.0])
+    swept = boxbeam.sweep(RIG, {"drivers.exciter.amplitude": (strokes, "m")}, ["verdict", "utilisation", "beam.mass"])
+    swept.to_parquet(folder / "swept.parquet")
+    table = pyarrow.parquet.read_table(folder / "swept.parquet")
+    check(table.column("beam.mass").to_pylist()[:2] == swept["beam.mass"][:2].tolist(), "masses")
+    check(table.column("beam.mass").null_count == 1, "a design without a mass")
+    check(table.column("status").to_pylist() == swept.status and table.column("verdict").to_pylist() == swept["verdict"],
+          "texts")
+    check(table.schema.field("beam.mass").metadata == {b"unit": b"kg"}, "unit of the mass")
+    study = folder / "study.toml"
+    study.write_text(f'[study]\ncase = "{RIG}"\n[variables.stroke]\nkey = "drivers.exciter.amplitude"\n'
+                     'values = ["0.1 m", "0.25 m", "20 m"]\n[results]\ncolumns = ["verdict", "beam.mass"]\n')
+    subprocess.run([PROGRAM, "sweep", study, "--out", folder / "study", "--quiet"], check=True, capture_output=True)
+    path = boxbeam.study_to_parquet(folder / "study")
+    table = pyarrow.parquet.read_table(path)
+    check(path == str(folder / "study/rows.parquet"), f"path {path}")
+    check(table.column_names == ["design", "stroke", "verdict", "beam.mass", "status"], f"columns {table.column_names}")
+    check(table.column("design").to_pylist() == [1, 2, 3] and table.column("stroke").to_pylist() == [0.1, 0.25, 20.0],
+          "numbers of designs")
+    check(table.column("beam.mass").to_pylist() == [swept["beam.mass"][0], swept["beam.mass"][1], None], "masses of a study")
+    check(table.column("verdict").to_pylist() == ["pass", "fail", ""], "verdicts of a study")
+    check(table.schema.field("stroke").metadata == {b"unit": b"m"}, "unit of the stroke")
+
+
 def check_lock():
     """While one thread verifies others of Python go on."""
     ticks = 0
@@ -200,6 +231,7 @@ def check_lock():
 def main():
     with tempfile.TemporaryDirectory() as folder:
         check_verify(pathlib.Path(folder))
+        check_parquet(pathlib.Path(folder))
     for one in (check_errors, check_motion, check_section, check_fatigue, check_sweep, check_lock):
         start = time.monotonic()
         one()

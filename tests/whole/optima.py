@@ -149,6 +149,74 @@ subject_to = ["fatigue.safety_factor - {factor}"]
     print(f"  height {found['variables']['end_height']:.6f} mm, {found['evaluations']} designs, prices {found['prices']}")
 
 
+GIRDER = """[case]
+name = "girder"
+title = "Box beam under given cut forces"
+kind = "loads"
+[sections.box]
+kind = "box"
+width = "200 mm"
+height = "400 mm"
+flange = "16 mm"
+web = "12 mm"
+seam_throat = "6 mm"
+[beam]
+density = "7850 kg/m^3"
+[[beam.segments]]
+length = "0.5 m"
+section = "box"
+[files.forces]
+path = "forces.csv"
+[[cut_forces]]
+station = "0 m"
+columns = { V_z = "V", M_y = "M" }
+[[cut_forces]]
+station = "0.5 m"
+[material]
+steel = "S355"
+[strength]
+required = 1.5
+[fatigue]
+category = 71
+loading = "spectrum"
+cycles = 1e5
+gamma_Mf = 1.35
+required = 1.0
+"""
+
+
+def check_costs(folder):
+    """Plates by mass and seams by weld metal, beside every combination with costs by hand."""
+    (folder / "girder.toml").write_text(GIRDER)
+    (folder / "forces.csv").write_text("time [s], V [kN], M [kN m]\n0, 0, 0\n1, 400, -200\n2, 0, 0\n")
+    flanges, throats = (10, 12, 14, 16, 18, 20, 22, 25, 30), (3, 4, 5, 6, 7, 8, 10)
+    head = ('[study]\ncase = "girder.toml"\n[variables.flange]\nkey = "sections.box.flange"\n'
+            f'values = {[f"{t} mm" for t in flanges]}\n[variables.throat]\nkey = "sections.box.seam_throat"\n'
+            f'values = {[f"{a} mm" for a in throats]}\n').replace("'", '"')
+    sweep = folder / "costs-swept.toml"
+    sweep.write_text(head + '[results]\ncolumns = ["verdict", "beam.mass", "beam.seams.deposit", "beam.seams.fillet_length"]\n')
+    run("sweep", sweep, "--out", folder / "costs", "--quiet")
+    rows = list(csv.DictReader(open(folder / "costs/rows.csv", newline="")))
+    least = None
+    for row in rows:
+        flange, throat = float(row["flange"]) / 1e3, float(row["throat"]) / 1e3
+        mass = 7850 * 0.5 * (0.2 * 0.4 - (0.2 - 2 * 0.012) * (0.4 - 2 * flange))
+        near(float(row["beam.mass"]), mass, 1e-12, "mass by hand")
+        near(float(row["beam.seams.deposit"]), 2 * throat ** 2, 1e-12, "weld metal by hand")
+        near(float(row["beam.seams.fillet_length"]), 2, 1e-12, "length of seams by hand")
+        if row["verdict"] == "pass":
+            cost = 2.1 * mass + 8e5 * 2 * throat ** 2
+            design = (cost, row["flange"], row["throat"])
+            least = design if least is None else min(least, design)
+    passing = sum(row["verdict"] == "pass" for row in rows)
+    check(3 < passing < len(rows) - 3, f"{passing} of {len(rows)} pass")
+    found = optimum(folder, head + '[optimise]\nminimise = "2.1*beam.mass + 8e5*beam.seams.deposit"\n')
+    near(found["objective"], least[0], 1e-12, "least cost")
+    check([f"{found['variables'][name]:g}" for name in ("flange", "throat")] == list(least[1:]),
+          f"cheapest design {found['variables']}, not {least}")
+    print(f"  costs: {least}, {passing} of {len(rows)} pass")
+
+
 def check_wrong(folder):
     good = variables(x=(0, 1)) + '[optimise]\nminimise = "x"\n'
     for change, says in (
@@ -182,6 +250,7 @@ def main():
         check_front(folder)
         check_stock(folder)
         check_between(folder)
+        check_costs(folder)
         check_wrong(folder)
     for words in failures[:30]:
         print("FAILED", words)

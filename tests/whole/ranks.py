@@ -101,6 +101,14 @@ def check_columns(folder):
 
 def check_ranks(folder, study, expected):
     ranks = ("mpirun", "--oversubscribe", "--allow-run-as-root", "-n")
+    # Rows that a condition keeps, statistics of all.
+    kept = folder / "kept.toml"
+    kept.write_text(STUDY + 'keep = "fatigue.safety_factor < 1.2"\n')
+    run(PROGRAM, "sweep", kept, "--out", folder / "kept1", "--threads", 1, "--netcdf")
+    run(PROGRAM, "sweep", kept, "--out", folder / "kept2", "--threads", 1, "--netcdf", before=(*ranks, "2"))
+    check(files_of(folder / "kept1") == files_of(folder / "kept2"), "two processes keep other rows than one")
+    rows = list(csv.DictReader(open(folder / "kept1/rows.csv", newline="")))
+    check(10 < len(rows) < 20, f"{len(rows)} rows kept of 20, of which 10 failed")
     for count in (2, 3):
         out = folder / f"ranks{count}"
         run(PROGRAM, "sweep", study, "--out", out, "--threads", 1, "--netcdf", before=(*ranks, str(count)))

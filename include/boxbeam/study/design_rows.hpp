@@ -18,7 +18,7 @@ struct DesignColumn {
 
 /// Designs that are looked at one by one.
 struct DesignRows {
-  std::size_t designs = 0;           ///< of the study, of which these are all or some
+  std::size_t designs = 0;           ///< that have a row, of which these are all or some
   std::vector<std::size_t> numbers;  ///< of these, from 1
   std::vector<DesignColumn> columns;
   bool scatters = false;  ///< variables do, so that shares of designs are probabilities
@@ -32,12 +32,14 @@ struct DesignRows {
 /// the seed, so that no pattern of the study is hit again and again.
 class DesignSample {
  public:
-  /// All columns of a row and its status; the first so many are variables.
+  /// All columns of a row; the first so many are variables. `designs`: that have a row.
   DesignSample(std::vector<Column> columns, std::size_t variables, std::size_t designs,
                std::uint64_t seed);
 
-  /// The next design: its cells as they are written, and its status.
-  void take(const std::vector<std::string>& cells, const std::string& status);
+  /// Whether the design of this row, from 0, is one that is shown.
+  bool wants(std::size_t place) const;
+  /// One that is, by its number: its cells as they are written, and its status.
+  void take(std::size_t number, const std::vector<std::string>& cells, const std::string& status);
   /// Columns that say something: those of variables, of results that any design has, and "status"
   /// where a design failed.
   DesignRows rows() const;
@@ -48,7 +50,6 @@ class DesignSample {
   std::vector<Column> columns_;
   std::size_t variables_, designs_, part_;
   std::uint64_t seed_;
-  std::size_t next_ = 0, wanted_ = 0;
   std::vector<std::size_t> numbers_;
   std::vector<std::vector<std::string>> cells_;  ///< with the status last
 };

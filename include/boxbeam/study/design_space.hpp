@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,8 @@ std::vector<Setting> design_of(const Study& study, const std::vector<double>& sc
 /// A design as --set, one for every key.
 std::vector<std::string> overrides_of(const Study& study, const std::vector<Setting>& design);
 
-/// All designs of a study: every combination of the variables with values, for each of these every
+/// All designs of a study: every combination of the variables with values (those of its table take
+/// one row together), for each of these every
 /// sample of those that scatter; the last variable changes first. A design hangs on the study and
 /// its index alone, whoever asks for it and in whatever order. Where indices are asked for each
 /// sample is a block of designs, as `sobol_indices_of` has them.
@@ -43,11 +45,14 @@ class DesignSpace {
  private:
   std::vector<double> shares_of(std::size_t sample) const;
   std::vector<double> independent_shares(std::size_t sample, std::size_t count) const;
+  /// Whether a variable takes the row of the table that another one before it takes.
+  bool follows(std::size_t variable) const;
 
   const Study* study_;
   std::size_t size_ = 1, samples_ = 1;
   std::size_t block_ = 1;                ///< designs of a sample
   std::vector<std::size_t> scattering_;  ///< variables that do, by index
+  std::optional<std::size_t> of_table_;  ///< the first that takes rows of the study's table
   Eigen::MatrixXd factor_;               ///< of the correlation, lower triangular
   /// Of Latin hypercubes: the share that each sample of a variable lies in.
   std::vector<std::vector<std::uint32_t>> shares_;

@@ -26,6 +26,7 @@ struct Variable {
   std::string unit;                          ///< of its numbers; "" where they have none
   std::vector<double> values;                ///< one after the other
   bool is_grid = false;                      ///< values in equal steps; an optimum may lie between
+  bool is_of_table = false;                  ///< values and words go with those of the others
   std::vector<std::string> words;            ///< likewise, where they are no numbers: "S355"
   std::optional<Distribution> distribution;  ///< instead
   std::string expression;                    ///< instead: of the variables before it
@@ -50,7 +51,7 @@ struct IndexDemand {
 struct Study {
   std::string path;
   std::string name;
-  std::string text;          ///< of the file
+  std::string text;          ///< of the file, and of its table of designs
   std::string case_file;     ///< from the working folder; "" without a case
   std::string case_written;  ///< as the study has it
   std::uint64_t seed = 1;
@@ -59,6 +60,8 @@ struct Study {
   std::vector<Variable> variables;
   std::vector<std::string> columns;   ///< keys of results; without a case names of formulas
   std::vector<std::string> formulas;  ///< of variables, one for each column, without a case
+  /// Of variables and columns of numbers: not zero of the designs that have a row; "": all have.
+  std::string keep;
   /// Of the normal variables behind those that scatter, by the order of these; empty where all are
   /// independent.
   Eigen::MatrixXd correlation;
