@@ -66,6 +66,8 @@ class PressedWebs {
     std::optional<std::pair<Check, double>> square;
   };
   Checks checks() const;
+  /// What resists has become another.
+  void forget_resistance() { edges_.forget_resistance(); }
 
  private:
   /// A force at an instant.

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <deque>
+
+#include "boxbeam/verification/patch_checks.hpp"
+#include "boxbeam/verification/station_memory.hpp"
+
+namespace boxbeam {
+
+/// What is known of a beam from designs under the same loads. Not for several threads at once.
+struct BeamMemory {
+  /// Looks at the runs, which stay.
+  explicit BeamMemory(std::deque<SituationRun>& of) : runs(&of), stations(of) {}
+
+  std::deque<SituationRun>* runs;
+  StationMemory stations;
+  KeptPatches patches;
+};
+
+}  // namespace boxbeam
