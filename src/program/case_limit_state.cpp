@@ -71,7 +71,7 @@ class Judge {
   std::vector<Setting> design_at(const Eigen::VectorXd& u) const {
     return design_of(*study_, transformation_->values_at(u));
   }
-  std::vector<VerifiedBeam> verified(const std::vector<Setting>& design) const {
+  VerifiedDesign verified(const std::vector<Setting>& design) const {
     return trials_->verify(overrides_of(*study_, design));
   }
 
@@ -79,7 +79,8 @@ class Judge {
     Response response;
     const std::string trouble = trouble_of([&] {
       const std::vector<Setting> design = design_at(u);
-      const std::vector<VerifiedBeam> beams = verified(design);
+      const VerifiedDesign found = verified(design);
+      const std::vector<VerifiedBeam>& beams = found.beams;
       response.g = std::numeric_limits<double>::infinity();
       for (const std::string& check : study_->reliability->checks) {
         response.trouble = not_judged_by(check, beams);
@@ -138,10 +139,10 @@ CaseLimitState limit_state_of_case(const Study& study, std::size_t threads) {
   const auto trials = std::make_shared<const DesignTrials>(case_options_of(study));
   const std::vector<Project> beams = read_beams_of(case_options_of(study));
   const Judge first(study, *transformation, *trials);
-  const std::vector<VerifiedBeam> medians =
+  const VerifiedDesign medians =
       first.verified(first.design_at(Eigen::VectorXd::Zero(transformation->dimension())));
-  require_checks(study, medians);
-  DesignNumbers(study, study.reliability->expressions).units_in(medians);
+  require_checks(study, medians.beams);
+  DesignNumbers(study, study.reliability->expressions).units_in(medians.beams);
   const auto make = [transformation, trials, &study]() -> LimitState::Function {
     const auto judge = std::make_shared<Judge>(study, *transformation, *trials);
     return [transformation, trials, judge](const Eigen::VectorXd& u) { return judge->at(u); };

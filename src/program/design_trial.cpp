@@ -8,33 +8,39 @@
 
 namespace boxbeam::program {
 
-std::vector<VerifiedBeam> DesignTrials::verify(const std::vector<std::string>& set) const {
+VerifiedDesign DesignTrials::verify(const std::vector<std::string>& set) const {
   std::string looked_at;
   bool all = true;
   for (const std::string& change : set) {
-    const bool counts = model_depends_on(change);
+    const bool counts = runs_depend_on(change);
     if (counts) looked_at += change + '\n';
     all = all && counts;
   }
   std::call_once(opened_, [&] { source_.emplace(options_.file); });
   std::vector<Project> beams = read_beams_of(options_, *source_, set);
   if (beams.size() == 1) beams.front().beam_name.clear();
-  if (all) return verify_beams(std::move(beams));
-  const auto is_known = [&](const auto& of) { return of.first == looked_at; };
-  std::vector<ModelChoice> models;
-  {
-    const std::lock_guard lock(mutex_);
-    const auto known = std::find_if(models_.begin(), models_.end(), is_known);
-    if (known != models_.end()) models = known->second;
-  }
-  const bool known = !models.empty();
-  std::vector<VerifiedBeam> verified = verify_beams_by(models, std::move(beams));
-  constexpr std::size_t most = 64;
+  if (all) return {nullptr, verify_beams(std::move(beams))};
+  auto kept = std::make_unique<Kept>(take(std::move(looked_at)));
+  std::vector<VerifiedBeam> verified = kept->runs->verify(std::move(beams));
+  const auto back = [this](Kept* of) { put_back(std::move(*std::unique_ptr<Kept>(of))); };
+  return {std::shared_ptr<Kept>(kept.release(), back), std::move(verified)};
+}
+
+DesignTrials::Kept DesignTrials::take(std::string looked_at) const {
   const std::lock_guard lock(mutex_);
-  if (known || std::any_of(models_.begin(), models_.end(), is_known)) return verified;
-  models_.emplace_back(std::move(looked_at), std::move(models));
-  if (models_.size() > most) models_.pop_front();
-  return verified;
+  const auto known = std::find_if(idle_.begin(), idle_.end(),
+                                  [&](const Kept& of) { return of.looked_at == looked_at; });
+  if (known == idle_.end()) return {std::move(looked_at), std::make_unique<KeptRuns>()};
+  Kept kept = std::move(*known);
+  idle_.erase(known);
+  return kept;
+}
+
+void DesignTrials::put_back(Kept kept) const {
+  constexpr std::size_t most = 32;
+  const std::lock_guard lock(mutex_);
+  idle_.push_front(std::move(kept));
+  if (idle_.size() > most) idle_.pop_back();
 }
 
 std::string in_one_line(std::string text) {

@@ -1,35 +1,48 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "boxbeam/verification/verify.hpp"
+#include "boxbeam/verification/kept_runs.hpp"
 #include "program/case_options.hpp"
 
 /// A case verified with other values of its keys.
 namespace boxbeam::program {
 
-/// Of all its beams, without figures and remedies. The case is read from its file once; designs
-/// that differ in nothing that the choice of the model looks at have it made for them once. May be
-/// asked by several threads at once.
+/// What a design comes to.
+struct VerifiedDesign {
+  std::shared_ptr<const void> rests_on;  ///< what the beams look at; not behind the trials
+  std::vector<VerifiedBeam> beams;
+};
+
+/// Of all its beams, without figures and remedies. The case is read from its file once; of designs
+/// that differ in what resists alone one runs, for each thread. May be asked by several threads at
+/// once.
 class DesignTrials {
  public:
   explicit DesignTrials(CaseOptions options) : options_(std::move(options)) {}
 
   /// `set` as --set, behind that of the options. Throws InputError and AnalysisError.
-  std::vector<VerifiedBeam> verify(const std::vector<std::string>& set) const;
+  VerifiedDesign verify(const std::vector<std::string>& set) const;
 
  private:
   CaseOptions options_;
   mutable std::once_flag opened_;
   mutable std::optional<CaseSource> source_;
+  /// Runs by what is set of what they depend on.
+  struct Kept {
+    std::string looked_at;
+    std::unique_ptr<KeptRuns> runs;
+  };
+  Kept take(std::string looked_at) const;
+  void put_back(Kept kept) const;
+
   mutable std::mutex mutex_;
-  /// By what is set of what the choice looks at, the last few.
-  mutable std::deque<std::pair<std::string, std::vector<ModelChoice>>> models_;
+  mutable std::deque<Kept> idle_;  ///< the last first
 };
 
 /// Does what may not be possible for a design: "", or the first thing that is wrong.

@@ -60,7 +60,7 @@ class BestDesign {
     for (const std::string& limit : demand_->subject_to) limits_.push_back(limit);
     if (!numbers_.asks_results()) return;
     numbers_.require_case();
-    result_units_ = numbers_.units_in(trials_.verify({}));
+    result_units_ = numbers_.units_in(trials_.verify({}).beams);
   }
 
   const Study& study() const { return *study_; }
@@ -84,7 +84,7 @@ class BestDesign {
     return design;
   }
 
-  std::vector<VerifiedBeam> verified(const std::vector<Setting>& design) const {
+  VerifiedDesign verified(const std::vector<Setting>& design) const {
     return trials_.verify(overrides_of(*study_, design));
   }
 
@@ -156,9 +156,10 @@ class DesignJudge {
  private:
   void judge(const std::vector<double>& chosen, Judged& judged) {
     const std::vector<Setting> design = problem_->settings_of(chosen);
-    std::vector<VerifiedBeam> beams;
+    VerifiedDesign found;
     if (problem_->demand().checks || problem_->numbers().asks_results())
-      beams = problem_->verified(design);
+      found = problem_->verified(design);
+    const std::vector<VerifiedBeam>& beams = found.beams;
     if (problem_->demand().checks) add_checks(beams, judged);
     const std::vector<double> numbers = problem_->numbers().of(design, beams);
     for (NamedExpression& goal : goals_) judged.goals.push_back(goal.at(numbers));
@@ -352,8 +353,8 @@ OptimumReport report_of(const BestDesign& problem, Optimum optimum, std::vector<
       report.following.push_back({{variable.name, variable.unit}, design[i].number});
   }
   if (!problem.has_case()) return report;
-  const std::vector<VerifiedBeam> beams = problem.verified(design);
-  const Verification& worst = worst_of(beams).verification;
+  const VerifiedDesign found = problem.verified(design);
+  const Verification& worst = worst_of(found.beams).verification;
   report.verdict = to_text(worst.verdict);
   if (!worst.checks.empty()) {
     report.governing = worst.checks.front().check.id;

@@ -68,7 +68,8 @@ Sensitivities sensitivities_of(const CaseOptions& options, const std::vector<Ver
         std::optional<std::map<Criterion, double>> factors;
         trouble_of([&] {
           const WrittenQuantity changed{factor * input.value.value, input.value.unit};
-          factors = factors_of(trials.verify({fmt::format("{}={}", input.key, to_text(changed))}));
+          factors =
+              factors_of(trials.verify({fmt::format("{}={}", input.key, to_text(changed))}).beams);
         });
         ++verified;
         return factors;

@@ -140,7 +140,7 @@ class Search {
   }
 
  private:
-  std::vector<VerifiedBeam> verified_at(double value) const {
+  VerifiedDesign verified_at(double value) const {
     return trials_.verify({fmt::format("{}={}", options_->key,
                                        to_text(WrittenQuantity{value, solution_.from.unit}))});
   }
@@ -148,8 +148,9 @@ class Search {
   /// What is asked for must be there somewhere: in the case as it is, else at a bound.
   void look_at_case() {
     const ResultBook book =
-        solution_.own ? results_of(trials_.verify({}))
-                      : results_of(verified_at(0.5 * (solution_.from.value + solution_.to.value)));
+        solution_.own
+            ? results_of(trials_.verify({}).beams)
+            : results_of(verified_at(0.5 * (solution_.from.value + solution_.to.value)).beams);
     const ResultValue* const result = book.find(wanted_.result);
     if (result == nullptr)
       throw InputError(fmt::format("there is no result \"{}\"", wanted_.result),
@@ -163,7 +164,7 @@ class Search {
   Trial trial_at(double value) const {
     Trial trial;
     trial.trouble = trouble_of([&] {
-      const ResultBook book = results_of(verified_at(value));
+      const ResultBook book = results_of(verified_at(value).beams);
       const ResultValue* const result = book.find(solution_.result);
       if (result != nullptr) trial.result = result->value;
     });
@@ -173,8 +174,8 @@ class Search {
   }
 
   SolvedValue solved_at(const Root& root) const {
-    const std::vector<VerifiedBeam> beams = verified_at(root.value);
-    const Verification& of = worst_of(beams).verification;
+    const VerifiedDesign found = verified_at(root.value);
+    const Verification& of = worst_of(found.beams).verification;
     SolvedValue solved{
         {root.value, solution_.from.unit}, root.result, to_text(of.verdict), "", 0.0};
     if (!of.checks.empty()) {

@@ -102,7 +102,7 @@ void StudyDesigns::require_columns() {
   const auto look_at = [&](const std::vector<std::string>& set) {
     if (unknown.empty()) return;
     trouble_of([&] {
-      const ResultBook book = results_of(trials_.verify(set));
+      const ResultBook book = results_of(trials_.verify(set).beams);
       std::erase_if(unknown, [&](const std::string& key) {
         const ResultValue* const value = book.find(key);
         if (value == nullptr) return false;
@@ -145,7 +145,8 @@ std::vector<std::string> StudyDesigns::results_of_design(const std::vector<Setti
     }
     return results;
   }
-  const std::vector<VerifiedBeam> beams = trials_.verify(space_.overrides(design));
+  const VerifiedDesign found = trials_.verify(space_.overrides(design));
+  const std::vector<VerifiedBeam>& beams = found.beams;
   const bool numbers = !std::all_of(study_->columns.begin(), study_->columns.end(), is_of_verdict);
   const std::optional<ResultBook> book =
       numbers ? std::optional(results_of(beams, study_->columns)) : std::nullopt;

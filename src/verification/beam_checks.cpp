@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <tuple>
@@ -14,6 +15,7 @@
 #include "boxbeam/verification/given_stresses.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
 #include "boxbeam/verification/slender_path.hpp"
+#include "boxbeam/verification/station_memory.hpp"
 #include "boxbeam/verification/weld_checks.hpp"
 #include "boxbeam/verification/worst_place.hpp"
 
@@ -23,8 +25,12 @@ namespace {
 /// The checks of one station as they are gathered.
 class StationChecks {
  public:
-  StationChecks(const Project& project, const std::vector<SituationHistory>& histories)
-      : project_(&project), histories_(&histories), samples_(project, histories) {}
+  /// `extremes`: where what they are is kept.
+  StationChecks(const Project& project, const LoadedStation& loaded, StationExtremes* extremes)
+      : project_(&project),
+        histories_(&loaded.histories),
+        samples_(&loaded.samples),
+        extremes_(extremes) {}
 
   /// Every criterion at every point; along walls where each is worst. In the plane, where most of
   /// a section is level or has its maximum at a named point, only where it is worse there.
@@ -45,22 +51,20 @@ class StationChecks {
         if (!point.stretch) continue;
         for (const Criterion criterion : stress_criteria) {
           if (criterion != Criterion::weld)
-            add(criterion, at_worst_on_stretch(samples_, point, criterion));
+            add(criterion, at_worst_on_stretch(*samples_, point, criterion));
         }
       }
       return;
     }
-    const WallSearch walls(samples_, points, named);
+    const WallSearch walls(*samples_, points, named);
     for (const Criterion criterion : stress_criteria) {
       const WorstOnWall& worst = walls.worst(criterion);
       if (worst.point == nullptr || worst.utilisation < 1.0001 * named.of(criterion)) continue;
       add(criterion, worst.point->stretch->only_end
                          ? moved_along(*worst.point, worst.part)
-                         : at_worst_on_stretch(samples_, *worst.point, criterion));
+                         : at_worst_on_stretch(*samples_, *worst.point, criterion));
     }
   }
-
-  const StationSamples& samples() const { return samples_; }
 
   std::vector<CheckResult> results;
 
@@ -78,7 +82,7 @@ class StationChecks {
       if (point.yield) add_worst(Criterion::yield);
       return;
     }
-    PointHistory of(*project_, *histories_, point);
+    PointHistory of(*project_, *histories_, point, extremes_);
     for (const Criterion criterion : ranges) add(criterion, of);
     if (point.on_throat)
       add(Criterion::weld, of);
@@ -87,14 +91,14 @@ class StationChecks {
   }
 
   void add(Criterion criterion, const StressPoint& point) {
-    PointHistory of(*project_, *histories_, point);
+    PointHistory of(*project_, *histories_, point, extremes_);
     add(criterion, of);
   }
 
   void add(Criterion criterion, PointHistory& of) {
     std::optional<CheckResult> result;
     if (criterion == Criterion::yield)
-      result = check_yield(*project_, *histories_, *of.point);
+      result = check_yield(of);
     else if (criterion == Criterion::weld)
       result = check_throat(*project_, *histories_, *of.point);
     else if (criterion == Criterion::stress_range)
@@ -106,7 +110,8 @@ class StationChecks {
 
   const Project* project_;
   const std::vector<SituationHistory>* histories_;
-  StationSamples samples_;
+  const StationSamples* samples_;
+  StationExtremes* extremes_;
 };
 
 void append(std::vector<CheckResult> more, std::vector<CheckResult>& checks) {
@@ -135,13 +140,14 @@ void add_route(const Project& project, const Station& station, PlateRoute route,
 
 /// Every criterion at every point of a station.
 void check_station(const Project& project, const std::vector<BendingZone>& zones,
-                   const Station& station, const std::vector<SituationHistory>& histories,
+                   const Station& station, const LoadedStation& loaded, StationExtremes* extremes,
                    const StationPoints* known, StressFields& fields, BeamChecks& beam) {
-  StationChecks checks(project, histories);
+  const std::vector<SituationHistory>& histories = loaded.histories;
+  StationChecks checks(project, loaded, extremes);
   checks.look_at(
       known != nullptr
           ? *known
-          : station_points_of(checks.samples(), stress_points_at(project, zones, station, fields)));
+          : station_points_of(loaded.samples, stress_points_at(project, zones, station, fields)));
   append(std::move(checks.results), beam.checks);
   if (const auto plates = slender_plates_at(project, zones, station)) {
     PlateChecks of = check_plates(project, station, plates, histories);
@@ -279,7 +285,7 @@ void count_near_largest(const Project& project, const std::deque<SituationRun>& 
 
 BeamChecks check_beam(const Project& project, const std::deque<SituationRun>& runs,
                       const std::vector<BendingZone>& zones, const VerifiedStations& verified,
-                      const ModelChoice& model) {
+                      const ModelChoice& model, StationMemory* memory) {
   const bool computed = project.given_stresses.empty();
   BeamChecks beam;
   PlateGates gates(project, zones, model);
@@ -289,13 +295,17 @@ BeamChecks check_beam(const Project& project, const std::deque<SituationRun>& ru
   };
   add_outside({Length{}, Side::before});
   for (const Station& station : verified.stations) {
-    const std::vector<SituationHistory> histories = histories_at(runs, station);
-    beam.stations.push_back(envelope_at(project, station, histories));
+    std::optional<LoadedStation> once;
+    LoadedStation& loaded =
+        memory != nullptr ? memory->at(station) : once.emplace(project, runs, station);
+    if (!loaded.envelope) loaded.envelope = envelope_at(project, station, loaded.histories);
+    beam.stations.push_back(*loaded.envelope);
     if (!computed) continue;
     const auto known = verified.points.find({station.s.value(), station.side});
-    check_station(project, zones, station, histories,
-                  known != verified.points.end() ? &known->second : nullptr, fields, beam);
-    gates.look_at(station, histories);
+    check_station(project, zones, station, loaded, memory != nullptr ? &loaded.extremes : nullptr,
+                  known != verified.points.end() ? &known->second : nullptr,
+                  memory != nullptr ? loaded.fields : fields, beam);
+    gates.look_at(station, loaded.histories);
   }
   add_outside({project.beam.length(), Side::behind});
   if (!computed) {

@@ -11,6 +11,7 @@
 #include "boxbeam/fatigue/range_limit.hpp"
 #include "boxbeam/strength/yield.hpp"
 #include "boxbeam/verification/drawn_samples.hpp"
+#include "boxbeam/verification/station_memory.hpp"
 #include "channel_life.hpp"
 #include "check_sources.hpp"
 
@@ -150,13 +151,32 @@ const SituationHistory& history_of(const std::vector<SituationHistory>& historie
 const Turns& PointHistory::direct(double factor) {
   const auto found = direct_.find(factor);
   if (found != direct_.end()) return found->second;
-  return direct_.emplace(factor, turns_of(*project, *histories, detail_stress(*point, factor)))
+  return direct_
+      .emplace(factor,
+               extremes != nullptr
+                   ? extremes->turns_of(*project, *histories, point->influence.normal, factor)
+                   : turns_of(*project, *histories, detail_stress(*point, factor)))
       .first->second;
 }
 
 const Turns& PointHistory::shear() {
-  if (!shear_) shear_ = turns_of(*project, *histories, shear_stress(*point));
+  if (!shear_) {
+    shear_ = extremes != nullptr
+                 ? extremes->turns_of(*project, *histories, point->influence.shear, 1.0)
+                 : turns_of(*project, *histories, shear_stress(*point));
+  }
   return *shear_;
+}
+
+std::vector<TurningPoint> PointHistory::largest_von_mises() {
+  if (extremes != nullptr) return extremes->largest_von_mises(*histories, point->influence);
+  std::vector<TurningPoint> largest;
+  for (const SituationHistory& at : *histories) {
+    largest.push_back(at.history.largest([&](const CutForces& cut) {
+      return stress_at(point->influence, cut).von_mises().value();
+    }));
+  }
+  return largest;
 }
 
 const CheckResult* governing_of(const std::vector<CheckResult>& checks, Criterion criterion) {
@@ -180,14 +200,22 @@ std::string id_of(Criterion criterion, const Station& station, const std::string
 std::optional<CheckResult> check_yield(const Project& project,
                                        const std::vector<SituationHistory>& histories,
                                        const StressPoint& point) {
+  PointHistory of(project, histories, point);
+  return check_yield(of);
+}
+
+std::optional<CheckResult> check_yield(PointHistory& of) {
+  const Project& project = *of.project;
+  const std::vector<SituationHistory>& histories = *of.histories;
+  const StressPoint& point = *of.point;
   const SituationHistory* worst = &histories.front();
   TurningPoint largest;
-  for (const SituationHistory& at : histories) {
-    TurningPoint in = at.history.largest(
-        [&](const CutForces& cut) { return stress_at(point.influence, cut).von_mises().value(); });
-    in.value *= at.situation->load_factor;
+  const std::vector<TurningPoint> in_each = of.largest_von_mises();
+  for (std::size_t i = 0; i < histories.size(); ++i) {
+    TurningPoint in = in_each[i];
+    in.value *= histories[i].situation->load_factor;
     if (in.value <= largest.value) continue;
-    worst = &at;
+    worst = &histories[i];
     largest = in;
   }
   if (largest.value < 1e-9 * point.yield_strength.value()) return std::nullopt;

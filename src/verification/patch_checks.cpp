@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <optional>
 #include <set>
 #include <tuple>
 
+#include "boxbeam/verification/bending_zones.hpp"
 #include "boxbeam/verification/distorted_stretch.hpp"
 #include "hollow_forces.hpp"
 #include "nested_profiles.hpp"
@@ -15,6 +18,7 @@
 #include "patched_path.hpp"
 #include "pressed_solids.hpp"
 #include "tube_borders.hpp"
+#include "turned_runs.hpp"
 
 namespace boxbeam {
 namespace {
@@ -301,29 +305,47 @@ bool forces_are_looked_at(const Project& project) {
   });
 }
 
-PatchChecks check_patches(const Project& project, const std::deque<SituationRun>& runs,
-                          const std::vector<BendingZone>& zones) {
-  PatchChecks found;
-  check_hollow_forces(project, runs, found);
-  const bool walls_said = !found.gates.empty() || !found.not_judged.empty();
-  check_tube_kinks(project, runs, zones, found);
-  check_pressed_solids(project, runs, found);
-  check_nested_profiles(project, runs, zones, found);
-  PatchSearch search(project, zones);
-  std::vector<FlangeStep> steps = flange_steps_of(project);
-  for (FlangeStep& of : tube_steps_of(project)) steps.push_back(std::move(of));
-  if (!search.has_something_to_do(runs) && steps.empty()) return found;
-  std::map<BorneKey, WorstPatch> worst;
-  OnPaths on_paths;
-  PressedWebs pressed(project, runs, zones, search);
-  // Of long records not all instants are looked at.
-  const bool counted = project.fatigue.asked && whole_life_of(runs) == nullptr;
-  PatchNotes notes(project, std::move(steps), counted ? &pressed : nullptr);
-  PatchedHoles holes(project);
-  for (const SituationRun& run : runs)
-    PatchRun(project, search, run, worst, on_paths, notes, holes, counted ? &pressed : nullptr)
-        .look();
-  add_gates(project, on_paths, found);
+/// What comes in and what it does, but for what resists it at every cycle.
+class LookedAtPatches {
+ public:
+  LookedAtPatches(const Project& project, const std::deque<SituationRun>& runs,
+                  const std::vector<BendingZone>& zones)
+      : project_(&project),
+        search_(project, zones),
+        pressed_(project, runs, zones, search_),
+        holes_(project) {
+    std::vector<FlangeStep> steps = flange_steps_of(project);
+    for (FlangeStep& of : tube_steps_of(project)) steps.push_back(std::move(of));
+    if (!search_.has_something_to_do(runs) && steps.empty()) return;
+    // Of long records not all instants are looked at.
+    const bool counted = project.fatigue.asked && whole_life_of(runs) == nullptr;
+    PressedWebs* const pressed = counted ? &pressed_ : nullptr;
+    notes_.emplace(project, std::move(steps), pressed);
+    for (const SituationRun& run : runs)
+      PatchRun(project, search_, run, worst_, on_paths_, *notes_, holes_, pressed).look();
+  }
+  LookedAtPatches(const LookedAtPatches&) = delete;
+  LookedAtPatches& operator=(const LookedAtPatches&) = delete;
+
+  void forget_resistance() { pressed_.forget_resistance(); }
+
+  /// `walls_said`: that walls of round tubes are not judged.
+  void add_to(PatchChecks& found, bool walls_said);
+
+ private:
+  const Project* project_;
+  PatchSearch search_;
+  PressedWebs pressed_;
+  std::optional<PatchNotes> notes_;  ///< nothing where nothing comes in
+  PatchedHoles holes_;
+  std::map<BorneKey, WorstPatch> worst_;
+  OnPaths on_paths_;
+};
+
+void LookedAtPatches::add_to(PatchChecks& found, bool walls_said) {
+  if (!notes_) return;
+  const Project& project = *project_;
+  add_gates(project, on_paths_, found);
   // A use this small is none, as stress is (`no_stress_at`).
   constexpr double no_use = 1e-6;
   std::set<std::string> sideways, slotted;
@@ -338,7 +360,7 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
       other = std::move(result);
   };
   for (NotJudged& of : not_judged_of_diaphragms(project)) found.not_judged.push_back(std::move(of));
-  for (auto& [key, of] : worst) {
+  for (const auto& [key, of] : worst_) {
     if (!(of.use > no_use) || is_hardly_felt(project, of)) continue;
     if (of.borne.part == Borne::Part::unsaid_weld) {
       note_unsaid(project, of, found.unsaid_welds);
@@ -353,15 +375,88 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
     if (!of.patch.given && of.use > 1.0)
       found.gates.push_back(gate_of(project, of));
     else
-      add(check_of(project, search, std::move(of)));
+      add(check_of(project, search_, of));
   }
-  take_pressed(project, pressed.checks(), found);
+  take_pressed(project, pressed_.checks(), found);
   say_of_diaphragms(sideways, slotted, found);
-  found.into_diaphragms = notes.into_diaphragms();
-  for (NotJudged& of : notes.not_judged()) found.not_judged.push_back(std::move(of));
-  for (Gate& of : notes.gates()) found.gates.push_back(std::move(of));
-  for (Gate& of : holes.gates()) found.gates.push_back(std::move(of));
-  say_of_introductions(project, search, walls_said, found);
+  found.into_diaphragms = notes_->into_diaphragms();
+  for (NotJudged& of : notes_->not_judged()) found.not_judged.push_back(std::move(of));
+  for (Gate& of : notes_->gates()) found.gates.push_back(std::move(of));
+  for (Gate& of : holes_.gates()) found.gates.push_back(std::move(of));
+  say_of_introductions(project, search_, walls_said, found);
+}
+
+namespace {
+
+/// What is found in walls and plates that are no webs of boxes or paths. Returns whether walls of
+/// round tubes are said not to be judged.
+bool check_beside_webs(const Project& project, const std::deque<SituationRun>& runs,
+                       const std::vector<BendingZone>& zones, PatchChecks& found) {
+  check_hollow_forces(project, runs, found);
+  const bool walls_said = !found.gates.empty() || !found.not_judged.empty();
+  check_tube_kinks(project, runs, zones, found);
+  check_pressed_solids(project, runs, found);
+  check_nested_profiles(project, runs, zones, found);
+  return walls_said;
+}
+
+bool have_same_strength(const Project& some, const Project& other) {
+  const auto& [gamma_M0, gamma_M1, gamma_M2, effective_widths, C_my, C_mz, shear_lag, plates,
+               required] = some.strength;
+  const StrengthDemand& of = other.strength;
+  return gamma_M0 == of.gamma_M0 && gamma_M1 == of.gamma_M1 && gamma_M2 == of.gamma_M2 &&
+         effective_widths == of.effective_widths && C_my == of.C_my && C_mz == of.C_mz &&
+         shear_lag == of.shear_lag && plates == of.plates && required == of.required;
+}
+
+/// Whether [fatigue] of one stands where that of the other does, whatever is in it: points of
+/// stress look at its details.
+bool have_same_places(const FatigueInput& some, const FatigueInput& other) {
+  return some.asked == other.asked && some.details.size() == other.details.size() &&
+         some.attachments.size() == other.attachments.size();
+}
+
+}  // namespace
+
+PatchChecks check_patches(const Project& project, const std::deque<SituationRun>& runs,
+                          const std::vector<BendingZone>& zones) {
+  PatchChecks found;
+  const bool walls_said = check_beside_webs(project, runs, zones, found);
+  LookedAtPatches(project, runs, zones).add_to(found, walls_said);
+  return found;
+}
+
+struct KeptPatches::Looked {
+  Looked(const Project& of, std::deque<SituationRun>& runs) : project(of) {
+    turn_to(project, runs);
+    zones = bending_zones_of(project, runs);
+    patches.emplace(project, runs, zones);
+  }
+
+  Project project;
+  std::vector<BendingZone> zones;
+  std::optional<LookedAtPatches> patches;
+};
+
+KeptPatches::KeptPatches() = default;
+KeptPatches::~KeptPatches() = default;
+
+PatchChecks KeptPatches::of(const Project& project, std::deque<SituationRun>& runs) {
+  const bool known = looked_ != nullptr && have_same_strength(looked_->project, project) &&
+                     have_same_places(looked_->project.fatigue, project.fatigue);
+  if (!known) looked_ = std::make_unique<Looked>(project, runs);
+  Project& own = looked_->project;
+  own.fatigue = project.fatigue;
+  for (std::size_t i = 0; i < own.situations.size(); ++i) {
+    own.situations[i].cycles = project.situations[i].cycles;
+    own.situations[i].spectrum = project.situations[i].spectrum;
+  }
+  looked_->patches->forget_resistance();
+  turn_to(own, runs);
+  PatchChecks found;
+  const bool walls_said = check_beside_webs(own, runs, looked_->zones, found);
+  looked_->patches->add_to(found, walls_said);
+  turn_to(project, runs);
   return found;
 }
 

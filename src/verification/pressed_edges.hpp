@@ -49,6 +49,9 @@ class PressedEdges {
   /// The cycles of the shear stresses there, each one of them with what resists it.
   const std::vector<LifeChannel>& shear_at(const PressedEdge& edge) const;
 
+  /// What the case says of it has become another.
+  void forget_resistance() { shear_.clear(); }
+
  private:
   Resisting resisting_on(const Station& at, BoxPlate plate, bool unsaid_as_fillets) const;
   /// A place where shear is looked at.

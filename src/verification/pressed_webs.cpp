@@ -327,8 +327,11 @@ bool PressedWebs::name(const Place& place, CheckResult& result) const {
   return turned;
 }
 
-Turns PressedWebs::turns_at(const Place& place) const {
-  Turns turns(project_->situations.size());
+const Turns& PressedWebs::turns_at(const Place& place) const {
+  const auto [known, is_new] = turns_.try_emplace(place);
+  Turns& turns = known->second;
+  if (!is_new) return turns;
+  turns.resize(project_->situations.size());
   TurningSamples samples;
   for (const Run& run : runs_) {
     const Series series = series_at(place, run);
@@ -408,7 +411,7 @@ void PressedWebs::look(Place place, const std::vector<double>& places, bool any_
   std::map<std::pair<bool, bool>, CheckResult> worst;
   for (const double s : places) {
     place.s = s;
-    const Turns turns = turns_at(place);
+    const Turns& turns = turns_at(place);
     const auto presses = [](const TurningPoint& turn) { return turn.value != 0.0; };
     const auto pressed = [&](const SituationTurns& of) {
       return std::any_of(of.turns.begin(), of.turns.end(), presses);

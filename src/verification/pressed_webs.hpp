@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <map>
 #include <memory>
 #include <span>
@@ -66,6 +67,8 @@ class PressedWebs {
     std::optional<std::pair<Check, double>> square;
   };
   Checks checks() const;
+  /// What resists has become another.
+  void forget_resistance() { edges_.forget_resistance(); }
 
  private:
   /// A force at an instant.
@@ -109,6 +112,8 @@ class PressedWebs {
     const Diaphragm* diaphragm = nullptr;  ///< its weld with the web,
     bool to_flange = false;                ///< or with the flange beside it
 
+    auto operator<=>(const Place&) const = default;
+
     bool is_of(const PressedWeb& web_) const {
       return web_.plate == web && web_.diaphragm == diaphragm && web_.weld.to_flange == to_flange;
     }
@@ -146,7 +151,8 @@ class PressedWebs {
   std::optional<std::pair<Check, double>> square_of(std::vector<Used> used) const;
   template <class Look>
   void for_all_at(const Place& place, const Look& look) const;
-  Turns turns_at(const Place& place) const;
+  /// Found once, for it does not depend on what resists.
+  const Turns& turns_at(const Place& place) const;
   std::optional<CheckResult> check_at(const Place& place, Turns turns,
                                       bool unsaid_as_fillets) const;
   /// Returns whether a kink turns all that presses there.
@@ -158,6 +164,7 @@ class PressedWebs {
   std::vector<Run> runs_;
   std::vector<Source> sources_;
   bool sides_differ_ = false;  ///< of a kink, at some instant
+  mutable std::map<Place, Turns> turns_;
   std::map<std::tuple<std::string, bool, double, std::size_t>, std::size_t> numbers_;
 };
 

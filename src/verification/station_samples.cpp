@@ -143,10 +143,10 @@ double largest_range_of(const Project& project, const Turns& turns) {
 }  // namespace
 
 StationSamples::StationSamples(const Project& project,
-                               const std::vector<SituationHistory>& histories)
-    : project_(&project), whole_(whole_life_of(histories)) {
-  room_.direct_turns.resize(project.situations.size());
-  room_.shear_turns.resize(project.situations.size());
+                               const std::vector<SituationHistory>& histories, Keep keep)
+    : project_(&project), whole_(whole_life_of(histories)), keep_(keep) {
+  room_.effect.direct.resize(project.situations.size());
+  room_.effect.shear.resize(project.situations.size());
   if (whole_ != nullptr) unit_cuts_ = unit_cuts_of(histories);
   std::array<bool, cut_force::count> acts{};
   const auto each = [](const CutForces& cut) {
@@ -186,6 +186,16 @@ StationSamples::StationSamples(const Project& project,
     }
     if (!instants.closed) instants.begins.front() = true;
     runs_.push_back(std::move(run));
+  }
+}
+
+void StationSamples::turn_to(const Project& project) {
+  project_ = &project;
+  lines_.clear();
+  for (Run& run : runs_) {
+    const double load_factor = project.situations[run.situation].load_factor;
+    if (load_factor != run.load_factor) effects_ = {};
+    run.load_factor = load_factor;
   }
 }
 
@@ -259,6 +269,56 @@ const SnLine& StationSamples::line_of(const Detail& detail,
   return lines_.emplace_back(Line{&detail, kept, SnLine(curve_of(detail))}).line;
 }
 
+void StationSamples::find_effect(const StressInfluence& influence, double factor, const Looked& at,
+                                 Effect& effect) const {
+  std::vector<double>& normal = room_.normal;
+  std::vector<double>& shear = room_.shear;
+  std::vector<double>& both = room_.together;
+  effect.equivalent = effect.throat = 0.0;
+  for (const Run& run : runs_) {
+    if (at.direct || at.yield) find_stresses(run, influence.normal, normal);
+    if (at.along || at.yield || at.weld) find_stresses(run, influence.shear, shear);
+    if (at.yield) {
+      // Roots are taken of the largest squares alone.
+      both.resize(normal.size());
+      for (std::size_t i = 0; i < both.size(); ++i)
+        both[i] = normal[i] * normal[i] + 3.0 * shear[i] * shear[i];
+      const auto value_at = [&](std::size_t i) { return equivalent_stress(normal[i], shear[i]); };
+      effect.equivalent =
+          std::max(effect.equivalent, run.load_factor * largest_of(both, value_at, run.instants));
+    }
+    if (at.weld) {
+      both.resize(shear.size());
+      for (std::size_t i = 0; i < both.size(); ++i) both[i] = std::abs(shear[i]);
+      effect.throat = std::max(effect.throat, run.load_factor * largest_of(both, run.instants));
+    }
+    if (at.direct) {
+      if (factor != 1.0)
+        for (double& stress : normal) stress *= factor;
+      find_turns(normal, run.instants, room_.turning, effect.direct[run.situation]);
+    }
+    if (at.along) find_turns(shear, run.instants, room_.turning, effect.shear[run.situation]);
+  }
+}
+
+const StationSamples::Effect& StationSamples::effect_of(const StressInfluence& influence,
+                                                        double factor, const Looked& at) const {
+  if (keep_ == Keep::nothing) {
+    find_effect(influence, factor, at, room_.effect);
+    return room_.effect;
+  }
+  std::array<double, 2 * cut_force::count + 2> key{};
+  auto next = std::copy(influence.normal.begin(), influence.normal.end(), key.begin());
+  next = std::copy(influence.shear.begin(), influence.shear.end(), next);
+  *next++ = factor;
+  *next = (at.direct ? 1.0 : 0.0) + (at.along ? 2.0 : 0.0) + (at.yield ? 4.0 : 0.0) +
+          (at.weld ? 8.0 : 0.0);
+  return effects_.of(key, [&] {
+    find_effect(influence, factor, at, room_.effect);
+    return room_.effect;
+  });
+}
+
 Utilisations StationSamples::judge(const StressPoint& point, CriterionSet by) const {
   return judge(point, point.influence, by);
 }
@@ -276,35 +336,9 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
       point.shear_detail != nullptr && (asked(Criterion::shear_fatigue) || combined || range);
   const double stress_factor = point.detail != nullptr ? point.detail->stress_factor : 1.0;
 
-  std::vector<double>& normal = room_.normal;
-  std::vector<double>& shear = room_.shear;
-  std::vector<double>& both = room_.together;
-  Turns& direct_turns = room_.direct_turns;
-  Turns& shear_turns = room_.shear_turns;
-  double equivalent = 0.0, throat = 0.0;
-  for (const Run& run : runs_) {
-    if (direct || yield) find_stresses(run, influence.normal, normal);
-    if (along || yield || weld) find_stresses(run, influence.shear, shear);
-    if (yield) {
-      // Roots are taken of the largest squares alone.
-      both.resize(normal.size());
-      for (std::size_t i = 0; i < both.size(); ++i)
-        both[i] = normal[i] * normal[i] + 3.0 * shear[i] * shear[i];
-      const auto value_at = [&](std::size_t i) { return equivalent_stress(normal[i], shear[i]); };
-      equivalent = std::max(equivalent, run.load_factor * largest_of(both, value_at, run.instants));
-    }
-    if (weld) {
-      both.resize(shear.size());
-      for (std::size_t i = 0; i < both.size(); ++i) both[i] = std::abs(shear[i]);
-      throat = std::max(throat, run.load_factor * largest_of(both, run.instants));
-    }
-    if (direct) {
-      if (stress_factor != 1.0)
-        for (double& stress : normal) stress *= stress_factor;
-      find_turns(normal, run.instants, room_.turning, direct_turns[run.situation]);
-    }
-    if (along) find_turns(shear, run.instants, room_.turning, shear_turns[run.situation]);
-  }
+  const Effect& effect = effect_of(influence, stress_factor, {direct, along, yield, weld});
+  const double equivalent = effect.equivalent, throat = effect.throat;
+  const Turns &direct_turns = effect.direct, &shear_turns = effect.shear;
 
   Utilisations found;
   constexpr NoDerivation plainly;

@@ -446,6 +446,23 @@ class StressPoints {
   std::vector<std::pair<std::size_t, ResistingDetail>> others_;  ///< by the numbers of their points
 };
 
+bool are_same(const std::vector<Hole>& some, const std::vector<Hole>& others) {
+  return std::equal(some.begin(), some.end(), others.begin(), others.end(),
+                    [](const Hole& a, const Hole& b) {
+                      const auto& [name, diameter, walls, position] = a;
+                      return name == b.name && diameter == b.diameter && walls == b.walls &&
+                             position == b.position;
+                    });
+}
+
+bool are_same(const Taper& some, const Taper& others) {
+  return std::equal(some.begin(), some.end(), others.begin(), others.end(),
+                    [](const NearbySection& a, const NearbySection& b) {
+                      const auto& [section, weight] = a;
+                      return section == b.section && weight == b.weight;
+                    });
+}
+
 }  // namespace
 
 Length seam_throat_of(const StressPoint& point) {
@@ -466,18 +483,17 @@ StressInfluence influence_in(const StressPoint& point, const SectionPoint& place
 std::shared_ptr<const StressField> StressFields::of(const Section& section,
                                                     const std::vector<Hole>& holes,
                                                     const Taper& taper) {
-  // In a taper no two stations are alike, and few have holes.
-  const bool kept = taper.empty() && holes.empty();
-  const auto found = std::find_if(known_.begin(), known_.end(), [&](const auto& field) {
-    return kept && field->section == section;
+  const bool kept = keep_ == Keep::all || (taper.empty() && holes.empty());
+  if (!kept) return std::make_shared<const StressField>(stress_field_of(section, holes, taper));
+  const auto found = std::find_if(known_.begin(), known_.end(), [&](const Known& of) {
+    return of.section == section && are_same(of.holes, holes) && are_same(of.taper, taper);
   });
-  if (found != known_.end()) return *found;
-  auto field = std::make_shared<const StressField>(stress_field_of(section, holes, taper));
-  if (!kept) return field;
+  if (found != known_.end()) return found->field;
   constexpr std::size_t most = 16;
-  known_.push_front(field);
+  known_.push_front({section, holes, taper,
+                     std::make_shared<const StressField>(stress_field_of(section, holes, taper))});
   if (known_.size() > most) known_.pop_back();
-  return field;
+  return known_.front().field;
 }
 
 std::vector<StressPoint> stress_points_at(const Project& project,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "boxbeam/verification/gates.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
 #include "boxbeam/verification/slender_path.hpp"
+#include "boxbeam/verification/station_memory.hpp"
 #include "boxbeam/verification/worst_place.hpp"
 
 namespace boxbeam {
@@ -103,8 +105,8 @@ class AlongBeam {
   static constexpr std::size_t judging_groups = stress_criteria.size() + plate_criteria.size();
 
   AlongBeam(const Project& project, const std::deque<SituationRun>& runs,
-            const std::vector<BendingZone>& zones)
-      : project_(&project), runs_(&runs), zones_(&zones) {
+            const std::vector<BendingZone>& zones, StationMemory* memory)
+      : project_(&project), runs_(&runs), zones_(&zones), memory_(memory) {
     // What is so small beside the largest force is the rounding of sums.
     constexpr double part = 1e-5;
     nothing_ = part * largest_force_of(runs);
@@ -114,10 +116,14 @@ class AlongBeam {
   /// At a station; what was found of its points is kept on request.
   FunctionValues at(const Station& station, bool keep = false) {
     ++evaluations_;
-    const std::vector<SituationHistory> histories = histories_at(*runs_, station);
-    const StationSamples samples(*project_, histories);
+    std::optional<LoadedStation> once;
+    LoadedStation& loaded =
+        memory_ != nullptr ? memory_->at(station) : once.emplace(*project_, *runs_, station);
+    const std::vector<SituationHistory>& histories = loaded.histories;
+    const StationSamples& samples = loaded.samples;
     StationPoints of_station =
-        station_points_of(samples, stress_points_at(*project_, *zones_, station, fields_));
+        station_points_of(samples, stress_points_at(*project_, *zones_, station,
+                                                    memory_ != nullptr ? loaded.fields : fields_));
     const std::vector<StressPoint>& points = of_station.points;
     FunctionValues values(group_of_.size());
     add_cut_forces(samples, values);
@@ -198,6 +204,7 @@ class AlongBeam {
   const Project* project_;
   const std::deque<SituationRun>* runs_;
   const std::vector<BendingZone>* zones_;
+  StationMemory* memory_;
   std::map<std::string, std::vector<std::size_t>> functions_;
   StressFields fields_;
   std::size_t evaluations_ = 0;
@@ -320,7 +327,7 @@ void count_at_cuts(const Project& project, const std::deque<SituationRun>& runs,
 }  // namespace
 
 VerifiedStations search_stations(const Project& project, const std::deque<SituationRun>& runs,
-                                 const std::vector<BendingZone>& zones) {
+                                 const std::vector<BendingZone>& zones, StationMemory* memory) {
   const TaperedBeam& beam = project.beam;
   const std::vector<BeamCut> cuts = beam_cuts_of(project, runs, zones);
   if (!project.given_stresses.empty()) {
@@ -333,7 +340,7 @@ VerifiedStations search_stations(const Project& project, const std::deque<Situat
   }
   if (WholeLife* const whole = whole_life_of(runs); whole != nullptr && project.fatigue.asked)
     count_at_cuts(project, runs, zones, cuts, *whole);
-  AlongBeam along(project, runs, zones);
+  AlongBeam along(project, runs, zones, memory);
   PieceSearch search;
   search.known.resize(AlongBeam::groups);
   for (const BeamCut& cut : cuts) {

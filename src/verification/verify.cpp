@@ -21,6 +21,7 @@
 #include "boxbeam/verification/warping_notes.hpp"
 #include "given_cuts.hpp"
 #include "lifted_supports.hpp"
+#include "verify_each.hpp"
 
 namespace boxbeam {
 namespace {
@@ -89,26 +90,6 @@ std::optional<planar::EquivalentMass> equivalent_mass_in(const Project& project,
                                     demand.joint, demand.on, demand.adjust, demand.wanted.value());
 }
 
-template <class Verify>
-std::vector<VerifiedBeam> verify_each(std::vector<Project> beams, const Verify& verified_as) {
-  std::vector<VerifiedBeam> verified;
-  // Motions and loads look at the cases, which stay where they are.
-  verified.reserve(beams.size());
-  for (Project& project : beams) verified.push_back({std::move(project), {}});
-  for (std::size_t i = 0; i < verified.size(); ++i) {
-    VerifiedBeam& beam = verified[i];
-    try {
-      beam.verification = verified_as(beam.project, i);
-    } catch (const AnalysisError& error) {
-      if (beam.project.beam_name.empty()) throw;
-      AnalysisFailure failure = error.failure();
-      failure.details.push_back("beam  " + beam.project.beam_name);
-      throw AnalysisError(std::move(failure));
-    }
-  }
-  return verified;
-}
-
 /// What the stresses along the beam come to.
 struct StressStage {
   std::vector<BendingZone> zones;
@@ -118,10 +99,10 @@ struct StressStage {
 };
 
 StressStage judge_along(const Project& project, const std::deque<SituationRun>& runs,
-                        const ModelChoice& model) {
+                        const ModelChoice& model, StationMemory* memory) {
   std::vector<BendingZone> zones = bending_zones_of(project, runs);
-  VerifiedStations verified = search_stations(project, runs, zones);
-  BeamChecks beam = check_beam(project, runs, zones, verified, model);
+  VerifiedStations verified = search_stations(project, runs, zones, memory);
+  BeamChecks beam = check_beam(project, runs, zones, verified, model, memory);
   if (const WholeLife* const whole = whole_life_of(runs)) {
     // Where estimates were far off, the places were looked for by them: once more by better ones.
     constexpr double far = 2e-3;
@@ -138,10 +119,14 @@ StressStage judge_along(const Project& project, const std::deque<SituationRun>& 
 }
 
 Verification judge_further(const Project& project, const std::deque<SituationRun>& runs,
-                           ModelChoice model, StressStage along, Figures figures) {
+                           ModelChoice model, StressStage along, Figures figures,
+                           BeamMemory* memory) {
   auto& [zones, stations, search, beam] = along;
-  PatchChecks patches =
-      project.given_stresses.empty() ? check_patches(project, runs, zones) : PatchChecks{};
+  PatchChecks patches;
+  if (project.given_stresses.empty()) {
+    patches = memory != nullptr ? memory->patches.of(project, *memory->runs)
+                                : check_patches(project, runs, zones);
+  }
   append(std::move(patches.checks), beam.checks);
   append(std::move(patches.gates), beam.gates);
   DistortionChecks distortion = project.given_stresses.empty()
@@ -202,7 +187,8 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
   std::vector<MotionSummary> motions = motion_summaries_of(project, runs);
   append(lifted_supports_of(project, motions), not_judged);
   std::vector<CriticalInstant> instants = critical_instants_of(project, beam.stations, checks);
-  Pictures pictures = pictures_of(project, runs, model.chosen, checks, instants, motions, figures);
+  Pictures pictures =
+      pictures_of(project, runs, model.chosen, checks, instants, motions, figures, memory);
   std::optional<ChainComparison> chain = chain_comparison_of(project, runs, instants);
   require_numbers(chain);
   std::vector<CodeResult> codes = compare_codes(project, checks);
@@ -250,9 +236,10 @@ Verification verify(const Project& project, Figures figures, Advice advice,
 }
 
 Verification judge(const Project& project, const std::deque<SituationRun>& runs, ModelChoice model,
-                   Figures figures) {
-  StressStage along = judge_along(project, runs, model);
-  return judge_further(project, runs, std::move(model), std::move(along), figures);
+                   Figures figures, BeamMemory* memory) {
+  StressStage along =
+      judge_along(project, runs, model, memory != nullptr ? &memory->stations : nullptr);
+  return judge_further(project, runs, std::move(model), std::move(along), figures, memory);
 }
 
 std::optional<double> utilisation_if_it_passes(const Project& project) {
@@ -263,10 +250,10 @@ std::optional<double> utilisation_if_it_passes(const Project& project) {
 std::optional<double> utilisation_if_it_passes(const Project& project,
                                                const std::deque<SituationRun>& runs,
                                                ModelChoice model) {
-  StressStage along = judge_along(project, runs, model);
+  StressStage along = judge_along(project, runs, model, nullptr);
   if (!all_pass(along.beam.checks)) return std::nullopt;
   const Verification of =
-      judge_further(project, runs, std::move(model), std::move(along), Figures::without);
+      judge_further(project, runs, std::move(model), std::move(along), Figures::without, nullptr);
   if (of.verdict != Verdict::pass) return std::nullopt;
   return of.checks.front().check.utilisation();
 }
@@ -276,22 +263,6 @@ std::vector<VerifiedBeam> verify_beams(std::vector<Project> beams, Figures figur
   return verify_each(std::move(beams), [&](const Project& project, std::size_t) {
     return verify(project, figures, advice, shared);
   });
-}
-
-std::vector<VerifiedBeam> verify_beams_by(std::vector<ModelChoice>& models,
-                                          std::vector<Project> beams) {
-  const SharedMotions shared;
-  const bool known = !models.empty();
-  return verify_each(std::move(beams), [&](const Project& project, std::size_t i) {
-    if (!known) models.push_back(run_by_chosen_model(project, shared).model);
-    // Run anew by all, so that no digit depends on which design was the first.
-    return judge(project, run_situations(project, models[i].chosen, shared), models[i]);
-  });
-}
-
-bool model_depends_on(std::string_view key) {
-  const std::string_view table = key.substr(0, key.find('.'));
-  return table != "fatigue" && table != "strength";
 }
 
 const VerifiedBeam& worst_of(const std::vector<VerifiedBeam>& beams) {

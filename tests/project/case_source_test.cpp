@@ -8,11 +8,10 @@
 #include <vector>
 
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/report/json.hpp"
-#include "boxbeam/study/written_quantity.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
 #include "support/program.hpp"
+#include "support/random_design.hpp"
 
 namespace case_source_test {
 
@@ -20,42 +19,20 @@ using namespace boxbeam;
 
 namespace {
 
-struct Number {
-  std::string key;
-  WrittenQuantity value;
-};
-
-void add_numbers(const Node& node, const std::string& key, std::vector<Number>& numbers) {
-  const std::string below = key.empty() ? "" : key + ".";
-  for (const Node::Member& member : node.members)
-    add_numbers(member.value, below + member.key, numbers);
-  for (std::size_t i = 0; i < node.items.size(); ++i)
-    add_numbers(node.items[i], below + std::to_string(i), numbers);
-  if (const auto value = quantity_written_in(node); value && value->value != 0.0)
-    numbers.push_back({key, *value});
-}
-
 /// Every digit of the results, or what is wrong.
 std::string outcome_of(const std::function<std::vector<Project>()>& read) {
-  try {
-    return results_json(verify_beams(read()));
-  } catch (const std::exception& error) {
-    return error.what();
-  }
+  return test::outcome_of([&] { return verify_beams(read()); });
 }
 
-bool is_result(const std::string& outcome) { return outcome.starts_with("{"); }
+using test::is_result;
 
-/// Some numbers of the case by other ones, a few far from what can be.
-std::vector<std::string> random_design(const std::vector<Number>& numbers, std::mt19937& random) {
+/// Some numbers of the case by other ones.
+std::vector<std::string> random_design(const std::vector<test::WrittenNumber>& numbers,
+                                       std::mt19937& random) {
   std::vector<std::string> set;
   const std::size_t count = 1 + random() % 3;
-  for (std::size_t k = 0; k < count; ++k) {
-    const Number& of = numbers[random() % numbers.size()];
-    const double factor = random() % 8 == 0 ? -1.0 : 0.8 + 0.05 * static_cast<double>(random() % 9);
-    set.push_back(fmt::format("{}={}", of.key,
-                              to_text(WrittenQuantity{factor * of.value.value, of.value.unit})));
-  }
+  for (std::size_t k = 0; k < count; ++k)
+    set.push_back(test::changed(numbers[random() % numbers.size()], random));
   return set;
 }
 
@@ -105,8 +82,7 @@ TEST_CASE("a case that has been read before is read as if it had not been") {
     CAPTURE(file);
     const std::string path = test::project_file(file);
     const CaseSource source(path);
-    std::vector<Number> numbers;
-    add_numbers(read_document(path, {}).root, "", numbers);
+    const std::vector<test::WrittenNumber> numbers = test::numbers_in(path);
     REQUIRE(numbers.size() > 10);
     std::mt19937 random(22);
     int verified = 0;

@@ -292,35 +292,6 @@ TEST_CASE("every check has an id of its own") {
   CHECK(ids.size() == rig().checks.size());
 }
 
-TEST_CASE("designs that differ in what resists alone have the results of a case of their own") {
-  std::vector<ModelChoice> models;
-  for (const double cycles : {1e8, 3e7, 1e6}) {
-    const auto design = [&] {
-      std::vector<Project> beams{test::rig()};
-      beams.front().situations.front().cycles = cycles;
-      beams.front().strength.gamma_M0 = 1.0 + 1e-9 * cycles;
-      return beams;
-    };
-    const Verification own = std::move(verify_beams(design()).front().verification);
-    const Verification by = std::move(verify_beams_by(models, design()).front().verification);
-    REQUIRE(models.size() == 1);
-    CHECK(by.model.reason == own.model.reason);
-    REQUIRE(by.checks.size() == own.checks.size());
-    for (std::size_t i = 0; i < own.checks.size(); ++i) {
-      CHECK(by.checks[i].check.id == own.checks[i].check.id);
-      CHECK(by.checks[i].check.safety_factor == own.checks[i].check.safety_factor);
-    }
-  }
-}
-
-TEST_CASE("the model looks at all but at what resists") {
-  CHECK_FALSE(model_depends_on("fatigue.cycles=1e7"));
-  CHECK_FALSE(model_depends_on("strength.gamma_M0"));
-  for (const char* key : {"drivers.exciter.frequency", "beam.segments.0.length", "material.steel",
-                          "sections.A1.web=50 mm", "fatigue={cycles = 1e7}", "points.0.z"})
-    CHECK(model_depends_on(key));
-}
-
 TEST_CASE("numbers that are asked for are those of the whole results") {
   std::vector<Project> project{test::rig()};
   const std::vector<VerifiedBeam> beams = verify_beams(std::move(project));

@@ -35,10 +35,11 @@ struct BeamChecks {
 /// Everything that is looked at in the beam: the cut forces at the stations, every criterion at
 /// every point of them, its plates, the welds of the case. Of stresses that were given only these.
 /// Of long records the fatigue of every place that is estimated near the worst of its criterion is
-/// counted over all instants. Throws AnalysisError where no point is ever stressed, or a stress is
-/// not known.
+/// counted over all instants. What other designs under the same loads have found of a station is
+/// taken from `memory`. Throws AnalysisError where no point is ever stressed, or a stress is not
+/// known.
 BeamChecks check_beam(const Project& project, const std::deque<SituationRun>& runs,
                       const std::vector<BendingZone>& zones, const VerifiedStations& verified,
-                      const ModelChoice& model);
+                      const ModelChoice& model, StationMemory* memory = nullptr);
 
 }  // namespace boxbeam

@@ -215,20 +215,26 @@ const CheckResult* first_by_cut_forces(const std::vector<CheckResult>& checks);
 /// "yield/4.2-/hole-hub-edge+z": no spaces, so that an id is one word on a command line.
 std::string id_of(Criterion criterion, const Station& station, const std::string& point);
 
+class StationExtremes;
+
 /// A stress point over time: the turning points of its stresses, found once for all its checks.
 class PointHistory {
  public:
   /// Looks at all of them, which stay.
-  PointHistory(const Project& of, const std::vector<SituationHistory>& in, const StressPoint& at)
-      : project(&of), histories(&in), point(&at) {}
+  PointHistory(const Project& of, const std::vector<SituationHistory>& in, const StressPoint& at,
+               StationExtremes* known = nullptr)
+      : project(&of), histories(&in), point(&at), extremes(known) {}
 
   /// Of the direct stress times a factor.
   const Turns& direct(double factor);
   const Turns& shear();
+  /// In each situation the largest equivalent stress, load factors not counted.
+  std::vector<TurningPoint> largest_von_mises();
 
   const Project* project;
   const std::vector<SituationHistory>* histories;
   const StressPoint* point;
+  StationExtremes* extremes;  ///< of the station, where those of other designs are kept
 
  private:
   std::map<double, Turns> direct_;
@@ -241,6 +247,7 @@ class PointHistory {
 std::optional<CheckResult> check_yield(const Project& project,
                                        const std::vector<SituationHistory>& histories,
                                        const StressPoint& point);
+std::optional<CheckResult> check_yield(PointHistory& of);
 
 /// Fatigue of a point under direct stress, under shear stress, or under both together: the cycles
 /// of all situations, as often as the life asks. Nothing where the stress does not change, and

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <vector>
 
 #include "boxbeam/verification/checks.hpp"
@@ -63,6 +64,24 @@ struct PatchChecks {
 /// table 8.10.
 PatchChecks check_patches(const Project& project, const std::deque<SituationRun>& runs,
                           const std::vector<BendingZone>& zones);
+
+/// The same for designs of a case that differ in what resists alone: where they differ in [fatigue]
+/// alone what comes in is looked at once, with a case of its own. Not for several threads at once.
+class KeptPatches {
+ public:
+  KeptPatches();
+  ~KeptPatches();
+  KeptPatches(const KeptPatches&) = delete;
+  KeptPatches& operator=(const KeptPatches&) = delete;
+
+  /// As `check_patches`; the runs are always the same ones, those of the design. What it gives
+  /// looks at what is kept, until the next design.
+  PatchChecks of(const Project& project, std::deque<SituationRun>& runs);
+
+ private:
+  struct Looked;
+  std::unique_ptr<Looked> looked_;
+};
 
 /// Whether what forces across the beam do where they come in is looked at in all its sections.
 bool forces_are_looked_at(const Project& project);

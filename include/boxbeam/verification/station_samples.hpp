@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "boxbeam/numerics/exact_memo.hpp"
 #include "boxbeam/verification/check.hpp"
 #include "boxbeam/verification/life_cycles.hpp"
 #include "boxbeam/verification/situation_run.hpp"
@@ -71,7 +72,14 @@ struct SampledInstants {
 /// at once.
 class StationSamples {
  public:
-  StationSamples(const Project& project, const std::vector<SituationHistory>& histories);
+  /// Whether what the cut forces do to stresses is kept, for designs under the same loads.
+  enum class Keep { nothing, found };
+
+  StationSamples(const Project& project, const std::vector<SituationHistory>& histories,
+                 Keep keep = Keep::nothing);
+
+  /// The same station of another design whose situations run as this one's do.
+  void turn_to(const Project& project);
 
   /// Utilisations of a point by the criteria asked for.
   Utilisations judge(const StressPoint& point,
@@ -100,6 +108,18 @@ class StationSamples {
     std::vector<std::vector<double>> cuts;  ///< each cut force that acts, over the instants
   };
 
+  /// What the cut forces do to a stress, load factors counted. Its keys in the memo: the stresses
+  /// per cut force, the factor of the detail, and which of these are looked at.
+  struct Effect {
+    double equivalent = 0.0, throat = 0.0;  ///< the largest [Pa]
+    Turns direct, shear;
+  };
+  struct Looked {
+    bool direct = false, along = false, yield = false, weld = false;
+  };
+  void find_effect(const StressInfluence& influence, double factor, const Looked& at,
+                   Effect& effect) const;
+  const Effect& effect_of(const StressInfluence& influence, double factor, const Looked& at) const;
   void find_stresses(const Run& run, const std::array<double, cut_force::count>& factors,
                      std::vector<double>& stresses) const;
   const SnLine& line_of(const Detail& detail, const std::shared_ptr<const BeamDetail>& kept) const;
@@ -114,10 +134,12 @@ class StationSamples {
   struct Room {
     std::vector<double> normal, shear, together;
     TurningSamples turning;
-    Turns direct_turns, shear_turns;
+    Effect effect;
     std::array<std::vector<Cycle>, 2> cycles;
   };
   mutable Room room_;
+  Keep keep_ = Keep::nothing;
+  mutable ExactMemo<2 * cut_force::count + 2, Effect> effects_;
 
   /// The lines of the details met so far; `kept` holds one that is no part of the case.
   struct Line {

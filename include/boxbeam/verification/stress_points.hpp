@@ -95,15 +95,28 @@ Length seam_throat_of(const StressPoint& point);
 /// The stress of a place in a point's section, its normal stress with what shear lag leaves.
 StressInfluence influence_in(const StressPoint& point, const SectionPoint& place);
 
-/// The stress fields of sections that do not change along the beam, each found once however many
-/// stations have it.
+/// The stress fields of sections, each found once however many stations or designs have it.
 class StressFields {
  public:
+  /// Of a beam those of sections without holes that do not change along it, for in a taper no two
+  /// stations are alike; of one station all.
+  enum class Keep { even, all };
+
+  explicit StressFields(Keep keep = Keep::even) : keep_(keep) {}
+
   std::shared_ptr<const StressField> of(const Section& section, const std::vector<Hole>& holes,
                                         const Taper& taper);
 
  private:
-  std::deque<std::shared_ptr<const StressField>> known_;
+  struct Known {
+    Section section;
+    std::vector<Hole> holes;
+    Taper taper;
+    std::shared_ptr<const StressField> field;
+  };
+
+  Keep keep_;
+  std::deque<Known> known_;
 };
 
 /// Extreme fibres, ends of the webs, neutral axis, fibres of an inner profile, hole edges and the

@@ -13,6 +13,8 @@
 
 namespace boxbeam {
 
+class StationMemory;
+
 /// How the governing places were searched.
 struct SearchSummary {
   std::size_t evaluations = 0;  ///< stations at which every criterion was judged
@@ -38,8 +40,10 @@ struct VerifiedStations {
 /// A piece is first divided so that no size of the section changes by more than half within a part,
 /// and long pieces in two: nine places, more than the polynomials of the cut forces can hide from.
 /// Utilisations are those of StationSamples; local maxima within 2 % of the largest are all given
-/// back, so that the exact checks decide among them.
+/// back, so that the exact checks decide among them. What other designs under the same loads have
+/// found of a station is taken from `memory`.
 VerifiedStations search_stations(const Project& project, const std::deque<SituationRun>& runs,
-                                 const std::vector<BendingZone>& zones);
+                                 const std::vector<BendingZone>& zones,
+                                 StationMemory* memory = nullptr);
 
 }  // namespace boxbeam

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "boxbeam/mechanism/planar/equivalent_mass.hpp"
 #include "boxbeam/verification/beam_checks.hpp"
+#include "boxbeam/verification/beam_memory.hpp"
 #include "boxbeam/verification/beam_properties.hpp"
 #include "boxbeam/verification/chain_comparison.hpp"
 #include "boxbeam/verification/code_comparison.hpp"
@@ -64,9 +64,9 @@ Verification verify(const Project& project, Figures figures = Figures::without,
                     Advice advice = Advice::without, const SharedMotions& shared = {});
 
 /// The same from the cut forces on: the loads are those of situations that have run. These are the
-/// project's own.
+/// project's own. `memory`: of these runs, turned to the project; what is found looks at it.
 Verification judge(const Project& project, const std::deque<SituationRun>& runs, ModelChoice model,
-                   Figures figures = Figures::without);
+                   Figures figures = Figures::without, BeamMemory* memory = nullptr);
 
 /// The largest utilisation of a case that passes; nothing where it does not, which is known as soon
 /// as one check along the beam fails.
@@ -87,15 +87,6 @@ struct VerifiedBeam {
 std::vector<VerifiedBeam> verify_beams(std::vector<Project> beams,
                                        Figures figures = Figures::without,
                                        Advice advice = Advice::without);
-
-/// The same where the models of all beams are known from a design that differs in nothing that the
-/// choice looks at; the models that are found where there are none yet.
-std::vector<VerifiedBeam> verify_beams_by(std::vector<ModelChoice>& models,
-                                          std::vector<Project> beams);
-
-/// Whether the choice of a model looks at what stands under a key of the case: not at what resists,
-/// fatigue and partial factors.
-bool model_depends_on(std::string_view key);
 
 /// The beam that decides the verdict of the case: one that fails before one that is not judged
 /// before one that passes, of these the most used. Precondition: there is one.
