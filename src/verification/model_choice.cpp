@@ -67,11 +67,9 @@ VibrationEstimate worst_estimate(const Project& project, const std::deque<Situat
   return worst;
 }
 
-/// How far the stresses of two histories are apart, as `difference_between`.
-double difference_between(const LoadHistory& model, const LoadHistory& better,
-                          const std::vector<ComparedPlace>& places) {
-  const Eigen::MatrixXd of_better = stress_history(better, places);
-  const Eigen::MatrixXd difference = stress_history(model, places) - of_better;
+/// How far two histories of stresses are apart, as `difference_between`.
+double difference_between(const Eigen::MatrixXd& model, const Eigen::MatrixXd& of_better) {
+  const Eigen::MatrixXd difference = model - of_better;
   const double range = largest_range(of_better);
   const double apart = difference.cwiseAbs().maxCoeff() / of_better.cwiseAbs().maxCoeff();
   return range > 0.0 ? std::max(apart, largest_range(difference) / range) : apart;
@@ -89,9 +87,15 @@ double error_found(const Project& project, const ElasticModel& model, const Shar
   const std::deque<SituationRun> by_model = run_situations(project, model, shared);
   const std::deque<SituationRun> by_better = run_situations(project, better, shared);
   const std::vector<ComparedPlace> places = compared_places_of(project.beam);
+  const auto stresses_of = [&](const SituationRun& run) {
+    return std::holds_alternative<spatial::Mechanism>(project.mechanism)
+               ? stress_history_in_space(run.loads, project.beam)
+               : stress_history(run.loads, places);
+  };
   double found = 0.0;
   for (std::size_t i = 0; i < by_model.size(); ++i) {
-    found = std::max(found, difference_between(by_model[i].loads, by_better[i].loads, places));
+    found =
+        std::max(found, difference_between(stresses_of(by_model[i]), stresses_of(by_better[i])));
   }
   return found;
 }

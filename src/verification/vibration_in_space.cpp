@@ -294,6 +294,14 @@ Eigen::RowVectorXd stresses_at(const CutForceDiagram& diagram,
   return stresses;
 }
 
+Eigen::MatrixXd stresses_over(const LoadHistory& history, const std::vector<PlaceInSpace>& places) {
+  Eigen::MatrixXd stresses(static_cast<Eigen::Index>(history.even_instants()),
+                           stresses_of_place * static_cast<Eigen::Index>(places.size()));
+  for (Eigen::Index i = 0; i < stresses.rows(); ++i)
+    stresses.row(i) = stresses_at(history.even_diagram(static_cast<std::size_t>(i)), places);
+  return stresses;
+}
+
 double friction_in(const spatial::Mechanism& mechanism) {
   double largest = 0.0;
   for (const spatial::Joint& joint : mechanism.joints)
@@ -331,10 +339,7 @@ class SpaceEstimate {
  public:
   SpaceEstimate(const LoadHistory& history, const frame::VibratingBeam& beam, const TaperedBeam& of)
       : history_(&history), places_(places_in_space(of)), base_(1.0 / history.period().value()) {
-    stresses_.resize(static_cast<Eigen::Index>(history.even_instants()),
-                     stresses_of_place * static_cast<Eigen::Index>(places_.size()));
-    for (Eigen::Index i = 0; i < stresses_.rows(); ++i)
-      stresses_.row(i) = stresses_at(history.even_diagram(static_cast<std::size_t>(i)), places_);
+    stresses_ = stresses_over(history, places_);
     peak_ = stresses_.cwiseAbs().maxCoeff();
     range_ = largest_range(stresses_);
     if (peak_ > 0.0) cuts_ = cuts_over(history, beam.stations());
@@ -374,6 +379,10 @@ class SpaceEstimate {
 };
 
 }  // namespace
+
+Eigen::MatrixXd stress_history_in_space(const LoadHistory& history, const TaperedBeam& beam) {
+  return stresses_over(history, places_in_space(beam));
+}
 
 Eigen::VectorXd cuts_at(const CutForceDiagram& diagram, const std::vector<Station>& stations) {
   Eigen::VectorXd cuts(6 * static_cast<Eigen::Index>(stations.size()));

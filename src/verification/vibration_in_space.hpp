@@ -76,6 +76,9 @@ struct VibrationInSpace {
   std::string shape;     ///< of the first mode then
 };
 
+/// These stresses along a beam at the even instants of its loads, a row for each.
+Eigen::MatrixXd stress_history_in_space(const LoadHistory& history, const TaperedBeam& beam);
+
 /// Why nothing is estimated in any of the situations that run; "" where the motion lets it.
 std::string obstacle_to_vibration_in_space(const std::deque<SituationRun>& rigid);
 
