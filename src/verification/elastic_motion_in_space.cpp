@@ -13,7 +13,7 @@
 namespace boxbeam {
 namespace {
 
-constexpr Eigen::Index numbers_of_each = 6;  // of a piece, and of a point
+constexpr Eigen::Index numbers_of_piece = 8, numbers_of_point = 6;
 
 /// So many modes that none is parted from those of nearly its frequency.
 std::size_t whole_groups(const std::vector<frame::BeamMode>& modes, std::size_t asked) {
@@ -214,17 +214,19 @@ Eigen::RowVectorXd ElasticMotionInSpace::numbers_of(const BeamLoads& loads) {
     add_carried(load, same_point(load, length_of(places_.lines), points));
   const auto pieces = static_cast<Eigen::Index>(loads.lines.size()),
              count = static_cast<Eigen::Index>(points.size());
-  Eigen::RowVectorXd numbers(numbers_of_each * (pieces + count));
+  Eigen::RowVectorXd numbers(numbers_of_piece * pieces + numbers_of_point * count);
   Eigen::Index at = 0;
   for (const LineLoad& line : loads.lines) {
     const auto& [x, y, z] = line.force;
-    for (const double number : {x.c[0], y.c[0], y.c[1], z.c[0], z.c[1], line.couple[0].c[0]})
+    const auto& [about_x, about_y, about_z] = line.couple;
+    for (const double number :
+         {x.c[0], y.c[0], y.c[1], z.c[0], z.c[1], about_x.c[0], about_y.c[0], about_z.c[0]})
       numbers[at++] = number;
   }
   for (PointLoad& load : points) {
     numbers.segment<3>(at) = load.force.transpose();
     numbers.segment<3>(at + 3) = load.moment.transpose();
-    at += numbers_of_each;
+    at += numbers_of_point;
     load.force.setZero();
     load.moment.setZero();
   }
@@ -239,13 +241,14 @@ BeamLoads ElasticMotionInSpace::loads_of(const Eigen::VectorXd& numbers) const {
     line.force[0] = {{numbers[at]}};
     line.force[1] = {{numbers[at + 1], numbers[at + 2]}};
     line.force[2] = {{numbers[at + 3], numbers[at + 4]}};
-    line.couple[0] = {{numbers[at + 5]}};
-    at += numbers_of_each;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      line.couple[axis] = {{numbers[at + 5 + static_cast<Eigen::Index>(axis)]}};
+    at += numbers_of_piece;
   }
   for (PointLoad& load : loads.points) {
     load.force = numbers.segment<3>(at);
     load.moment = numbers.segment<3>(at + 3);
-    at += numbers_of_each;
+    at += numbers_of_point;
   }
   return loads;
 }

@@ -346,24 +346,28 @@ std::vector<BeamMode> VibratingBeam::modes(const std::vector<RigidMass>& bodies,
 }
 
 /// Line loads that keep the forces on a piece's ends in balance, and the cut forces under them.
-void VibratingBeam::add_inertia(const Eigen::Matrix<double, 12, 1>& forces, double from, double h,
-                                BeamMode& mode) const {
+void VibratingBeam::add_inertia(const Vector12& forces, const Vector12& by_axial_force, double from,
+                                double h, BeamMode& mode) const {
   constexpr Index N = cut_force::N, V_y = cut_force::V_y, V_z = cut_force::V_z, T = cut_force::T,
                   M_y = cut_force::M_y, M_z = cut_force::M_z;
   const Vector6 first = -forces.head<6>(), last = forces.tail<6>();
-  // q = a + b x:  V = V_0 - a x - b x^2/2,  M = M_0 + V_0 x - a x^2/2 - b x^3/6 as of M_y.
+  // The axial force on the bent piece is a couple per length.
+  const Vector6 turning =
+      by_axial_force.head<6>() + carry_along(h).transpose() * by_axial_force.tail<6>();
+  const double m_y = -turning[M_y] / h, m_z = -turning[M_z] / h;
+  // q = a + b x:  V = V_0 - a x - b x^2/2,  M = M_0 + (V_0 - m) x - a x^2/2 - b x^3/6 as of M_y.
   struct Across {
     double a, b;
     Polynomial<4> V;
     Polynomial<5> M;
   };
-  const auto across = [&](double V_0, double V_h, double M_0, double M_h) {
-    const double drop = V_0 - V_h, short_of = M_0 + V_0 * h - M_h;
+  const auto across = [&](double V_0, double V_h, double M_0, double M_h, double m) {
+    const double drop = V_0 - V_h, short_of = M_0 + (V_0 - m) * h - M_h;
     const double b = 12.0 * (0.5 * drop * h - short_of) / (h * h * h), a = drop / h - 0.5 * b * h;
-    return Across{a, b, {{V_0, -a, -0.5 * b}}, {{M_0, V_0, -0.5 * a, -b / 6.0}}};
+    return Across{a, b, {{V_0, -a, -0.5 * b}}, {{M_0, V_0 - m, -0.5 * a, -b / 6.0}}};
   };
-  const Across z = across(first[V_z], last[V_z], first[M_y], last[M_y]),
-               y = across(first[V_y], last[V_y], -first[M_z], -last[M_z]);
+  const Across z = across(first[V_z], last[V_z], first[M_y], last[M_y], m_y),
+               y = across(first[V_y], last[V_y], -first[M_z], -last[M_z], -m_z);
   LineLoad& line = mode.loads.lines.emplace_back();
   CutForcePiece& cut = mode.cut.pieces.emplace_back();
   cut.start = line.start = si<Length>(from);
@@ -371,7 +375,7 @@ void VibratingBeam::add_inertia(const Eigen::Matrix<double, 12, 1>& forces, doub
   line.force[0] = {{(first[N] - last[N]) / h}};
   line.force[1] = {{y.a, y.b}};
   line.force[2] = {{z.a, z.b}};
-  line.couple[0] = {{(first[T] - last[T]) / h}};
+  line.couple = {{{{(first[T] - last[T]) / h}}, {{m_y}}, {{m_z}}}};
   cut.N = {{first[N], (last[N] - first[N]) / h}};
   cut.T = {{first[T], (last[T] - first[T]) / h}};
   cut.V_y = y.V;
@@ -435,9 +439,9 @@ BeamMode VibratingBeam::mode_of(const VectorXd& motion, double omega,
     const Eigen::Matrix<double, 12, 1> ends = motion.segment<12>(static_cast<Index>(6 * p));
     const double axial = rigid.at({si<Length>(0.5 * (piece.from + piece.to))}).N.value();
     // What its neighbours do to its ends: elasticity, axial force and inertia together.
-    const Eigen::Matrix<double, 12, 1> forces =
-        (piece.stiffness + geometric_block(axial, h) - omega * omega * piece.mass) * ends;
-    add_inertia(forces, piece.from, h, mode);
+    const Vector12 by_axial_force = geometric_block(axial, h) * ends;
+    add_inertia((piece.stiffness - omega * omega * piece.mass) * ends + by_axial_force,
+                by_axial_force, piece.from, h, mode);
     for (const Sample& sample : piece.samples) {
       const Vector6 strain = sample.strain * ends, force = sample.cut * ends;
       mode.work.segment<6>(at) = sample.weight * strain;

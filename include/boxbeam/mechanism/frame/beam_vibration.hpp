@@ -41,7 +41,8 @@ struct BeamMode {
   CutForceDiagram cut;     ///< along the beam, per unit of the mode
   /// What acts on the beam in it, ties and inertia, which is in balance; one point load for every
   /// name and place of a tie. Its line loads are linear on every piece, with the force and moment
-  /// of the inertia there, and of what the axial force does to the bent piece.
+  /// of the inertia there; what the axial force does to the bent piece is a couple per length, so
+  /// that V stands across the straight axis.
   BeamLoads loads;
   /// Work of the cut forces at `VibratingBeam::stations`, six for each, on the strains of the mode:
   /// their sum is the generalised force of loads that are in balance with the rigid mechanism.
@@ -128,6 +129,7 @@ class VibratingBeam {
 
  private:
   using Matrix12 = Eigen::Matrix<double, 12, 12>;
+  using Vector12 = Eigen::Matrix<double, 12, 1>;
   struct Sample {
     double weight = 0.0;
     Eigen::Matrix<double, 6, 12> cut, strain, motion;   ///< per motion of the ends
@@ -143,7 +145,7 @@ class VibratingBeam {
                  const std::vector<SegmentMass>& masses, bool twisted);
   std::size_t node_of(double s) const;
   BeamMode mode_of(const Eigen::VectorXd& motion, double omega, const CutForceDiagram& rigid) const;
-  void add_inertia(const Eigen::Matrix<double, 12, 1>& forces, double from, double h,
+  void add_inertia(const Vector12& forces, const Vector12& by_axial_force, double from, double h,
                    BeamMode& mode) const;
 
   const TaperedBeam* beam_;
