@@ -1,7 +1,5 @@
 #include "boxbeam/verification/elastic_motion.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -174,16 +172,7 @@ BeamLoads ElasticMotion::loads_at(Time time) const {
 LoadsAt elastic_loads_of(const Project& project, const planar::Mechanism& mechanism,
                          const planar::Motion& motion, const ElasticModel& model, LoadsAt rigid) {
   if (model.level == ModelLevel::rigid) return rigid;
-  // In each of them the bent beam is solved; and of a wave of the loads, which sixteen of them
-  // hold, the collocation sees too few where it must leave out most.
-  constexpr std::size_t most_instants = 4096;
-  if (motion.states.size() > most_instants) {
-    refuse_vibration(fmt::format(
-        "the motion has {} instants, in each of which the beam would be bent, and {} are the most: "
-        "loads that swing so often in one period are not resolved; verify a faster force by "
-        "itself, ask for fewer instants, or use --model rigid to have the loads of rigid bodies",
-        motion.states.size(), most_instants));
-  }
+  require_few_instants(motion.states.size());
   const RigidMotion bodies{&mechanism, &motion, &project.beam, std::move(rigid)};
   const ElasticBody elastic = elastic_body_of(project, model.parts);
   if (model.level == ModelLevel::quasi_static) return bent_statically(bodies, elastic);

@@ -276,6 +276,7 @@ LoadsAt elastic_loads_in_space(const Project& project, const spatial::Chain& cha
     case ModelLevel::modal:
     case ModelLevel::flexible: break;
   }
+  require_few_instants(span.instants);
   auto of = std::make_shared<const ElasticMotionInSpace>(
       project, chain, span, std::move(rigid), static_cast<std::size_t>(model.modes), model.parts);
   return [of](Time time) { return of->loads_at(time); };

@@ -57,6 +57,18 @@ void add_to(Polynomial<Degree>& sum, double factor, const Polynomial<Degree>& p)
 
 }  // namespace
 
+void require_few_instants(std::size_t instants) {
+  // In each of them the bent beam is solved; and of a wave of the loads, which sixteen of them
+  // hold, the collocation sees too few where it must leave out most.
+  constexpr std::size_t most_instants = 4096;
+  if (instants <= most_instants) return;
+  refuse_vibration(fmt::format(
+      "the motion has {} instants, in each of which the beam would be bent, and {} are the most: "
+      "loads that swing so often in one period are not resolved; verify a faster force by "
+      "itself, ask for fewer instants, or use --model rigid to have the loads of rigid bodies",
+      instants, most_instants));
+}
+
 Eigen::Index stride_of(std::size_t instants, std::size_t modes) {
   constexpr std::size_t most_unknowns = 1536;
   std::size_t stride = 1;

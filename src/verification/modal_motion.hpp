@@ -44,6 +44,9 @@ Eigen::MatrixXd turn_between(const Eigen::MatrixXd& shapes, const Eigen::MatrixX
 /// number). Source: Berrut, Trefethen, SIAM Review 46 (2004), barycentric form.
 Eigen::VectorXd trigonometric_at(const Eigen::MatrixXd& values, double turns);
 
+/// Throws AnalysisError where a period has more instants than are solved.
+void require_few_instants(std::size_t instants);
+
 /// The fewest instants, a power of two apart from all, that leave the linear system small.
 Eigen::Index stride_of(std::size_t instants, std::size_t modes);
 

@@ -536,6 +536,113 @@ rate = "2 rad/s"
     check_alike(cuts_of(bent.loads_at(leaning.at(part)), 0.0), first, first, 1e-7);
 }
 
+namespace {
+
+/// A point mass at the tip of an arm without mass, rigid in shear, that swings far about an axis
+/// through its heel, in its own axes:
+///
+///     m (u'' + 2 w x u' + w' x u + w x (w x u)) + K u + d K_0 u' = -m (w' x r + w x (w x r))
+///
+/// K = diag(EA/L, k_z, k_y), k = N/(L (1 - tanh(x)/x)), x = L (N/EI)^(1/2), in compression of tan,
+/// of the pull N of the rigid motion; periodic from the start that repeats, by Runge and Kutta.
+/// Sources: Goldstein, Classical Mechanics (1980), 4-10; Timoshenko, Gere, Theory of Elastic
+/// Stability (1961), 1.
+struct SwungMass {
+  using State = Eigen::Matrix<double, 6, 1>;
+  double m, L, EA, EI_y, EI_z, delay;
+  Vector3d axis;
+  double amplitude, omega;
+  static constexpr int steps = 9600;
+
+  double stiffness(double EI, double N) const {
+    const double x = L * std::sqrt(std::abs(N) / EI);
+    if (x < 1e-4) return 3.0 * EI / (L * L * L) + 1.2 * N / L;
+    return N / (L * (1.0 - (N > 0.0 ? std::tanh(x) : std::tan(x)) / x));
+  }
+  State rate(double t, const State& y, double load) const {
+    const Vector3d w = axis * amplitude * omega * std::cos(omega * t),
+                   change = -axis * amplitude * omega * omega * std::sin(omega * t), r(L, 0.0, 0.0),
+                   u = y.head<3>(), v = y.tail<3>();
+    const Vector3d rigid = change.cross(r) + w.cross(w.cross(r));
+    const double N = -m * rigid.x();
+    const Vector3d K(EA / L, stiffness(EI_z, N), stiffness(EI_y, N)),
+        K_0(EA / L, 3.0 * EI_z / (L * L * L), 3.0 * EI_y / (L * L * L));
+    State of;
+    of.head<3>() = v;
+    of.tail<3>() = -load * rigid - 2.0 * w.cross(v) - change.cross(u) - w.cross(w.cross(u)) -
+                   (K.cwiseProduct(u) + delay * K_0.cwiseProduct(v)) / m;
+    return of;
+  }
+  std::vector<State> path(const State& start, double load) const {
+    std::vector<State> states{start};
+    const double h = 2.0 * pi / omega / steps;
+    for (int i = 0; i < steps; ++i) {
+      const double t = h * i;
+      const State y = states.back(), a = rate(t, y, load),
+                  b = rate(t + 0.5 * h, y + 0.5 * h * a, load),
+                  c = rate(t + 0.5 * h, y + 0.5 * h * b, load), d = rate(t + h, y + h * c, load);
+      states.push_back(y + h / 6.0 * (a + 2.0 * b + 2.0 * c + d));
+    }
+    return states;
+  }
+  std::vector<State> periodic() const {
+    Eigen::Matrix<double, 6, 6> free;
+    for (int i = 0; i < 6; ++i) free.col(i) = path(State::Unit(i), 0.0).back();
+    const State forced = path(State::Zero(), 1.0).back();
+    const Eigen::Matrix<double, 6, 6> open = Eigen::Matrix<double, 6, 6>::Identity() - free;
+    return path(open.lu().solve(forced), 1.0);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a mass on an arm that swings far moves as integration over time says",
+          "[elastic_motion]") {
+  const Vector3d axis(0.48, -0.6, 0.64);
+  const double frequency = 1.0, amplitude = 0.8, mass = 300.0;
+  const Moved of(
+      arm(hinge(axis, amplitude, frequency) + R"(
+[bodies.load]
+mass = "300 kg"
+points = { c = ["0 m", "0 m", "0 m"] }
+[joints.tip]
+kind = "fixed"
+connect = ["arm.tip", "load.c"]
+)",
+          light,
+          "[model]\nshear_modulus = \"1e6 GPa\"\ndamping = { ratio = 0.03, at = \"4 Hz\" "
+          "}\n"));
+  const ElasticMotionInSpace elastic = of.by(3, 8);
+  const std::vector<frame::BeamMode> modes = of.modes(8, 3);
+  const MatrixXd& eta = elastic.coordinates();
+  REQUIRE(eta.cols() == 3);
+  Matrix3d tip;
+  for (int j = 0; j < 3; ++j)
+    tip.col(j) = modes[static_cast<std::size_t>(j)].motion.tail<6>().head<3>();
+  const SectionProperties section = properties_of(of.project.beam.segments.front().from);
+  const SwungMass swung{mass,
+                        4.0,
+                        E * section.area.value(),
+                        E * section.I_y.value(),
+                        E * section.I_z.value(),
+                        0.03 / (pi * 4.0),
+                        axis,
+                        amplitude,
+                        2.0 * pi * frequency};
+  const auto path = swung.periodic();
+  double largest = 0.0, apart = 0.0;
+  for (Eigen::Index i = 0; i < eta.rows(); ++i) {
+    const auto at = static_cast<std::size_t>(i * SwungMass::steps / eta.rows());
+    if (static_cast<Eigen::Index>(at) * eta.rows() != i * SwungMass::steps) continue;
+    const Vector3d expected = path[at].head<3>(), found = tip * eta.row(i).transpose();
+    largest = std::max(largest, expected.norm());
+    apart = std::max(apart, (expected - found).norm());
+  }
+  INFO(apart / largest << " of " << largest << " m, " << elastic.lowest_frequency() << " Hz");
+  REQUIRE(largest > 0.0);
+  CHECK(apart < 1e-4 * largest);
+}
+
 // Energy over a period: what the drive does beyond moving rigid bodies is what the material takes,
 //
 //     integral of M q' = retardation times the sum of omega_j^2 integral of eta_j'^2
@@ -614,6 +721,39 @@ frequency = "1 Hz"
 )",
               steel),
           "joint trolley slides along the beam");
+}
+
+TEST_CASE("where modes do not hold bodies stay rigid, and elastic ones are refused",
+          "[elastic_motion]") {
+  const std::string fast = arm(hinge({0, 0, 1}, 0.1, 1.0) + R"(
+[bodies.trolley]
+mass = "80 kg"
+points = { c = ["0 m", "0 m", "0 m"] }
+[joints.trolley]
+kind = "prismatic"
+connect = ["arm.mid", "trolley.c"]
+axis = "x"
+[drivers.travelling]
+joint = "trolley"
+kind = "harmonic"
+mean = "1 m"
+amplitude = "1 m"
+frequency = "1 Hz"
+)" + beside,
+                               steel);
+  Project project = parse_project("arm.toml", fast);
+  const ModelChoice choice = choose_model(project);
+  CHECK(choice.chosen.level == ModelLevel::rigid);
+  CHECK_THAT(choice.reason,
+             Catch::Contains("no modes of the beam are used: joint trolley slides along the beam"));
+  CHECK(vibration_missed_in_space(project, choice) > choice.tolerance);
+  project.model.demand = ModelDemand::flexible;
+  CHECK_THROWS_WITH(choose_model(project), Catch::Contains("cannot be had"));
+  project = parse_project("arm.toml", arm(hinge({0, 0, 1}, 0.1, 1.0) + beside, steel));
+  project.model.demand = ModelDemand::flexible;
+  const ModelledRuns runs = run_by_chosen_model(project);
+  CHECK(runs.model.chosen.level == ModelLevel::modal);
+  CHECK(runs.model.weighed.back().found.value() <= project.model.tolerance);
 }
 
 namespace {
