@@ -25,14 +25,6 @@ double read_retardation(TableReader& table, std::optional<double> fallback) {
 ElasticForm read_model(TableReader& root, Project& project) {
   ElasticForm form;
   ModelInput& input = project.model;
-  if (std::holds_alternative<spatial::Mechanism>(project.mechanism)) {
-    if (root.has_misplaced("model"))
-      root.problem("model",
-                   "the bodies of a mechanism in space are rigid: there is nothing to choose",
-                   fmt::format("remove [model] from this case of kind = \"{}\"",
-                               kind_word_of(project.mechanism)));
-    return form;
-  }
   if (!root.has("model")) return form;
   TableReader table = root.table({"model", "which model of the beam in its mechanism"});
   const auto read_moduli = [&] {

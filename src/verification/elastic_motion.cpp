@@ -1,9 +1,5 @@
 #include "boxbeam/verification/elastic_motion.hpp"
 
-#include <fmt/format.h>
-
-#include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -13,40 +9,10 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
 #include "boxbeam/project/link_profile.hpp"
+#include "modal_motion.hpp"
 
 namespace boxbeam {
 namespace {
-
-/// First and second derivative at one of N equal steps of a period of 2 pi, N even: entry by the
-/// number of steps between.
-struct Differentiation {
-  Eigen::VectorXd first, second;
-};
-
-Differentiation differentiation(Eigen::Index n) {
-  Differentiation d{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
-  const double h = full_turn / static_cast<double>(n);
-  d.second[0] = -std::numbers::pi * std::numbers::pi / (3.0 * h * h) - 1.0 / 6.0;
-  for (Eigen::Index k = 1; k < n; ++k) {
-    const double sign = k % 2 == 0 ? 1.0 : -1.0;
-    const double half = 0.5 * h * static_cast<double>(k);
-    d.first[k] = 0.5 * sign / std::tan(half);
-    d.second[k] = -0.5 * sign / std::pow(std::sin(half), 2);
-  }
-  return d;
-}
-
-/// p(x + by).
-template <int Degree>
-Polynomial<Degree> moved(const Polynomial<Degree>& p, double by, double length) {
-  if (by == 0.0) return p;
-  return interpolate<Degree>([&](double x) { return p(x + by); }, length);
-}
-
-template <int Degree>
-void add_to(Polynomial<Degree>& sum, double factor, const Polynomial<Degree>& p) {
-  for (std::size_t i = 0; i < p.size; ++i) sum.c[i] += factor * p.c[i];
-}
 
 /// Adds what a mode does to a beam to its loads: at the same places, and on the mode's stretches,
 /// which lie inside the beam's own.
@@ -63,56 +29,7 @@ void add_mode(BeamLoads& sum, double factor, const BeamLoads& mode) {
     same->force += factor * load.force;
     same->moment += factor * load.moment;
   }
-  for (std::size_t i = 0; i < mode.lines.size(); ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      add_to(sum.lines[i].force[axis], factor, mode.lines[i].force[axis]);
-      add_to(sum.lines[i].couple[axis], factor, mode.lines[i].couple[axis]);
-    }
-  }
-}
-
-/// The same loads on the stretches of others, each of which lies inside one of theirs.
-std::vector<LineLoad> on_stretches_of(const std::vector<LineLoad>& lines,
-                                      const std::vector<LineLoad>& finer) {
-  std::vector<LineLoad> result;
-  std::size_t at = 0;
-  for (const LineLoad& piece : finer) {
-    const Length middle = piece.start + 0.5 * piece.length;
-    while (middle > lines[at].start + lines[at].length) ++at;
-    const double by = (piece.start - lines[at].start).value();
-    LineLoad& line = result.emplace_back();
-    line.start = piece.start;
-    line.length = piece.length;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      line.force[axis] = moved(lines[at].force[axis], by, piece.length.value());
-      line.couple[axis] = moved(lines[at].couple[axis], by, piece.length.value());
-    }
-  }
-  return result;
-}
-
-/// The value at a time of the trigonometric polynomial through equally spaced values (an even
-/// number). Source: Berrut, Trefethen, SIAM Review 46 (2004), barycentric form.
-Eigen::VectorXd trigonometric_at(const Eigen::MatrixXd& values, double turns) {
-  const Eigen::Index n = values.rows();
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(values.cols());
-  double weights = 0.0;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double half =
-        std::numbers::pi * (turns - static_cast<double>(i) / static_cast<double>(n));
-    const double sine = std::sin(half);
-    if (std::abs(sine) < 1e-12) return values.row(i).transpose();
-    const double weight = (i % 2 == 0 ? 1.0 : -1.0) * std::cos(half) / sine;
-    sum += weight * values.row(i).transpose();
-    weights += weight;
-  }
-  return sum / weights;
-}
-
-[[noreturn]] void refuse(const std::string& what, double time = NAN) {
-  AnalysisFailure failure{what, "beam", {}, {}, {}};
-  if (!std::isnan(time)) failure.time = time;
-  throw AnalysisError(std::move(failure));
+  add_lines(sum.lines, factor, mode.lines);
 }
 
 /// Stops where a posture buckles.
@@ -122,20 +39,12 @@ LoadedPosture standing_posture(const RigidMotion& rigid, const ElasticBody& elas
   LoadedPosture posture =
       loaded_posture(*rigid.mechanism, state, elastic, *rigid.beam, loads, 1.0, axial);
   if (!stands(posture)) {
-    refuse(
+    refuse_vibration(
         "the beam buckles in the plane of motion under its axial force: no elastic loads exist; "
         "use --model rigid to see those of rigid bodies",
         state.time);
   }
   return posture;
-}
-
-/// The fewest instants, a power of two apart from all, that leave the linear system small.
-Eigen::Index stride_of(std::size_t instants, std::size_t modes) {
-  constexpr std::size_t most_unknowns = 1536;
-  std::size_t stride = 1;
-  while (instants / stride * modes > most_unknowns && instants % (4 * stride) == 0) stride *= 2;
-  return static_cast<Eigen::Index>(stride);
 }
 
 /// Largest axial force over the motion, by the one that buckles a pinned beam of the least bending
@@ -202,7 +111,7 @@ ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t
       axial_(std::move(axial)) {
   const planar::Motion& motion = *rigid_.motion;
   if (!motion.closed || motion.freedom.undriven > 0) {
-    refuse(
+    refuse_vibration(
         "rigid bodies are not enough for this motion, and the beam's vibration is only computed in "
         "motions that drivers fix and that repeat; use --model rigid to have the loads of rigid "
         "bodies all the same");
@@ -214,64 +123,29 @@ ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t
   reference_ =
       modes_in_posture(posture_at(first, rigid_.loads(si<Time>(first.time))), count_).shapes;
 
-  // Unknowns: instant by instant the modal coordinates.
-  const Differentiation d = differentiation(n);
-  const double rate = full_turn / motion.period;
-  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n * k, n * k);
-  Eigen::MatrixXd p(n, k);
-  Eigen::MatrixXd statically(n, k);
-  std::vector<Eigen::MatrixXd> viscous;  // K^-1 C at the instants
+  std::vector<ModalPosture> postures;
   lowest_ = 1e300;
   for (Eigen::Index i = 0; i < n; ++i) {
     const planar::State& state = motion.states[static_cast<std::size_t>(i * stride)];
     const BeamLoads loads = rigid_.loads(si<Time>(state.time));
-    const LoadedPosture posture = posture_at(state, loads);
-    const auto [at, turn] = aligned_at(posture, state.time);
-    Eigen::VectorXd squares(k);
+    const LoadedPosture loaded = posture_at(state, loads);
+    auto [at, turn] = aligned_at(loaded, state.time);
+    ModalPosture& posture = postures.emplace_back();
+    posture.squares.resize(k);
     for (Eigen::Index j = 0; j < k; ++j) {
-      squares[j] = std::pow(full_turn * at.frequencies[static_cast<std::size_t>(j)], 2);
+      posture.squares[j] = std::pow(full_turn * at.frequencies[static_cast<std::size_t>(j)], 2);
     }
     lowest_ = std::min(lowest_, at.frequencies.front());
-    const Eigen::VectorXd force = modal_loads(at, posture);
-    const FrameTerms frame = frame_terms(at, state);
-    p.row(i) = (turn.transpose() * force).transpose();
-    statically.row(i) = (turn.transpose() * force.cwiseQuotient(squares)).transpose();
-    const Eigen::MatrixXd damping = turn.transpose() * (at.damping + frame.of_rate) * turn;
-    viscous.emplace_back(turn.transpose() * squares.cwiseInverse().asDiagonal() * at.damping *
-                         turn);
-    for (Eigen::Index m = 0; m < n; ++m) {
-      const Eigen::Index apart = (i - m + n) % n;
-      system.block(i * k, m * k, k, k) =
-          rate * d.first[apart] * damping +
-          rate * rate * d.second[apart] * Eigen::MatrixXd::Identity(k, k);
-    }
-    const Eigen::MatrixXd stiffness = Eigen::MatrixXd(squares.asDiagonal()) + frame.of_size;
-    system.block(i * k, i * k, k, k) += turn.transpose() * stiffness * turn;
+    posture.force = modal_loads(at, loaded);
+    FrameTerms frame = frame_terms(at, state);
+    posture.of_rate = std::move(frame.of_rate);
+    posture.of_size = std::move(frame.of_size);
+    posture.damping = std::move(at.damping);
+    posture.turn = std::move(turn);
   }
-  Eigen::VectorXd right(n * k);
-  for (Eigen::Index i = 0; i < n; ++i) right.segment(i * k, k) = p.row(i).transpose();
-  const Eigen::VectorXd solved = Eigen::PartialPivLU<Eigen::MatrixXd>(system).solve(right);
-  eta_.resize(n, k);
-  for (Eigen::Index i = 0; i < n; ++i) eta_.row(i) = solved.segment(i * k, k).transpose();
-  dynamic_ = eta_ - statically;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    Eigen::VectorXd speed = Eigen::VectorXd::Zero(k);
-    for (Eigen::Index m = 0; m < n; ++m) {
-      speed += rate * d.first[(i - m + n) % n] * eta_.row(m).transpose();
-    }
-    dynamic_.row(i) += (viscous[static_cast<std::size_t>(i)] * speed).transpose();
-  }
-
-  constexpr double no_limit = 1e3;
-  const double size = statically.cwiseAbs().maxCoeff();
-  if (!eta_.allFinite() || eta_.cwiseAbs().maxCoeff() > no_limit * size) {
-    const double harmonic = std::max(1.0, std::round(lowest_ * motion.period));
-    refuse(fmt::format(
-        "harmonic {:.0f} of the motion, {:.6g} Hz, meets the beam's natural frequency, {:.6g} Hz "
-        "at lowest: without damping its vibration has no limit; give [model] a retardation time, "
-        "or change the drive",
-        harmonic, harmonic / motion.period, lowest_));
-  }
+  ModalMotion solved = solve_modal_motion(postures, motion.period);
+  eta_ = std::move(solved.eta);
+  dynamic_ = std::move(solved.dynamic);
 }
 
 LoadedPosture ElasticMotion::posture_at(const planar::State& state, const BeamLoads& rigid) const {
@@ -282,16 +156,7 @@ LoadedPosture ElasticMotion::posture_at(const planar::State& state, const BeamLo
 
 ElasticMotion::Aligned ElasticMotion::aligned_at(const LoadedPosture& posture, double time) const {
   PostureModes modes = modes_in_posture(posture, count_);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(modes.shapes.transpose() * reference_,
-                                              Eigen::ComputeThinU | Eigen::ComputeThinV);
-  constexpr double recognised = 0.3;
-  if (svd.singularValues().minCoeff() < recognised) {
-    refuse(
-        "the modes of the beam change beyond recognition over the motion, so that a few of them "
-        "do not describe its vibration; use --model rigid to have the loads of rigid bodies",
-        time);
-  }
-  Eigen::MatrixXd turn = svd.matrixU() * svd.matrixV().transpose();
+  Eigen::MatrixXd turn = turn_between(modes.shapes, reference_, time);
   return {std::move(modes), std::move(turn)};
 }
 
@@ -316,16 +181,7 @@ BeamLoads ElasticMotion::loads_at(Time time) const {
 LoadsAt elastic_loads_of(const Project& project, const planar::Mechanism& mechanism,
                          const planar::Motion& motion, const ElasticModel& model, LoadsAt rigid) {
   if (model.level == ModelLevel::rigid) return rigid;
-  // In each of them the bent beam is solved; and of a wave of the loads, which sixteen of them
-  // hold, the collocation sees too few where it must leave out most.
-  constexpr std::size_t most_instants = 4096;
-  if (motion.states.size() > most_instants) {
-    refuse(fmt::format(
-        "the motion has {} instants, in each of which the beam would be bent, and {} are the most: "
-        "loads that swing so often in one period are not resolved; verify a faster force by "
-        "itself, ask for fewer instants, or use --model rigid to have the loads of rigid bodies",
-        motion.states.size(), most_instants));
-  }
+  require_few_instants(motion.states.size());
   const RigidMotion bodies{&mechanism, &motion, &project.beam, std::move(rigid)};
   const ElasticBody elastic = elastic_body_of(project, model.parts);
   if (model.level == ModelLevel::quasi_static) return bent_statically(bodies, elastic);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 
@@ -15,6 +16,7 @@
 #include "boxbeam/verification/model_ladder.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/vibration_estimate.hpp"
+#include "elastic_motion_in_space.hpp"
 #include "second_order_growth.hpp"
 #include "vibration_in_space.hpp"
 
@@ -29,6 +31,18 @@ std::string dry_friction_in(const Project& project, const std::deque<SituationRu
       if (contact.law.coulomb == 0.0) continue;
       return mechanism.joints[static_cast<std::size_t>(contact.joint)].name;
     }
+  }
+  return "";
+}
+
+/// The same of a mechanism in space.
+std::string dry_friction_in_space(const std::deque<SituationRun>& rigid) {
+  for (const SituationRun& run : rigid) {
+    const spatial::Mechanism& mechanism = chain_of(run).mechanism();
+    for (const spatial::Joint& joint : mechanism.joints)
+      if (joint.friction.coulomb > 0.0) return joint.name;
+    for (const spatial::ClosingJoint& joint : mechanism.closing)
+      if (joint.friction.coulomb > 0.0) return joint.name;
   }
   return "";
 }
@@ -53,11 +67,9 @@ VibrationEstimate worst_estimate(const Project& project, const std::deque<Situat
   return worst;
 }
 
-/// How far the stresses of two histories are apart, as `difference_between`.
-double difference_between(const LoadHistory& model, const LoadHistory& better,
-                          const std::vector<ComparedPlace>& places) {
-  const Eigen::MatrixXd of_better = stress_history(better, places);
-  const Eigen::MatrixXd difference = stress_history(model, places) - of_better;
+/// How far two histories of stresses are apart, as `difference_between`.
+double difference_between(const Eigen::MatrixXd& model, const Eigen::MatrixXd& of_better) {
+  const Eigen::MatrixXd difference = model - of_better;
   const double range = largest_range(of_better);
   const double apart = difference.cwiseAbs().maxCoeff() / of_better.cwiseAbs().maxCoeff();
   return range > 0.0 ? std::max(apart, largest_range(difference) / range) : apart;
@@ -75,9 +87,15 @@ double error_found(const Project& project, const ElasticModel& model, const Shar
   const std::deque<SituationRun> by_model = run_situations(project, model, shared);
   const std::deque<SituationRun> by_better = run_situations(project, better, shared);
   const std::vector<ComparedPlace> places = compared_places_of(project.beam);
+  const auto stresses_of = [&](const SituationRun& run) {
+    return std::holds_alternative<spatial::Mechanism>(project.mechanism)
+               ? stress_history_in_space(run.loads, project.beam)
+               : stress_history(run.loads, places);
+  };
   double found = 0.0;
   for (std::size_t i = 0; i < by_model.size(); ++i) {
-    found = std::max(found, difference_between(by_model[i].loads, by_better[i].loads, places));
+    found =
+        std::max(found, difference_between(stresses_of(by_model[i]), stresses_of(by_better[i])));
   }
   return found;
 }
@@ -170,18 +188,73 @@ bool forces_move(const std::deque<SituationRun>& runs) {
   });
 }
 
-/// Rigid bodies, which in space there are no others of, with what they are estimated to miss.
+/// What a climb to ever more modes asks and says.
+struct Climb {
+  std::string missed;   ///< by rigid bodies, in words
+  std::string against;  ///< `against_frequencies`
+  /// Error of a model against a better one.
+  std::function<double(const ElasticModel&)> found_by;
+};
+
+/// Sets the first modes that are known to be within the tolerance; else why none are.
+std::string climb_modes(const VibrationEstimate& estimate, const Climb& climb,
+                        ModelChoice& choice) {
+  for (std::size_t k = 1; k < estimate.without_modes.size(); ++k) {
+    ModelEstimate& by_modes = choice.weighed.emplace_back();
+    by_modes.model = {ModelLevel::modal, static_cast<int>(k), 8, {}, false};
+    by_modes.error = estimate.without_modes[k];
+    by_modes.basis =
+        fmt::format("modes left out, and {} that the beam's rotation couples with its vibration",
+                    percent_text(estimate.left_out));
+    if (by_modes.error > choice.tolerance) continue;
+    by_modes.found = climb.found_by(by_modes.model) + estimate.left_out;
+    if (*by_modes.found > choice.tolerance) continue;
+    choice.chosen = by_modes.model;
+    choice.reason = fmt::format(
+        "{}: {}; rigid bodies: {}; {} estimated to miss {}, found {} against one mode "
+        "more and twice the parts",
+        describe(choice.chosen), climb.against, climb.missed,
+        k == 1 ? "this mode is" : "these modes are", percent_text(by_modes.error),
+        percent_text(*by_modes.found));
+    return "";
+  }
+  return estimate.left_out > choice.tolerance
+             ? fmt::format(
+                   "what the beam's rotation couples with its vibration, of the order of {}, "
+                   "is in none of them and is the least error that can be asked for",
+                   percent_text(estimate.left_out))
+             : fmt::format("{} modes of the beam are not known to be within {} either",
+                           estimate.without_modes.size() - 1, percent_text(choice.tolerance));
+}
+
+/// Why the beam of a case in space has no modes that hold over its motion; "" where it has.
+std::string obstacle_to_modes_in_space(const Project& project,
+                                       const std::deque<SituationRun>& rigid) {
+  for (const SituationRun& run : rigid) {
+    const spatial::Mechanism& mechanism = chain_of(run).mechanism();
+    const std::string obstacle = obstacle_to_modes(mechanism, placement_in(project, mechanism));
+    if (!obstacle.empty()) return obstacle;
+  }
+  return "";
+}
+
+bool has_springs(const std::deque<SituationRun>& runs) {
+  return std::any_of(runs.begin(), runs.end(), [](const SituationRun& run) {
+    const spatial::Mechanism& mechanism = chain_of(run).mechanism();
+    return !mechanism.springs.empty() || !mechanism.torsion_springs.empty();
+  });
+}
+
+/// Climbs from rigid bodies to ever more modes; where none are known to be within the tolerance,
+/// rigid bodies with what they are estimated to miss, unless elastic ones were demanded.
 ModelChoice choose_in_space(const Project& project, const std::deque<SituationRun>& rigid,
-                            const std::string& obstacle, SecondOrderEstimate estimated) {
+                            const std::string& obstacle, const SharedMotions& shared,
+                            SecondOrderEstimate estimated) {
   ModelChoice choice;
   choice.bends_rigid_motion = true;
   choice.tolerance = project.model.tolerance;
   choice.second_order = std::move(estimated);
   const SecondOrderEstimate& second = choice.second_order;
-  if (project.model.demand == ModelDemand::flexible) {
-    choose_unvibrated(project, "the bodies of a mechanism in space are rigid", choice);
-    return choice;
-  }
   // Of what does not repeat the frequencies are known.
   const bool moved_by_forces = forces_move(rigid);
   if (moved_by_forces || second.in_plane.part >= 1.0) {
@@ -218,13 +291,55 @@ ModelChoice choose_in_space(const Project& project, const std::deque<SituationRu
                    percent_text(missed)),
        missed,
        {}});
-  choice.reason = fmt::format(
-      "rigid bodies{}: {}; vibration is estimated to change the governing stress by {}, {}; "
-      "tolerance {}",
-      project.model.demand == ModelDemand::rigid ? ", as demanded" : "", against,
-      percent_text(missed), second_order_text(second), percent_text(choice.tolerance));
-  if (missed > choice.tolerance)
-    choice.reason += "; elastic bodies, which would have it, are counted in the plane only";
+  const std::string misses =
+      fmt::format("vibration is estimated to change the governing stress by {}, {}; tolerance {}",
+                  percent_text(missed), second_order_text(second), percent_text(choice.tolerance));
+  const ModelDemand demand = project.model.demand;
+  choice.reason = fmt::format("rigid bodies{}: {}; {}",
+                              demand == ModelDemand::rigid ? ", as demanded" : "", against, misses);
+  const bool enough = missed <= choice.tolerance && demand != ModelDemand::flexible;
+  if (enough || demand == ModelDemand::rigid) return choice;
+  std::string why = obstacle_to_modes_in_space(project, rigid);
+  // A few modes do not hold what friction that turns round excites, nor how it damps it.
+  if (why.empty() && demand == ModelDemand::automatic) {
+    const std::string rubbing = dry_friction_in_space(rigid);
+    if (!rubbing.empty())
+      why = fmt::format("dry friction in joint {} turns round with the motion", rubbing);
+  }
+  if (why.empty()) {
+    // Other modes may be recognised.
+    std::string refused;
+    const auto found_by = [&](const ElasticModel& model) {
+      try {
+        return error_found(project, model, shared);
+      } catch (const AnalysisError& error) {
+        refused = error.failure().what;
+        return std::numeric_limits<double>::infinity();
+      }
+    };
+    why = climb_modes(estimate, {misses, against, found_by}, choice);
+    if (choice.chosen.level == ModelLevel::modal) {
+      choice.reason +=
+          "; what it leaves unbalanced on the bent beam is computed in the plane only, and not "
+          "known";
+      if (has_springs(rigid))
+        choice.reason += ", nor is what springs take over when the beam bends";
+      return choice;
+    }
+    if (!refused.empty()) why = refused;
+  }
+  if (demand == ModelDemand::flexible) {
+    throw AnalysisError(
+        {fmt::format("the model that was demanded cannot be had: {}; use --model auto or --model "
+                     "rigid",
+                     why),
+         "beam",
+         {},
+         {},
+         {}});
+  }
+  choice.weighed.resize(1);
+  choice.reason += fmt::format("; no modes of the beam are used: {}", why);
   return choice;
 }
 
@@ -309,34 +424,15 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
         rubbing, missed, against_frequencies(estimate));
     return choice;
   }
-  for (std::size_t k = 1; k < estimate.without_modes.size(); ++k) {
-    ModelEstimate& by_modes = choice.weighed.emplace_back();
-    by_modes.model = {ModelLevel::modal, static_cast<int>(k), 8, {}, false};
-    by_modes.error = estimate.without_modes[k];
-    by_modes.basis =
-        fmt::format("modes left out, and {} that the beam's rotation couples with its vibration",
-                    percent_text(estimate.left_out));
-    if (by_modes.error > choice.tolerance) continue;
-    by_modes.found = error_found(project, by_modes.model, shared) + estimate.left_out;
-    if (*by_modes.found > choice.tolerance) continue;
-    choice.chosen = by_modes.model;
+  const std::string why =
+      climb_modes(estimate,
+                  {missed, against_frequencies(estimate),
+                   [&](const ElasticModel& model) { return error_found(project, model, shared); }},
+                  choice);
+  if (choice.chosen.level == ModelLevel::modal) {
     choice.counts_second_order = true;
-    choice.reason = fmt::format(
-        "{}: {}; rigid bodies: {}; {} estimated to miss {}, found {} against one mode "
-        "more and twice the parts",
-        describe(choice.chosen), against_frequencies(estimate), missed,
-        k == 1 ? "this mode is" : "these modes are", percent_text(by_modes.error),
-        percent_text(*by_modes.found));
     return choice;
   }
-  const std::string why =
-      estimate.left_out > choice.tolerance
-          ? fmt::format(
-                "what the beam's rotation couples with its vibration, of the order of {}, "
-                "is in none of them and is the least error that can be asked for",
-                percent_text(estimate.left_out))
-          : fmt::format("{} modes of the beam are not known to be within {} either",
-                        estimate.without_modes.size() - 1, percent_text(choice.tolerance));
   throw AnalysisError(
       {fmt::format("rigid bodies miss an estimated {} of the governing stress, and {}; ask for a "
                    "larger tolerance, or use --model rigid to have the loads of rigid bodies",
@@ -412,7 +508,7 @@ ModelChoice choose_for_rigid(const Project& project, const std::deque<SituationR
   }
   DesignedSecondOrder second = estimate_designed_second_order(project, rigid);
   if (std::holds_alternative<spatial::Mechanism>(project.mechanism))
-    return choose_in_space(project, rigid, obstacle, std::move(second.estimate));
+    return choose_in_space(project, rigid, obstacle, shared, std::move(second.estimate));
   ModelChoice choice =
       choose_by_estimate(project, rigid, obstacle, shared, std::move(second.estimate));
   if (choice.counts_second_order) {
@@ -478,7 +574,8 @@ ModelledRuns run_by_chosen_model(const Project& project, const SharedMotions& sh
   ModelChoice model = choose_for_rigid(project, rigid, obstacle, shared);
   if (model.chosen.level == ModelLevel::rigid) return {std::move(model), std::move(rigid)};
   std::deque<SituationRun> runs = run_situations(project, model.chosen, shared);
-  if (obstacle.empty()) weigh_balance(project, rigid, runs, model);
+  const bool in_plane = std::holds_alternative<planar::Mechanism>(project.mechanism);
+  if (obstacle.empty() && in_plane) weigh_balance(project, rigid, runs, model);
   return {std::move(model), std::move(runs)};
 }
 

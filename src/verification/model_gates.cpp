@@ -145,8 +145,10 @@ std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& mode
                      percent_text(model.tolerance)),
          true});
   }
-  // In space there is no better model: what rigid bodies miss counts where checks are used.
-  if (std::holds_alternative<spatial::Mechanism>(project.mechanism)) return gates;
+  // In space what rigid bodies miss counts where checks are used.
+  if (std::holds_alternative<spatial::Mechanism>(project.mechanism) &&
+      model.chosen.level == ModelLevel::rigid)
+    return gates;
   // Rigid bodies stay where no better model is known to be one.
   if (project.model.demand == ModelDemand::automatic && !model.weighed.empty() &&
       model.chosen.level == ModelLevel::rigid) {

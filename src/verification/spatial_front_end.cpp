@@ -10,6 +10,7 @@
 #include "boxbeam/mechanism/spatial/motion.hpp"
 #include "boxbeam/verification/animation.hpp"
 #include "boxbeam/verification/chain_motion_result.hpp"
+#include "elastic_motion_in_space.hpp"
 #include "front_ends.hpp"
 #include "stopped_in_space.hpp"
 #include "vibration_in_space.hpp"
@@ -169,8 +170,10 @@ void check_unique_loads(const spatial::Chain& chain, int beam) {
 
 class SpatialMotion : public SolvedMotion {
  public:
-  SpatialMotion(const Project& project, const Situation& situation, const SharedMotions& shared)
+  SpatialMotion(const Project& project, const Situation& situation, const ElasticModel& model,
+                const SharedMotions& shared)
       : project_(&project),
+        model_(model),
         chain_(shared.once<spatial::Chain>(
             index_of(project, situation),
             [&] { return spatial::Chain(spatial_in(project, situation)); })),
@@ -188,9 +191,10 @@ class SpatialMotion : public SolvedMotion {
     std::sort(span.breaks.begin(), span.breaks.end());
     auto body =
         spatial::beam_body_of(project_->beam, placement_in(*project_, mechanism), mechanism);
-    return {span, staying_on(project_->beam, [chain = chain_, body](Time time) {
-              return spatial::beam_loads_of(*chain, chain->at(time.value()), body);
-            })};
+    LoadsAt rigid = staying_on(project_->beam, [chain = chain_, body](Time time) {
+      return spatial::beam_loads_of(*chain, chain->at(time.value()), body);
+    });
+    return {span, elastic_loads_in_space(*project_, *chain_, span, model_, std::move(rigid))};
   }
 
   double gravity() const override { return chain_->mechanism().gravity.norm(); }
@@ -235,6 +239,7 @@ class SpatialMotion : public SolvedMotion {
 
  private:
   const Project* project_;
+  ElasticModel model_;
   std::shared_ptr<const spatial::Chain> chain_;
   spatial::Motion motion_;
 };
@@ -243,18 +248,13 @@ class SpatialFrontEnd : public FrontEnd {
  public:
   using FrontEnd::FrontEnd;
 
-  std::unique_ptr<const SolvedMotion> solve(const Situation& situation, const ElasticModel&,
+  std::unique_ptr<const SolvedMotion> solve(const Situation& situation, const ElasticModel& model,
                                             const SharedMotions& shared) const override {
-    return std::make_unique<SpatialMotion>(*project_, situation, shared);
+    return std::make_unique<SpatialMotion>(*project_, situation, model, shared);
   }
 
   std::string obstacle_to_vibration(const std::deque<SituationRun>& rigid) const override {
     return obstacle_to_vibration_in_space(rigid);
-  }
-
-  void require_elastic_model() const override {
-    throw InputError("the bodies of a mechanism in space are rigid; there is no flexible model",
-                     "use --model auto or --model rigid");
   }
 
   AnyMotionResult motion(const std::vector<double>& times, const std::string& axes) const override {

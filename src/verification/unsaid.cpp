@@ -213,7 +213,7 @@ std::vector<NotJudged> unestimated_vibration_of(const Project& project, const Mo
     if (missed <= model.tolerance) return {};
     return {{Criterion::yield, "vibration",
              fmt::format("estimated to change the governing stress by {}, tolerance {}, and bodies "
-                         "in space are rigid; the lowest natural frequency of the beam in its "
+                         "are rigid; the lowest natural frequency of the beam in its "
                          "mechanism is {:.4g} Hz",
                          percent_text(missed), percent_text(model.tolerance),
                          model.frequencies.front())}};

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
@@ -76,9 +78,14 @@ class StoppedTies {
     return {{member_of(body), at}, per};
   }
 
+  frame::Tie& new_tie() {
+    frame::Tie& of = ties.emplace_back();
+    of.name = name_;
+    return of;
+  }
   /// b against a at one place of both.
   frame::Tie& tie(int a, int b, const Vector3d& at, const frame::Vector6& per) {
-    frame::Tie& of = ties.emplace_back();
+    frame::Tie& of = new_tie();
     of.ends = {end(a, at, -per), end(b, at, per)};
     return of;
   }
@@ -100,6 +107,7 @@ class StoppedTies {
 
   void add_joint(std::size_t i) {
     const spatial::Joint& of = mechanism_->joints[i];
+    name_ = of.name;
     const int a = of.parent, b = static_cast<int>(i);
     const Vector3d at = in_beam(spatial::position_of(*state_, {b, of.point}));
     const Vector3d axis = turned(of.parent, of.axis);
@@ -123,6 +131,7 @@ class StoppedTies {
 
   void add_closing(const spatial::ClosingJoint& of) {
     using Kind = spatial::ClosingKind;
+    name_ = of.name;
     const int a = of.a.body, b = of.b.body;
     if (spatial::has_teeth(of.kind)) {
       add_mesh(of.mesh);
@@ -178,7 +187,7 @@ class StoppedTies {
 
   /// The sum of factor q of the coordinates that teeth tie.
   void add_mesh(const spatial::Mesh& mesh) {
-    frame::Tie& of = ties.emplace_back();
+    frame::Tie& of = new_tie();
     for (const spatial::Mesh::Part& part : mesh.parts) {
       const spatial::Joint& joint = mechanism_->joints[part.joint];
       const int body = static_cast<int>(part.joint);
@@ -194,13 +203,14 @@ class StoppedTies {
     const Vector3d from = in_beam(spatial::position_of(*state_, a)),
                    to = in_beam(spatial::position_of(*state_, b));
     const Vector3d along = (to - from).normalized();
-    frame::Tie& of = ties.emplace_back();
+    frame::Tie& of = new_tie();
     of.ends = {end(a.body, from, force(-along)), end(b.body, to, force(along))};
     return of;
   }
 
   void add_spring(const spatial::Spring& spring) {
     if (!spatial::acts(spring, *state_)) return;
+    name_ = spring.name;
     frame::Tie& of = along_line(spring.a, spring.b);
     of.stiffness = spring.stiffness;
     of.damping = spring.damping;
@@ -209,6 +219,7 @@ class StoppedTies {
   void add_spring(const spatial::TorsionSpring& spring) {
     const spatial::Joint& joint = mechanism_->joints[static_cast<std::size_t>(spring.joint)];
     if (spatial::is_driven(joint)) return;
+    name_ = spring.name;
     const Vector3d at = in_beam(spatial::position_of(*state_, {spring.joint, joint.point}));
     frame::Tie& of = tie(joint.parent, spring.joint, at, couple(turned(joint.parent, joint.axis)));
     of.stiffness = spring.stiffness;
@@ -221,6 +232,7 @@ class StoppedTies {
   Vector3d start_;
   Matrix3d R_BW_;
   std::vector<int> member_;
+  std::string_view name_;  ///< of what is being tied
 };
 
 std::vector<double> stations_held(const spatial::Mechanism& mechanism,
@@ -282,6 +294,14 @@ Eigen::RowVectorXd stresses_at(const CutForceDiagram& diagram,
   return stresses;
 }
 
+Eigen::MatrixXd stresses_over(const LoadHistory& history, const std::vector<PlaceInSpace>& places) {
+  Eigen::MatrixXd stresses(static_cast<Eigen::Index>(history.even_instants()),
+                           stresses_of_place * static_cast<Eigen::Index>(places.size()));
+  for (Eigen::Index i = 0; i < stresses.rows(); ++i)
+    stresses.row(i) = stresses_at(history.even_diagram(static_cast<std::size_t>(i)), places);
+  return stresses;
+}
+
 double friction_in(const spatial::Mechanism& mechanism) {
   double largest = 0.0;
   for (const spatial::Joint& joint : mechanism.joints)
@@ -305,20 +325,12 @@ Eigen::VectorXd bending_in_space(const LoadHistory& history, const PlaceInSpace&
   return about_y ? y : z;
 }
 
-/// Six cut forces at every station of the vibrating beam, a row for each even instant.
+/// `cuts_at` of every even instant, a row for each.
 Eigen::MatrixXd cuts_over(const LoadHistory& history, const std::vector<Station>& stations) {
   Eigen::MatrixXd cuts(static_cast<Eigen::Index>(history.even_instants()),
                        6 * static_cast<Eigen::Index>(stations.size()));
-  for (Eigen::Index i = 0; i < cuts.rows(); ++i) {
-    const CutForceDiagram& diagram = history.even_diagram(static_cast<std::size_t>(i));
-    Eigen::Index column = 0;
-    for (const Station& station : stations) {
-      const CutForces cut = diagram.at(station);
-      for (const double value : {cut.N.value(), cut.V_y.value(), cut.V_z.value(), cut.T.value(),
-                                 cut.M_y.value(), cut.M_z.value()})
-        cuts(i, column++) = value;
-    }
-  }
+  for (Eigen::Index i = 0; i < cuts.rows(); ++i)
+    cuts.row(i) = cuts_at(history.even_diagram(static_cast<std::size_t>(i)), stations).transpose();
   return cuts;
 }
 
@@ -327,10 +339,7 @@ class SpaceEstimate {
  public:
   SpaceEstimate(const LoadHistory& history, const frame::VibratingBeam& beam, const TaperedBeam& of)
       : history_(&history), places_(places_in_space(of)), base_(1.0 / history.period().value()) {
-    stresses_.resize(static_cast<Eigen::Index>(history.even_instants()),
-                     stresses_of_place * static_cast<Eigen::Index>(places_.size()));
-    for (Eigen::Index i = 0; i < stresses_.rows(); ++i)
-      stresses_.row(i) = stresses_at(history.even_diagram(static_cast<std::size_t>(i)), places_);
+    stresses_ = stresses_over(history, places_);
     peak_ = stresses_.cwiseAbs().maxCoeff();
     range_ = largest_range(stresses_);
     if (peak_ > 0.0) cuts_ = cuts_over(history, beam.stations());
@@ -371,6 +380,22 @@ class SpaceEstimate {
 
 }  // namespace
 
+Eigen::MatrixXd stress_history_in_space(const LoadHistory& history, const TaperedBeam& beam) {
+  return stresses_over(history, places_in_space(beam));
+}
+
+Eigen::VectorXd cuts_at(const CutForceDiagram& diagram, const std::vector<Station>& stations) {
+  Eigen::VectorXd cuts(6 * static_cast<Eigen::Index>(stations.size()));
+  Eigen::Index at = 0;
+  for (const Station& station : stations) {
+    const CutForces cut = diagram.at(station);
+    for (const double value : {cut.N.value(), cut.V_y.value(), cut.V_z.value(), cut.T.value(),
+                               cut.M_y.value(), cut.M_z.value()})
+      cuts[at++] = value;
+  }
+  return cuts;
+}
+
 StoppedScene stopped_scene(const spatial::Mechanism& mechanism, const spatial::State& state,
                            const spatial::BeamPlacement& placement) {
   StoppedTies of(mechanism, state, placement);
@@ -381,13 +406,60 @@ StoppedVibration::StoppedVibration(const Project& project, const spatial::Chain&
     : chain_(&chain),
       placement_(placement_in(project, chain.mechanism())),
       beam_(project.beam, project.model.youngs_modulus, project.model.shear_modulus,
-            stations_held(chain.mechanism(), placement_), parts) {}
+            stations_held(chain.mechanism(), placement_), parts, project.model.retardation) {}
 
 std::vector<frame::BeamMode> StoppedVibration::modes(const spatial::State& state,
                                                      const CutForceDiagram& rigid,
                                                      std::size_t count) const {
   const StoppedScene stopped = stopped_scene(chain_->mechanism(), state, placement_);
   return beam_.modes(stopped.bodies, stopped.ties, rigid, count);
+}
+
+ModesInMotion StoppedVibration::modes_in_motion(const spatial::State& state,
+                                                const CutForceDiagram& rigid,
+                                                std::size_t count) const {
+  const spatial::Mechanism& mechanism = chain_->mechanism();
+  const StoppedScene stopped = stopped_scene(mechanism, state, placement_);
+  ModesInMotion result;
+  result.modes = beam_.modes(stopped.bodies, stopped.ties, rigid, count);
+  const Matrix3d R_WB =
+      state.bodies[static_cast<std::size_t>(placement_.body)].R_WB * placement_.axes;
+  const auto turning_of = [&](std::size_t body) {
+    const spatial::BodyMotion& of = state.bodies[body];
+    return frame::Turning{R_WB.transpose() * of.omega, R_WB.transpose() * of.alpha};
+  };
+  std::vector<frame::Turning> frames{turning_of(static_cast<std::size_t>(placement_.body))};
+  /// Of the others, in the order of the scene: from beam axes to their own, and roots of inertias.
+  std::vector<Matrix3d> own, roots;
+  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+    if (static_cast<int>(i) == placement_.body) continue;
+    frames.push_back(turning_of(i));
+    own.push_back(state.bodies[i].R_WB.transpose() * R_WB);
+    const Eigen::SelfAdjointEigenSolver<Matrix3d> principal(mechanism.bodies[i].inertia);
+    roots.push_back(principal.eigenvectors() *
+                    principal.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
+                    principal.eigenvectors().transpose());
+  }
+  result.turning = beam_.turning_terms(result.modes, stopped.bodies, frames);
+  const auto size = static_cast<Eigen::Index>(result.modes.size());
+  result.damping.resize(size, size);
+  for (Eigen::Index j = 0; j < size; ++j) {
+    const frame::BeamMode& mode = result.modes[static_cast<std::size_t>(j)];
+    for (Eigen::Index i = 0; i < size; ++i)
+      result.damping(i, j) = result.modes[static_cast<std::size_t>(i)].motion.dot(mode.drag);
+    const Eigen::VectorXd on_beam = beam_.shape_on_beam(mode);
+    const auto others = static_cast<Eigen::Index>(6 * own.size());
+    if (j == 0) result.shapes.resize(on_beam.size() + others, size);
+    Eigen::VectorXd beside = mode.motion.tail(others);
+    for (std::size_t b = 0; b < own.size(); ++b) {
+      const auto at = static_cast<Eigen::Index>(6 * b);
+      beside.segment<3>(at) =
+          std::sqrt(stopped.bodies[b].mass) * (own[b] * beside.segment<3>(at)).eval();
+      beside.segment<3>(at + 3) = (roots[b] * own[b] * beside.segment<3>(at + 3)).eval();
+    }
+    result.shapes.col(j) << on_beam, beside;
+  }
+  return result;
 }
 
 std::string shape_of(const frame::BeamMode& mode) {
@@ -411,6 +483,7 @@ std::string obstacle_to_vibration_in_space(const std::deque<SituationRun>& rigid
 
 double vibration_missed_in_space(const Project& project, const ModelChoice& model) {
   if (!std::holds_alternative<spatial::Mechanism>(project.mechanism)) return 0.0;
+  if (model.chosen.level == ModelLevel::modal) return 0.0;
   // Else there stands second order, which in space is weighed where there is none.
   return model.weighed.empty() ? 0.0 : model.weighed.front().error;
 }
@@ -425,7 +498,7 @@ VibrationInSpace estimate_vibration_in_space(const Project& project, const Situa
   estimate.without_modes = {0.0};
   if (!of_loads.loaded()) return result;
   const double begin = run.loads.begin().value(), period = run.loads.period().value();
-  double fastest = 0.0;
+  double fastest = 0.0, beside = 0.0;  // of the first mode's mass what is not the beam's
   /// The first frequency in a posture, which is weighed; infinite without mass.
   const auto look_at = [&](double time) {
     const spatial::State state = chain.at(time);
@@ -441,6 +514,7 @@ VibrationInSpace estimate_vibration_in_space(const Project& project, const Situa
       estimate.without_modes.resize(missed.size(), 0.0);
     for (std::size_t k = 0; k < missed.size(); ++k)
       estimate.without_modes[k] = std::max(estimate.without_modes[k], missed[k]);
+    beside = std::max(beside, std::clamp(1.0 - modes.front().own_mass, 0.0, 1.0));
     if (estimate.frequencies.empty() || modes.front().frequency < estimate.frequencies.front()) {
       estimate.frequencies.clear();
       for (const frame::BeamMode& mode : modes) estimate.frequencies.push_back(mode.frequency);
@@ -480,9 +554,14 @@ VibrationInSpace estimate_vibration_in_space(const Project& project, const Situa
   }
   if (estimate.frequencies.empty() || !run.loads.closed()) return result;
   const double turning = std::pow(fastest / (full_turn * estimate.frequencies.front()), 2);
+  // Bodies beside the beam turn with axes of their own, against which modes change.
+  const double coupled = turning * beside;
+  for (std::size_t k = 1; k < estimate.without_modes.size(); ++k)
+    estimate.without_modes[k] += coupled;
   estimate.without_modes.front() += turning;
-  estimate.left_out = friction_in(chain.mechanism()) * estimate.without_modes.front();
-  for (double& error : estimate.without_modes) error += estimate.left_out;
+  const double rubbed = friction_in(chain.mechanism()) * estimate.without_modes.front();
+  for (double& error : estimate.without_modes) error += rubbed;
+  estimate.left_out = coupled + rubbed;
   estimate.harmonics = of_loads.harmonics();
   return result;
 }

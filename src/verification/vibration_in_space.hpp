@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,19 @@ struct StoppedScene {
 StoppedScene stopped_scene(const spatial::Mechanism& mechanism, const spatial::State& state,
                            const spatial::BeamPlacement& placement);
 
+/// The six cut forces at stations, one station after the other.
+Eigen::VectorXd cuts_at(const CutForceDiagram& diagram, const std::vector<Station>& stations);
+
+/// Modes of a posture, with what a motion through it adds to their equations.
+struct ModesInMotion {
+  std::vector<frame::BeamMode> modes;
+  Eigen::MatrixXd damping;  ///< phi^T C phi [1/s]
+  frame::TurningTerms turning;
+  /// Motion of the beam and of the bodies in their own axes, by roots of masses: a column per mode.
+  /// Tells modes of different postures apart.
+  Eigen::MatrixXd shapes;
+};
+
 /// Vibration of the verified beam of a mechanism in space, which is stopped in a posture: the beam
 /// elastic, other bodies, rods and driven joints rigid, other joints free as they are, springs
 /// elastic. Friction holds nothing. The beam's axial force softens or stiffens it; what presses
@@ -34,6 +48,10 @@ class StoppedVibration {
   /// stopped mechanism is free to move, or buckles.
   std::vector<frame::BeamMode> modes(const spatial::State& state, const CutForceDiagram& rigid,
                                      std::size_t count) const;
+
+  /// The same modes of a posture that is passed in motion.
+  ModesInMotion modes_in_motion(const spatial::State& state, const CutForceDiagram& rigid,
+                                std::size_t count) const;
 
   const frame::VibratingBeam& beam() const { return beam_; }
   const spatial::BeamPlacement& placement() const { return placement_; }
@@ -57,6 +75,9 @@ struct VibrationInSpace {
   Time lowest_at;        ///< when the first frequency is lowest
   std::string shape;     ///< of the first mode then
 };
+
+/// These stresses along a beam at the even instants of its loads, a row for each.
+Eigen::MatrixXd stress_history_in_space(const LoadHistory& history, const TaperedBeam& beam);
 
 /// Why nothing is estimated in any of the situations that run; "" where the motion lets it.
 std::string obstacle_to_vibration_in_space(const std::deque<SituationRun>& rigid);

@@ -163,8 +163,6 @@ TEST_CASE("what only the other kind of case has is refused", "[bad_input]") {
   refused({"motion", gear, "--axes", "moon"}, {"no body \"moon\"", "one of world, climb"});
   refused({"motion", gear, "--assemblies"}, {"one assembly", "leave out --assemblies"});
   refused({"motion", rig, "--axes", "beam"}, {"world axes only", "leave out --axes"});
-  refused({"verify", gear, "--model", "flexible"},
-          {"there is no flexible model", "use --model auto or --model rigid"});
   const std::string published = test::project_file("sections/sledge-rig/published.toml");
   refused({"verify", published, "--dynamics", "newton-chain", "--model", "flexible"},
           {"is one of rigid bodies", "--dynamics rigorous"});

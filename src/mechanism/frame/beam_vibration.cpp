@@ -55,16 +55,26 @@ Matrix6 give_between(const FlexibilityProfile& profile, std::size_t piece, doubl
   return sum;
 }
 
+/// Inertia of a slice per length.
+Matrix3d slice_inertia(const SegmentMass& mass, double x) {
+  const double y = mass.rotary_y(x), z = mass.rotary_z(x), yz = mass.rotary_yz(x);
+  Matrix3d of = Matrix3d::Zero();
+  of(0, 0) = y + z;
+  of(1, 1) = y;
+  of(2, 2) = z;
+  of(1, 2) = of(2, 1) = -yz;
+  return of;
+}
+
 /// Mass per length against shifts and turns.
 Matrix6 inertia_at(const SegmentMass& mass, double x, bool rotary) {
   Matrix6 of = Matrix6::Zero();
   of.topLeftCorner<3, 3>().diagonal().setConstant(mass.mass(x));
-  const double y = mass.rotary_y(x), z = mass.rotary_z(x), yz = mass.rotary_yz(x);
-  of(3, 3) = y + z;
-  if (!rotary) return of;
-  of(4, 4) = y;
-  of(5, 5) = z;
-  of(4, 5) = of(5, 4) = -yz;
+  const Matrix3d turned = slice_inertia(mass, x);
+  if (rotary)
+    of.bottomRightCorner<3, 3>() = turned;
+  else
+    of(3, 3) = turned(0, 0);
   return of;
 }
 
@@ -75,23 +85,58 @@ std::vector<SegmentMass> with_rotary_inertia(TaperedBeam beam) {
 
 [[noreturn]] void refuse(const char* what) { throw AnalysisError({what, "beam", {}, {}, {}}); }
 
-/// The cubic with these values and slopes at both ends of [0, h].
-Polynomial<5> cubic_between(double first, double first_slope, double last, double last_slope,
-                            double h) {
-  const double mean = (last - first) / h;
-  return {{first, first_slope, (3.0 * mean - 2.0 * first_slope - last_slope) / h,
-           (first_slope + last_slope - 2.0 * mean) / (h * h)}};
+/// Of a rigid body in its frame, a row and column for each component of its motion.
+struct BodyTerms {
+  Matrix6 of_rate = Matrix6::Zero(), of_size = Matrix6::Zero();
+};
+
+BodyTerms body_terms(double mass, const Matrix3d& inertia, const Turning& frame) {
+  const Matrix3d w = skew(frame.omega);
+  const TurningTerms turned = turning_terms_of(inertia, frame);
+  BodyTerms terms;
+  terms.of_rate.topLeftCorner<3, 3>() = 2.0 * mass * w;
+  terms.of_size.topLeftCorner<3, 3>() = mass * (skew(frame.alpha) + w * w);
+  terms.of_rate.bottomRightCorner<3, 3>() = turned.of_rate;
+  terms.of_size.bottomRightCorner<3, 3>() = turned.of_size;
+  return terms;
 }
 
-Polynomial<4> line_between(double first, double last, double h) {
-  return {{first, (last - first) / h}};
+/// The load on the beam of a tie's end, whose force is so large.
+void add_tie_load(const Tie& tie, const Tie::End& end, double size, double length,
+                  BeamLoads& loads) {
+  const double s = std::clamp(end.at.p.x(), 0.0, length);
+  const Vector3d force = size * end.per.head<3>(),
+                 couple =
+                     size * end.per.tail<3>() + (end.at.p - Vector3d(s, 0.0, 0.0)).cross(force);
+  auto same = std::find_if(loads.points.begin(), loads.points.end(), [&](const PointLoad& of) {
+    return of.name == tie.name && of.s.value() == s && of.at == end.at.p.tail<2>();
+  });
+  if (same == loads.points.end()) {
+    PointLoad load;
+    load.s = si<Length>(s);
+    load.at = end.at.p.tail<2>();
+    load.name = tie.name;
+    same = loads.points.insert(same, load);
+  }
+  same->force += force;
+  same->moment += couple;
 }
 
 }  // namespace
 
+TurningTerms turning_terms_of(const Matrix3d& inertia, const Turning& frame) {
+  const Matrix3d w = skew(frame.omega), spin = skew(inertia * frame.omega);
+  const Vector3d change = inertia * frame.alpha + frame.omega.cross(inertia * frame.omega);
+  return {inertia * w - spin + w * inertia,
+          inertia * skew(frame.alpha) - spin * w + w * inertia * w - 0.5 * skew(change)};
+}
+
 VibratingBeam::VibratingBeam(const TaperedBeam& beam, double youngs_modulus, double shear_modulus,
-                             std::vector<double> held, int parts)
-    : beam_(&beam), length_(beam.length().value()), rotary_(beam.rotary_inertia) {
+                             std::vector<double> held, int parts, double retardation)
+    : beam_(&beam),
+      length_(beam.length().value()),
+      retardation_(retardation),
+      rotary_(beam.rotary_inertia) {
   bool twisted = true;
   for (const Segment& segment : beam.segments)
     twisted = twisted && twists(segment.from) && twists(segment.to);
@@ -167,6 +212,9 @@ void VibratingBeam::add_piece(double from, double to, const FlexibilityProfile& 
     sample.weight = point.on.weight;
     sample.cut = carry_along(to - s).transpose() * at_end;
     sample.strain = profile.at(point.of_profile, s) * sample.cut;
+    sample.motion = motion;
+    sample.mass = masses[segment].mass(x);
+    sample.inertia = slice_inertia(masses[segment], x);
     stations_.push_back({si<Length>(s)});
   }
 }
@@ -191,6 +239,7 @@ std::vector<BeamMode> VibratingBeam::modes(const std::vector<RigidMass>& bodies,
     const auto at = static_cast<Index>(6 * p);
     K.block<12, 12>(at, at) += piece.stiffness + geometric_block(N, h);
     M.block<12, 12>(at, at) += piece.mass;
+    C.block<12, 12>(at, at) += retardation_ * piece.stiffness;
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const Index at = on_beam + static_cast<Index>(6 * b);
@@ -198,6 +247,12 @@ std::vector<BeamMode> VibratingBeam::modes(const std::vector<RigidMass>& bodies,
     M.block<3, 3>(at + 3, at + 3) = bodies[b].inertia;
   }
   std::vector<VectorXd> held;
+  struct Elastic {
+    const Tie* tie;
+    VectorXd gap;
+  };
+  std::vector<Elastic> elastic;
+  std::vector<const Tie*> rigid_ties;
   for (const Tie& tie : ties) {
     VectorXd gap = VectorXd::Zero(size);
     for (const Tie::End& end : tie.ends) {
@@ -217,9 +272,11 @@ std::vector<BeamMode> VibratingBeam::modes(const std::vector<RigidMass>& bodies,
     }
     if (std::isinf(tie.stiffness)) {
       held.push_back(std::move(gap));
+      rigid_ties.push_back(&tie);
     } else {
       if (tie.stiffness != 0.0) springs += tie.stiffness * gap * gap.transpose();
       if (tie.damping != 0.0) C += tie.damping * gap * gap.transpose();
+      elastic.push_back({&tie, std::move(gap)});
     }
   }
   K += springs;
@@ -228,21 +285,24 @@ std::vector<BeamMode> VibratingBeam::modes(const std::vector<RigidMass>& bodies,
   for (Index k = 0; k < size; ++k)
     if (k % 6 < 3) unit[k] = length_;
   MatrixXd free = MatrixXd::Identity(size, size);
+  Eigen::ColPivHouseholderQR<MatrixXd> holding;
+  VectorXd norms = VectorXd::Ones(static_cast<Index>(held.size()));
   if (!held.empty()) {
     MatrixXd G(size, static_cast<Index>(held.size()));
     for (std::size_t k = 0; k < held.size(); ++k) {
+      const auto column = static_cast<Index>(k);
       const VectorXd row = held[k].cwiseProduct(unit);
       const double norm = row.norm();
       // Of the ground alone: nothing moves.
-      G.col(static_cast<Index>(k)) = norm > 0.0 ? VectorXd(row / norm) : row;
+      if (norm > 0.0) norms[column] = norm;
+      G.col(column) = norm > 0.0 ? VectorXd(row / norm) : row;
     }
-    Eigen::ColPivHouseholderQR<MatrixXd> solver;
     constexpr double repeats = 1e-9;
-    solver.setThreshold(repeats);
-    solver.compute(G);
-    const Index left = size - solver.rank();
+    holding.setThreshold(repeats);
+    holding.compute(G);
+    const Index left = size - holding.rank();
     if (left == 0) return {};
-    const MatrixXd whole = solver.householderQ() * MatrixXd::Identity(size, size);
+    const MatrixXd whole = holding.householderQ() * MatrixXd::Identity(size, size);
     free = whole.rightCols(left);
   }
   free = (unit.asDiagonal() * free).eval();
@@ -262,10 +322,107 @@ std::vector<BeamMode> VibratingBeam::modes(const std::vector<RigidMass>& bodies,
     if (round_off * x.squaredNorm() > 1e-3) refuse("with its drivers held it is free to move");
     const VectorXd motion = free * x / std::sqrt(mu);
     BeamMode& mode = modes.emplace_back(mode_of(motion.head(on_beam), 1.0 / std::sqrt(mu), rigid));
-    mode.damping = motion.dot(C * motion);
+    mode.motion = motion;
+    mode.drag = C * motion;
+    mode.damping = motion.dot(mode.drag);
     mode.energy.back() = mu * motion.dot(springs * motion);
+    mode.own_mass =
+        motion.head(on_beam).dot(M.topLeftCorner(on_beam, on_beam) * motion.head(on_beam));
+    // What rigid ties do keeps the rest in motion; elastic ones oppose their gaps.
+    const auto put = [&](const Tie& tie, double force) {
+      for (const Tie::End& end : tie.ends)
+        if (end.at.member == 0) add_tie_load(tie, end, force, length_, mode.loads);
+    };
+    if (!held.empty()) {
+      const VectorXd by_ties = K * motion - M * motion / mu;
+      const VectorXd sizes =
+          VectorXd(holding.solve(by_ties.cwiseProduct(unit))).cwiseQuotient(norms);
+      for (std::size_t t = 0; t < rigid_ties.size(); ++t)
+        put(*rigid_ties[t], sizes[static_cast<Index>(t)]);
+    }
+    for (const Elastic& of : elastic) put(*of.tie, -of.tie->stiffness * of.gap.dot(motion));
   }
   return modes;
+}
+
+/// Line loads that keep the forces on a piece's ends in balance, and the cut forces under them.
+void VibratingBeam::add_inertia(const Vector12& forces, const Vector12& by_axial_force, double from,
+                                double h, BeamMode& mode) const {
+  constexpr Index N = cut_force::N, V_y = cut_force::V_y, V_z = cut_force::V_z, T = cut_force::T,
+                  M_y = cut_force::M_y, M_z = cut_force::M_z;
+  const Vector6 first = -forces.head<6>(), last = forces.tail<6>();
+  // The axial force on the bent piece is a couple per length.
+  const Vector6 turning =
+      by_axial_force.head<6>() + carry_along(h).transpose() * by_axial_force.tail<6>();
+  const double m_y = -turning[M_y] / h, m_z = -turning[M_z] / h;
+  // q = a + b x:  V = V_0 - a x - b x^2/2,  M = M_0 + (V_0 - m) x - a x^2/2 - b x^3/6 as of M_y.
+  struct Across {
+    double a, b;
+    Polynomial<4> V;
+    Polynomial<5> M;
+  };
+  const auto across = [&](double V_0, double V_h, double M_0, double M_h, double m) {
+    const double drop = V_0 - V_h, short_of = M_0 + (V_0 - m) * h - M_h;
+    const double b = 12.0 * (0.5 * drop * h - short_of) / (h * h * h), a = drop / h - 0.5 * b * h;
+    return Across{a, b, {{V_0, -a, -0.5 * b}}, {{M_0, V_0 - m, -0.5 * a, -b / 6.0}}};
+  };
+  const Across z = across(first[V_z], last[V_z], first[M_y], last[M_y], m_y),
+               y = across(first[V_y], last[V_y], -first[M_z], -last[M_z], -m_z);
+  LineLoad& line = mode.loads.lines.emplace_back();
+  CutForcePiece& cut = mode.cut.pieces.emplace_back();
+  cut.start = line.start = si<Length>(from);
+  cut.length = line.length = si<Length>(h);
+  line.force[0] = {{(first[N] - last[N]) / h}};
+  line.force[1] = {{y.a, y.b}};
+  line.force[2] = {{z.a, z.b}};
+  line.couple = {{{{(first[T] - last[T]) / h}}, {{m_y}}, {{m_z}}}};
+  cut.N = {{first[N], (last[N] - first[N]) / h}};
+  cut.T = {{first[T], (last[T] - first[T]) / h}};
+  cut.V_y = y.V;
+  cut.M_z = -1.0 * y.M;
+  cut.V_z = z.V;
+  cut.M_y = z.M;
+}
+
+TurningTerms VibratingBeam::turning_terms(const std::vector<BeamMode>& modes,
+                                          const std::vector<RigidMass>& bodies,
+                                          const std::vector<Turning>& frames) const {
+  const auto count = static_cast<Index>(modes.size());
+  TurningTerms sum{MatrixXd::Zero(count, count), MatrixXd::Zero(count, count)};
+  /// `motions`: a column for each mode.
+  const auto add = [&](const BodyTerms& of, const MatrixXd& motions) {
+    sum.of_rate += motions.transpose() * of.of_rate * motions;
+    sum.of_size += motions.transpose() * of.of_size * motions;
+  };
+  MatrixXd motions(modes.empty() ? 0 : modes.front().motion.size(), count);
+  for (Index j = 0; j < count; ++j) motions.col(j) = modes[static_cast<std::size_t>(j)].motion;
+  for (std::size_t p = 0; p < pieces_.size(); ++p) {
+    const MatrixXd ends = motions.middleRows<12>(static_cast<Index>(6 * p));
+    for (const Sample& sample : pieces_[p].samples) {
+      add(body_terms(sample.weight * sample.mass, sample.weight * sample.inertia, frames.front()),
+          sample.motion * ends);
+    }
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    add(body_terms(bodies[b].mass, bodies[b].inertia, frames[b + 1]),
+        motions.middleRows<6>(static_cast<Index>(6 * (nodes_.size() + b))));
+  }
+  return sum;
+}
+
+VectorXd VibratingBeam::shape_on_beam(const BeamMode& mode) const {
+  VectorXd shape(static_cast<Index>(4 * stations_.size()));
+  Index at = 0;
+  for (std::size_t p = 0; p < pieces_.size(); ++p) {
+    const Eigen::Matrix<double, 12, 1> ends = mode.motion.segment<12>(static_cast<Index>(6 * p));
+    for (const Sample& sample : pieces_[p].samples) {
+      const Vector6 motion = sample.motion * ends;
+      shape.segment<3>(at) = std::sqrt(sample.weight * sample.mass) * motion.head<3>();
+      shape[at + 3] = std::sqrt(sample.weight * sample.inertia(0, 0)) * motion[3];
+      at += 4;
+    }
+  }
+  return shape;
 }
 
 BeamMode VibratingBeam::mode_of(const VectorXd& motion, double omega,
@@ -282,19 +439,9 @@ BeamMode VibratingBeam::mode_of(const VectorXd& motion, double omega,
     const Eigen::Matrix<double, 12, 1> ends = motion.segment<12>(static_cast<Index>(6 * p));
     const double axial = rigid.at({si<Length>(0.5 * (piece.from + piece.to))}).N.value();
     // What its neighbours do to its ends: elasticity, axial force and inertia together.
-    const Eigen::Matrix<double, 12, 1> forces =
-        (piece.stiffness + geometric_block(axial, h) - omega * omega * piece.mass) * ends;
-    const Vector6 first = -forces.head<6>(), last = forces.tail<6>();
-    CutForcePiece& cut = mode.cut.pieces.emplace_back();
-    cut.start = si<Length>(piece.from);
-    cut.length = si<Length>(h);
-    cut.N = line_between(first[N], last[N], h);
-    cut.V_y = line_between(first[V_y], last[V_y], h);
-    cut.V_z = line_between(first[V_z], last[V_z], h);
-    const double twist = (last[T] - first[T]) / h;
-    cut.T = {{first[T], twist}};
-    cut.M_y = cubic_between(first[M_y], first[V_z], last[M_y], last[V_z], h);
-    cut.M_z = cubic_between(first[M_z], -first[V_y], last[M_z], -last[V_y], h);
+    const Vector12 by_axial_force = geometric_block(axial, h) * ends;
+    add_inertia((piece.stiffness - omega * omega * piece.mass) * ends + by_axial_force,
+                by_axial_force, piece.from, h, mode);
     for (const Sample& sample : piece.samples) {
       const Vector6 strain = sample.strain * ends, force = sample.cut * ends;
       mode.work.segment<6>(at) = sample.weight * strain;

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 #include "boxbeam/beam/cut_force_diagram.hpp"
@@ -31,20 +32,53 @@ struct Tie {
   std::vector<End> ends;
   double stiffness = std::numeric_limits<double>::infinity();  ///< infinite: rigid
   double damping = 0.0;                                        ///< viscous
+  std::string_view name = {};  ///< of the joint or spring that it is of, which owns the text
 };
 
 /// A free vibration, of modal mass one.
 struct BeamMode {
   double frequency = 0.0;  ///< [Hz]
   CutForceDiagram cut;     ///< along the beam, per unit of the mode
+  /// What acts on the beam in it, ties and inertia, which is in balance; one point load for every
+  /// name and place of a tie. Its line loads are linear on every piece, with the force and moment
+  /// of the inertia there; what the axial force does to the bent piece is a couple per length, so
+  /// that V stands across the straight axis.
+  BeamLoads loads;
   /// Work of the cut forces at `VibratingBeam::stations`, six for each, on the strains of the mode:
   /// their sum is the generalised force of loads that are in balance with the rigid mechanism.
   Eigen::VectorXd work;
   double damping = 0.0;  ///< phi^T C phi [1/s]
+  /// Shifts and turns of the beam's nodes and then of the bodies' centres, six for each, in the
+  /// axes of the beam [per sqrt(kg)]; and C times these.
+  Eigen::VectorXd motion, drag;
+  double own_mass = 0.0;  ///< the beam's part of the modal mass
   /// Parts of the elastic energy: stretching, bending about y and about z with shear, torsion, and
   /// what is in elastic ties. What the axial force adds is beside them.
   std::array<double, 5> energy{};
 };
+
+/// How a body turns, in the axes of the beam.
+struct Turning {
+  Eigen::Vector3d omega = Eigen::Vector3d::Zero();  ///< [rad/s]
+  Eigen::Vector3d alpha = Eigen::Vector3d::Zero();  ///< [rad/s^2]
+};
+
+/// What a turning frame adds to equations of motion, per rate of the coordinates and per
+/// coordinate.
+struct TurningTerms {
+  Eigen::MatrixXd of_rate, of_size;
+};
+
+/// Of small turns theta of a body of inertia I about its centre against axes that turn with omega
+/// and alpha, from the rate of its angular momentum in its own axes, w = omega + theta' + omega x
+/// theta, and the virtual turn delta theta - theta x delta theta/2 of a turning vector:
+///
+///     of_rate = I omega~ - (I omega)~ + omega~ I
+///     of_size = I alpha~ - (I omega)~ omega~ + omega~ I omega~ - (I alpha + omega x I omega)~/2
+///
+/// a~ b = a x b. Sources: Shabana, Dynamics of Multibody Systems (2005), chapters 3 and 5; Argyris,
+/// Computer Methods in Applied Mechanics and Engineering 32 (1982), turning vectors.
+TurningTerms turning_terms_of(const Eigen::Matrix3d& inertia, const Turning& frame);
 
 /// An elastic beam among rigid bodies: small free vibrations about a posture.
 ///
@@ -66,8 +100,9 @@ class VibratingBeam {
   /// Cut at the stations of `held`, and between them so that about `parts` pieces make the beam.
   /// Rotary inertia about y and z where the beam counts it, about x always. Where the torsion
   /// constant is not known the beam is as good as rigid in torsion. `beam` stays.
+  /// `retardation`: of the material, whose stress is E (strain + retardation strain') [s].
   VibratingBeam(const TaperedBeam& beam, double youngs_modulus, double shear_modulus,
-                std::vector<double> held, int parts);
+                std::vector<double> held, int parts, double retardation = 0.0);
 
   /// The lowest modes, ascending; fewer where fewer have mass. `rigid`: cut forces of the beam in
   /// the posture, whose axial force softens or stiffens it. Throws AnalysisError where something is
@@ -75,14 +110,31 @@ class VibratingBeam {
   std::vector<BeamMode> modes(const std::vector<RigidMass>& bodies, const std::vector<Tie>& ties,
                               const CutForceDiagram& rigid, std::size_t count) const;
 
+  /// What turning adds to the equations of modes that are fixed to the bodies' axes, `frames` those
+  /// of the beam and then of the bodies:
+  ///
+  ///     phi_i . m (2 omega x phi_j' + (alpha~ + omega~^2) phi_j)   and `turning_terms_of`
+  ///
+  /// Source: Shabana, Dynamics of Multibody Systems (2005), chapter 5.
+  TurningTerms turning_terms(const std::vector<BeamMode>& modes,
+                             const std::vector<RigidMass>& bodies,
+                             const std::vector<Turning>& frames) const;
+
+  /// Motion along the beam in a mode by roots of masses, whose scalar products over the beam are
+  /// those of its masses; turns about the axis alone.
+  Eigen::VectorXd shape_on_beam(const BeamMode& mode) const;
+
   /// Where cut forces are taken for `BeamMode::work`.
   const std::vector<Station>& stations() const { return stations_; }
 
  private:
   using Matrix12 = Eigen::Matrix<double, 12, 12>;
+  using Vector12 = Eigen::Matrix<double, 12, 1>;
   struct Sample {
     double weight = 0.0;
-    Eigen::Matrix<double, 6, 12> cut, strain;  ///< per motion of the ends
+    Eigen::Matrix<double, 6, 12> cut, strain, motion;   ///< per motion of the ends
+    double mass = 0.0;                                  ///< per length [kg/m]
+    Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< per length [kg m]
   };
   struct Piece {
     double from = 0.0, to = 0.0;
@@ -93,9 +145,11 @@ class VibratingBeam {
                  const std::vector<SegmentMass>& masses, bool twisted);
   std::size_t node_of(double s) const;
   BeamMode mode_of(const Eigen::VectorXd& motion, double omega, const CutForceDiagram& rigid) const;
+  void add_inertia(const Vector12& forces, const Vector12& by_axial_force, double from, double h,
+                   BeamMode& mode) const;
 
   const TaperedBeam* beam_;
-  double length_;
+  double length_, retardation_;
   bool rotary_;
   std::vector<double> nodes_;
   std::vector<Piece> pieces_;

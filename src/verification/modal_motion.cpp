@@ -1,0 +1,199 @@
+#include "modal_motion.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "boxbeam/core/angle.hpp"
+#include "boxbeam/core/error.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// First and second derivative at one of N equal steps of a period of 2 pi, N even: entry by the
+/// number of steps between.
+struct PeriodicDerivatives {
+  Eigen::VectorXd first, second;
+};
+
+PeriodicDerivatives periodic_derivatives(Eigen::Index n) {
+  PeriodicDerivatives d{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
+  const double h = full_turn / static_cast<double>(n);
+  d.second[0] = -std::numbers::pi * std::numbers::pi / (3.0 * h * h) - 1.0 / 6.0;
+  for (Eigen::Index k = 1; k < n; ++k) {
+    const double sign = k % 2 == 0 ? 1.0 : -1.0;
+    const double half = 0.5 * h * static_cast<double>(k);
+    d.first[k] = 0.5 * sign / std::tan(half);
+    d.second[k] = -0.5 * sign / std::pow(std::sin(half), 2);
+  }
+  return d;
+}
+
+/// p(x + by).
+template <int Degree>
+Polynomial<Degree> moved_by_length(const Polynomial<Degree>& p, double by, double length) {
+  if (by == 0.0) return p;
+  return interpolate<Degree>([&](double x) { return p(x + by); }, length);
+}
+
+template <int Degree>
+void add_to(Polynomial<Degree>& sum, double factor, const Polynomial<Degree>& p) {
+  for (std::size_t i = 0; i < p.size; ++i) sum.c[i] += factor * p.c[i];
+}
+
+/// Where a harmonic meets a frequency that nothing damps, coordinates have no limit.
+[[noreturn]] void refuse_resonance(double lowest, double period) {
+  const double harmonic = std::max(1.0, std::round(lowest * period));
+  refuse_vibration(fmt::format(
+      "harmonic {:.0f} of the motion, {:.6g} Hz, meets the beam's natural frequency, {:.6g} Hz "
+      "at lowest: without damping its vibration has no limit; give [model] a retardation time, "
+      "or change the drive",
+      harmonic, harmonic / period, lowest));
+}
+
+}  // namespace
+
+void require_few_instants(std::size_t instants) {
+  // In each of them the bent beam is solved; and of a wave of the loads, which sixteen of them
+  // hold, the collocation sees too few where it must leave out most.
+  constexpr std::size_t most_instants = 4096;
+  if (instants <= most_instants) return;
+  refuse_vibration(fmt::format(
+      "the motion has {} instants, in each of which the beam would be bent, and {} are the most: "
+      "loads that swing so often in one period are not resolved; verify a faster force by "
+      "itself, ask for fewer instants, or use --model rigid to have the loads of rigid bodies",
+      instants, most_instants));
+}
+
+Eigen::Index stride_of(std::size_t instants, std::size_t modes) {
+  constexpr std::size_t most_unknowns = 1536;
+  std::size_t stride = 1;
+  while (instants / stride * modes > most_unknowns && instants % (4 * stride) == 0) stride *= 2;
+  return static_cast<Eigen::Index>(stride);
+}
+
+void refuse_vibration(const std::string& what) {
+  throw AnalysisError({what, "beam", {}, {}, {}, {}});
+}
+
+void refuse_vibration(const std::string& what, double time) {
+  throw AnalysisError({what, "beam", time, {}, {}, {}});
+}
+
+Eigen::VectorXd trigonometric_at(const Eigen::MatrixXd& values, double turns) {
+  const Eigen::Index n = values.rows();
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(values.cols());
+  double weights = 0.0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double half =
+        std::numbers::pi * (turns - static_cast<double>(i) / static_cast<double>(n));
+    const double sine = std::sin(half);
+    if (std::abs(sine) < 1e-12) return values.row(i).transpose();
+    const double weight = (i % 2 == 0 ? 1.0 : -1.0) * std::cos(half) / sine;
+    sum += weight * values.row(i).transpose();
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+std::vector<LineLoad> on_stretches_of(const std::vector<LineLoad>& lines,
+                                      const std::vector<LineLoad>& finer) {
+  std::vector<LineLoad> result;
+  std::size_t at = 0;
+  for (const LineLoad& piece : finer) {
+    const Length middle = piece.start + 0.5 * piece.length;
+    while (middle > lines[at].start + lines[at].length) ++at;
+    const double by = (piece.start - lines[at].start).value();
+    LineLoad& line = result.emplace_back();
+    line.start = piece.start;
+    line.length = piece.length;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      line.force[axis] = moved_by_length(lines[at].force[axis], by, piece.length.value());
+      line.couple[axis] = moved_by_length(lines[at].couple[axis], by, piece.length.value());
+    }
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      for (std::size_t sense = 0; sense < 2; ++sense)
+        line.outside[axis][sense] =
+            moved_by_length(lines[at].outside[axis][sense], by, piece.length.value());
+  }
+  return result;
+}
+
+void add_lines(std::vector<LineLoad>& sum, double factor, const std::vector<LineLoad>& lines) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      add_to(sum[i].force[axis], factor, lines[i].force[axis]);
+      add_to(sum[i].couple[axis], factor, lines[i].couple[axis]);
+    }
+  }
+}
+
+Eigen::MatrixXd turn_between(const Eigen::MatrixXd& shapes, const Eigen::MatrixXd& reference,
+                             double time) {
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(shapes.transpose() * reference,
+                                              Eigen::ComputeThinU | Eigen::ComputeThinV);
+  constexpr double recognised = 0.3;
+  if (svd.singularValues().minCoeff() < recognised) {
+    refuse_vibration(
+        "the modes of the beam change beyond recognition over the motion, so that a few of them "
+        "do not describe its vibration; use --model rigid to have the loads of rigid bodies",
+        time);
+  }
+  return svd.matrixU() * svd.matrixV().transpose();
+}
+
+ModalMotion solve_modal_motion(const std::vector<ModalPosture>& postures, double period) {
+  const auto n = static_cast<Eigen::Index>(postures.size());
+  const Eigen::Index k = postures.front().squares.size();
+  // Unknowns: instant by instant the modal coordinates.
+  const PeriodicDerivatives d = periodic_derivatives(n);
+  const double rate = full_turn / period;
+  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n * k, n * k);
+  Eigen::MatrixXd p(n, k);
+  Eigen::MatrixXd statically(n, k);
+  std::vector<Eigen::MatrixXd> viscous;  // K^-1 C at the instants
+  double lowest = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const ModalPosture& at = postures[static_cast<std::size_t>(i)];
+    const Eigen::MatrixXd& turn = at.turn;
+    lowest = std::min(lowest, std::sqrt(at.squares[0]) / full_turn);
+    p.row(i) = (turn.transpose() * at.force).transpose();
+    statically.row(i) = (turn.transpose() * at.force.cwiseQuotient(at.squares)).transpose();
+    const Eigen::MatrixXd damping = turn.transpose() * (at.damping + at.of_rate) * turn;
+    viscous.emplace_back(turn.transpose() * at.squares.cwiseInverse().asDiagonal() * at.damping *
+                         turn);
+    for (Eigen::Index m = 0; m < n; ++m) {
+      const Eigen::Index apart = (i - m + n) % n;
+      system.block(i * k, m * k, k, k) =
+          rate * d.first[apart] * damping +
+          rate * rate * d.second[apart] * Eigen::MatrixXd::Identity(k, k);
+    }
+    const Eigen::MatrixXd stiffness = Eigen::MatrixXd(at.squares.asDiagonal()) + at.of_size;
+    system.block(i * k, i * k, k, k) += turn.transpose() * stiffness * turn;
+  }
+  Eigen::VectorXd right(n * k);
+  for (Eigen::Index i = 0; i < n; ++i) right.segment(i * k, k) = p.row(i).transpose();
+  const Eigen::VectorXd solved = Eigen::PartialPivLU<Eigen::MatrixXd>(system).solve(right);
+  ModalMotion motion;
+  motion.eta.resize(n, k);
+  for (Eigen::Index i = 0; i < n; ++i) motion.eta.row(i) = solved.segment(i * k, k).transpose();
+  motion.dynamic = motion.eta - statically;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    Eigen::VectorXd speed = Eigen::VectorXd::Zero(k);
+    for (Eigen::Index m = 0; m < n; ++m) {
+      speed += rate * d.first[(i - m + n) % n] * motion.eta.row(m).transpose();
+    }
+    motion.dynamic.row(i) += (viscous[static_cast<std::size_t>(i)] * speed).transpose();
+  }
+  constexpr double no_limit = 1e3;
+  const double size = statically.cwiseAbs().maxCoeff();
+  if (!motion.eta.allFinite() || motion.eta.cwiseAbs().maxCoeff() > no_limit * size)
+    refuse_resonance(lowest, period);
+  return motion;
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,903 @@
+// Vibration of the beam in motions of mechanisms in space, against the plane, closed forms, finite
+// elements that share nothing with the program, and what must hold in every motion.
+
+#include "src/verification/elastic_motion_in_space.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <string>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/section/shear_area.hpp"
+#include "boxbeam/section/torsion.hpp"
+#include "boxbeam/verification/elastic_motion.hpp"
+#include "boxbeam/verification/situation_run.hpp"
+#include "boxbeam/verification/vibrating_stress.hpp"
+#include "catch.hpp"
+#include "support/slender_beam.hpp"
+#include "support/space_elements.hpp"
+
+namespace elastic_motion_in_space_test {
+
+using namespace boxbeam;
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double pi = std::numbers::pi, E = 210e9, G = 81e9;
+
+/// An arm of 4 m along x, a box, with what `joints` say around it.
+std::string arm(const std::string& joints, const std::string& beam, const std::string& model = "") {
+  return R"([case]
+name = "arm"
+kind = "spatial"
+[mechanism]
+gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
+[bodies.arm]
+points = { heel = ["0 m", "0 m", "0 m"], mid = ["1.5 m", "0 m", "0 m"], tip = ["4 m", "0 m", "0 m"] }
+)" + joints +
+         R"(
+[sections.arm]
+kind = "box"
+width = "120 mm"
+height = "160 mm"
+flange = "8 mm"
+web = "6 mm"
+[beam]
+body = "arm"
+start = "heel"
+axis = "x"
+z = "z"
+)" + beam +
+         R"(
+[[beam.segments]]
+length = "4 m"
+section = "arm"
+[material]
+steel = "S355"
+[strength]
+required = 1.0
+)" + model;
+}
+
+const std::string steel = "density = \"7850 kg/m^3\"\nrotary_inertia = true\n";
+const std::string light = "density = \"1e-3 kg/m^3\"\n";
+
+/// A body beside the tip: with the arm it makes an L that leans.
+const std::string beside = R"(
+[bodies.load]
+mass = "120 kg"
+centre = ["0.1 m", "1.2 m", "-0.4 m"]
+inertia = [["9 kg m^2", "1 kg m^2", "-2 kg m^2"], ["1 kg m^2", "6 kg m^2", "0.5 kg m^2"], ["-2 kg m^2", "0.5 kg m^2", "11 kg m^2"]]
+points = { c = ["0 m", "0 m", "0 m"] }
+[joints.tip]
+kind = "fixed"
+connect = ["arm.tip", "load.c"]
+)";
+
+std::string hinge(const Vector3d& axis, double amplitude, double frequency) {
+  return fmt::format(R"(
+[joints.heel]
+kind = "revolute"
+connect = ["ground", "arm.heel"]
+at = ["0 m", "0 m", "0 m"]
+axis = [{:.15g}, {:.15g}, {:.15g}]
+[drivers.turning]
+joint = "heel"
+kind = "harmonic"
+mean = "0 rad"
+amplitude = "{:.15g} rad"
+frequency = "{:.15g} Hz"
+)",
+                     axis.x(), axis.y(), axis.z(), amplitude, frequency);
+}
+
+/// A case whose rigid bodies have moved.
+struct Moved {
+  explicit Moved(const std::string& text)
+      : project(parse_project("arm.toml", text)), runs(run_situations(project)) {}
+
+  const LoadHistory& rigid() const { return runs.front().loads; }
+  const spatial::Chain& chain() const { return chain_of(runs.front()); }
+  ElasticMotionInSpace by(std::size_t modes, int parts, std::size_t instants = 0) const {
+    LoadSpan span = rigid().span();
+    if (instants > 0) span.instants = instants;
+    return {project, chain(), span, [this](Time time) { return rigid().loads_at(time); },
+            modes,   parts};
+  }
+  std::vector<frame::BeamMode> modes(int parts, std::size_t count) const {
+    const StoppedVibration stopped(project, chain(), parts);
+    const double begin = rigid().begin().value();
+    return stopped.modes(chain().at(begin), rigid().diagram_at(si<Time>(begin)), count);
+  }
+  Time at(double part) const { return rigid().begin() + part * rigid().period(); }
+
+  Project project;
+  std::deque<SituationRun> runs;
+};
+
+using Cuts = Eigen::Matrix<double, 6, 1>;
+
+Cuts cuts_of(const BeamLoads& loads, double s) {
+  return cuts_at(cut_forces_of(loads), {{si<Length>(s), Side::behind}});
+}
+
+/// What is left over beside the largest loads, forces times the beam's length.
+double imbalance(const BeamLoads& loads, double length) {
+  double largest = 0.0;
+  for (const PointLoad& load : loads.points)
+    largest = std::max({largest, load.force.norm() * length, load.moment.norm()});
+  const Imbalance of = imbalance_of(loads);
+  return std::max(of.force.norm() * length, of.moment.norm()) / largest;
+}
+
+/// Forces, then moments, of the same size.
+void check_alike(const Cuts& found, const Cuts& expected, const Cuts& size, double within) {
+  const double force = size.head<3>().norm(), moment = size.tail<3>().norm();
+  INFO("found " << found.transpose() << "\nexpected " << expected.transpose());
+  CHECK((found - expected).head<3>().norm() < within * force);
+  CHECK((found - expected).tail<3>().norm() < within * moment);
+}
+
+}  // namespace
+
+// The definition: the virtual work of a body's masses times their accelerations, by differences,
+// where it turns as exp(theta) in axes that turn with omega and alpha.
+TEST_CASE("what turning adds is the virtual work of a body's masses", "[elastic_motion]") {
+  std::mt19937 chance(7);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  const auto vector = [&] { return Vector3d(any(chance), any(chance), any(chance)); };
+  std::vector<Vector3d> masses;
+  for (int i = 0; i < 6; ++i) masses.push_back(vector());
+  Vector3d mean = Vector3d::Zero();
+  for (const Vector3d& r : masses) mean += r / 6.0;
+  Matrix3d inertia = Matrix3d::Zero();
+  for (Vector3d& r : masses) {
+    r -= mean;
+    inertia += r.squaredNorm() * Matrix3d::Identity() - r * r.transpose();
+  }
+  const Vector3d omega = vector(), alpha = vector();
+  const auto turned = [](const Vector3d& v) -> Matrix3d {
+    return v.norm() == 0.0 ? Matrix3d::Identity()
+                           : Eigen::AngleAxisd(v.norm(), v.normalized()).toRotationMatrix();
+  };
+  // Axes whose rate of turn is omega + alpha t in themselves, to the second order in t.
+  const auto axes = [&](double t) -> Matrix3d { return turned(omega * t + 0.5 * alpha * t * t); };
+  // Generalised inertia force against theta_i, of turns theta + rate t.
+  const auto force = [&](const Vector3d& theta, const Vector3d& rate) {
+    const double h = 1e-3, e = 1e-5;
+    Vector3d sum = Vector3d::Zero();
+    for (const Vector3d& r : masses) {
+      const auto x = [&](double t, const Vector3d& v) -> Vector3d {
+        return axes(t) * (turned(v + rate * t) * r);
+      };
+      // Of the fourth order in h.
+      const Vector3d acceleration = (-x(2 * h, theta) + 16.0 * x(h, theta) - 30.0 * x(0.0, theta) +
+                                     16.0 * x(-h, theta) - x(-2 * h, theta)) /
+                                    (12.0 * h * h);
+      for (int i = 0; i < 3; ++i) {
+        const Vector3d d = e * Vector3d::Unit(i);
+        sum[i] += acceleration.dot(x(0.0, theta + d) - x(0.0, theta - d)) / (2.0 * e);
+      }
+    }
+    return sum;
+  };
+  const frame::TurningTerms terms = frame::turning_terms_of(inertia, {omega, alpha});
+  const double small = 1e-3;
+  for (int j = 0; j < 3; ++j) {
+    const Vector3d d = small * Vector3d::Unit(j), none = Vector3d::Zero();
+    const Vector3d of_size = (force(d, none) - force(-d, none)) / (2.0 * small);
+    const Vector3d of_rate = (force(none, d) - force(none, -d)) / (2.0 * small);
+    CHECK((of_size - terms.of_size.col(j)).norm() < 1e-4 * inertia.norm());
+    CHECK((of_rate - terms.of_rate.col(j)).norm() < 1e-4 * inertia.norm());
+  }
+}
+
+namespace {
+
+const char* slender_text = R"([case]
+name = "shaken"
+kind = "spatial"
+[mechanism]
+gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
+[bodies.arm]
+points = {{ heel = ["0 m", "0 m", "0 m"] }}
+[joints.base]
+kind = "revolute"
+connect = ["ground", "arm.heel"]
+at = ["0 m", "0 m", "0 m"]
+axis = [{:.15g}, {:.15g}, {:.15g}]
+[drivers.turning]
+joint = "base"
+kind = "harmonic"
+mean = "0 rad"
+amplitude = "{:.15g} rad"
+frequency = "{:.15g} Hz"
+[sections.root]
+kind = "box"
+width = "80 mm"
+height = "100 mm"
+flange = "5 mm"
+web = "5 mm"
+[sections.tip]
+kind = "box"
+width = "{} mm"
+height = "{} mm"
+flange = "5 mm"
+web = "5 mm"
+[beam]
+body = "arm"
+start = "heel"
+axis = "x"
+z = "z"
+density = "7850 kg/m^3"
+[[beam.segments]]
+length = "12 m"
+from = "root"
+to = "tip"
+[material]
+steel = "S355"
+[strength]
+required = 1.0
+[model]
+youngs_modulus = "210 GPa"
+shear_modulus = "{} GPa"
+)";
+
+}  // namespace
+
+// The same beam as a chain of rigid finite elements of the plane and by its pieces in space, in a
+// motion whose turning counts: equations, loads and basis are the plane's.
+TEST_CASE("a motion of the plane written in space has the plane's vibration", "[elastic_motion]") {
+  using namespace test::slender;
+  const double frequency = 0.15, amplitude = 0.5;
+  test::slender::Beam plane;
+  const Section root{symmetric_box(w * metre, h * metre, ::test::slender::plate * metre,
+                                   ::test::slender::plate * metre),
+                     {}};
+  const Section tip{symmetric_box(0.06 * metre, 0.05 * metre, ::test::slender::plate * metre,
+                                  ::test::slender::plate * metre),
+                    {}};
+  plane.beam.segments = {{"", Length{}, si<Length>(L), root, tip}};
+  const MassProperties properties = mass_properties_of(plane.beam);
+  boxbeam::Body& body = plane.mechanism.bodies.front();
+  body.mass = properties.mass.value();
+  body.inertia = properties.inertia.value();
+  const double centre = properties.centre.value();
+  body.sketch.centre = {centre, 0.0};
+  plane.body = planar::beam_body_of(plane.beam, 0);
+  planar::Pin pin;
+  pin.a = {0, {-centre, 0.0}};
+  plane.mechanism.joints = {{"base", pin}};
+  planar::Driven turning;
+  turning.point = {0, {-centre, 0.0}};
+  turning.coordinate = planar::Coordinate::angle;
+  turning.driver = HarmonicDriver{0.0, amplitude, 2.0 * pi * frequency, 0.0};
+  plane.mechanism.joints.push_back({"drive", turning});
+  plane.solve(48);
+  const ElasticBody elastic{
+      0, centre, L, link_stretches_of(plane.beam, test::slender::E, test::slender::G), 0.0, 384};
+  const ElasticMotion vibrating(plane.rigid(), elastic, 2);
+  const LoadsAt bent = bent_statically(plane.rigid(), elastic);
+  const Moved of(
+      fmt::format(fmt::runtime(slender_text), 0.0, -1.0, 0.0, amplitude, frequency, 60, 50, 81));
+  // Two of them in the plane.
+  const ElasticMotionInSpace coarse = of.by(4, 48, 48), fine = of.by(4, 96, 48);
+  REQUIRE(fine.dynamic_part().cols() == 4);
+  const auto beyond_rigid = [&](const ElasticMotionInSpace& by, Time time, double s) -> Cuts {
+    return cuts_of(by.loads_at(time), s) - cuts_of(of.rigid().loads_at(time), s);
+  };
+  for (const double s : {0.0, 4.0, 9.0}) {
+    double moment = 0.0, vibrating_moment = 0.0, apart = 0.0, across = 0.0;
+    for (int i = 0; i < 96; ++i) {
+      const Time time = si<Time>(plane.motion.begin + plane.motion.period * i / 96.0);
+      const Cuts expected = cuts_of(vibrating.loads_at(time), s) - cuts_of(bent(time), s);
+      // Axial forces stand in the middles of pieces: the error falls with the square of these.
+      const Cuts found = (4.0 * beyond_rigid(fine, time, s) - beyond_rigid(coarse, time, s)) / 3.0;
+      apart = std::max(apart, std::abs(found[4] - expected[4]));
+      across = std::max({across, std::abs(found[3]), std::abs(found[5])});
+      moment = std::max(moment, std::abs(cuts_of(of.rigid().loads_at(time), s)[4]));
+      vibrating_moment = std::max(vibrating_moment, std::abs(expected[4]));
+    }
+    INFO("s = " << s << ": " << apart / moment << ", of what vibrates "
+                << apart / vibrating_moment);
+    CHECK(vibrating_moment > 0.01 * moment);
+    CHECK(apart < 1e-6 * moment);
+    // In the plane of the others nothing moves it.
+    CHECK(across < 1e-9 * moment);
+  }
+}
+
+namespace {
+
+/// Root moment of a cantilever whose base turns by a small angle, over the one of the rigid beam:
+///
+///     w = a1 cos bx + a2 cosh bx + a3 sin bx + a4 sinh bx,
+///     w(0) = 0, w'(0) = 1, w''(L) = w'''(L) = 0
+///
+/// M(0) = EI w''(0); rigid: rho A omega^2 L^3/3.
+double turned_base(double EI, double mass, double L, double omega) {
+  const double b = std::pow(omega * omega * mass / EI, 0.25);
+  const double c = std::cos(b * L), s = std::sin(b * L), C = std::cosh(b * L), S = std::sinh(b * L);
+  Eigen::Matrix4d system;
+  system << 1, 1, 0, 0, 0, 0, b, b, -c, C, -s, S, s, S, -c, C;
+  const Eigen::Vector4d a = system.lu().solve(Eigen::Vector4d(0, 1, 0, 0));
+  return EI * b * b * (a[1] - a[0]) / (mass * omega * omega * L * L * L / 3.0);
+}
+
+}  // namespace
+
+// Euler and Bernoulli, in both planes of the beam at once.
+TEST_CASE("a beam on a hinge that swings about any axis vibrates as the closed solution says",
+          "[elastic_motion]") {
+  using test::slender::L;
+  for (const double r : {0.2, 0.6, 1.3}) {
+    const double frequency = r * test::slender::first_frequency(), small = 1e-4;
+    const Vector3d axis(0.0, 0.6, 0.8);
+    const Moved of(fmt::format(fmt::runtime(slender_text), axis.x(), axis.y(), axis.z(), small,
+                               frequency, 80, 100, 1e6));
+    const ElasticMotionInSpace elastic = of.by(6, 16);
+    const Section& section = of.project.beam.segments.front().from;
+    const SectionProperties properties = properties_of(section);
+    const double mass = 7850.0 * properties.area.value(), omega = 2.0 * pi * frequency;
+    const double about_y = turned_base(E * properties.I_y.value(), mass, L, omega),
+                 about_z = turned_base(E * properties.I_z.value(), mass, L, omega);
+    const double size = mass * omega * omega * L * L * L / 3.0 * small *
+                        std::max({1.0, std::abs(about_y), std::abs(about_z)});
+    for (const double part : {0.05, 0.3, 0.77}) {
+      const Cuts rigid = cuts_of(of.rigid().loads_at(of.at(part)), 0.0),
+                 found = cuts_of(elastic.loads_at(of.at(part)), 0.0);
+      INFO("r = " << r << ", part " << part);
+      CHECK(found[4] == Approx(about_y * rigid[4]).margin(2e-4 * size));
+      CHECK(found[5] == Approx(about_z * rigid[5]).margin(2e-4 * size));
+    }
+  }
+}
+
+// A point mass beside the tip of an arm without mass whose base shakes along z: one freedom of
+// flexibility L^3/(3 E I) + L/(G A_s) + e^2 L/(G I_T), all of it 1/(1 - r^2) times.
+TEST_CASE("an eccentric mass twists an arm as an oscillator of one freedom", "[elastic_motion]") {
+  const double L = 4.0, e = 0.7, m = 150.0, r = 0.5;
+  const auto text = [&](double frequency) {
+    return arm(fmt::format(R"(
+[joints.heel]
+kind = "prismatic"
+connect = ["ground", "arm.heel"]
+at = ["0 m", "0 m", "0 m"]
+axis = "z"
+[drivers.shaking]
+joint = "heel"
+kind = "harmonic"
+mean = "0 m"
+amplitude = "1 mm"
+frequency = "{:.12g} Hz"
+[bodies.load]
+mass = "{} kg"
+centre = ["0 m", "{} m", "0 m"]
+points = {{ c = ["0 m", "0 m", "0 m"] }}
+[joints.tip]
+kind = "fixed"
+connect = ["arm.tip", "load.c"]
+)",
+                           frequency, m, e),
+               light);
+  };
+  const Project project = parse_project("arm.toml", text(1.0));
+  const Section& section = project.beam.segments.front().from;
+  const double give = std::pow(L, 3) / (3.0 * E * properties_of(section).I_y.value()) +
+                      L / (G * shear_areas_of(section).z.value()) +
+                      e * e * L / (G * torsion_properties_of(section).I_T->value());
+  const Moved of(text(r / (2.0 * pi * std::sqrt(m * give))));
+  const ElasticMotionInSpace elastic = of.by(3, 8);
+  for (const double part : {0.1, 0.6}) {
+    const Cuts rigid = cuts_of(of.rigid().loads_at(of.at(part)), 1.0),
+               found = cuts_of(elastic.loads_at(of.at(part)), 1.0);
+    REQUIRE(std::abs(rigid[3]) > 0.1 * std::abs(rigid[4]));
+    check_alike(found, rigid / (1.0 - r * r), rigid, 1e-4);
+  }
+}
+
+// A hinge that swings by a small angle about any axis, and sixty elements with the same body:
+// (K - omega^2 M) u = omega^2 M R, and the forces on the root of u and of R together.
+TEST_CASE("an L on a swinging hinge vibrates as a model of finite elements", "[elastic_motion]") {
+  const double small = 1e-6;
+  Matrix3d J;
+  J << 9, 1, -2, 1, 6, 0.5, -2, 0.5, 11;
+  const Vector3d centre(0.1, 1.2, -0.4);
+  for (const auto& [axis, frequency] : {std::pair{Vector3d(0.48, -0.6, 0.64), 2.0},
+                                        {Vector3d(0.48, -0.6, 0.64), 6.0},
+                                        {Vector3d(1.0, 0.0, 0.0), 3.0},
+                                        {Vector3d(0.0, 0.0, 1.0), 1.0}}) {
+    const Moved of(arm(hinge(axis, small, frequency) + beside, steel));
+    const ElasticMotionInSpace elastic = of.by(8, 16);
+    auto [K, M] = test::space_elements::assembled(of.project.beam, 120.0, centre, J);
+    const Eigen::Index nodes = K.rows() / 6, free = K.rows() - 6;
+    // Rotary inertia of the beam across its axis, at the nodes.
+    const SectionProperties section = properties_of(of.project.beam.segments.front().from);
+    const double h = 4.0 / static_cast<double>(nodes - 1), rho = 7850.0;
+    VectorXd R(K.rows());
+    for (Eigen::Index i = 0; i < nodes; ++i) {
+      const double share = i == 0 || i == nodes - 1 ? 0.5 : 1.0;
+      M(6 * i + 4, 6 * i + 4) += share * h * rho * section.I_y.value();
+      M(6 * i + 5, 6 * i + 5) += share * h * rho * section.I_z.value();
+      R.segment<3>(6 * i) = axis.cross(Vector3d(h * static_cast<double>(i), 0.0, 0.0));
+      R.segment<3>(6 * i + 3) = axis;
+    }
+    const double square = std::pow(2.0 * pi * frequency, 2);
+    const MatrixXd dynamic = K - square * M;
+    VectorXd u = VectorXd::Zero(K.rows());
+    u.tail(free) = dynamic.bottomRightCorner(free, free).lu().solve(square * (M * R).tail(free));
+    const Cuts root = -(dynamic * u - square * M * R).head<6>();
+    INFO("axis " << axis.transpose() << ", " << frequency << " Hz against "
+                 << elastic.lowest_frequency());
+    for (const double part : {0.2, 0.55}) {
+      const double turn = small * std::sin(2.0 * pi * part);
+      check_alike(cuts_of(elastic.loads_at(of.at(part)), 0.0), turn * root, turn * root, 5e-4);
+    }
+    // The rigid arm is far from it.
+    const double turn = small * std::sin(2.0 * pi * 0.2);
+    const Cuts rigid = cuts_of(of.rigid().loads_at(of.at(0.2)), 0.0);
+    CHECK((rigid - turn * root).tail<3>().norm() > 0.01 * std::abs(turn) * root.tail<3>().norm());
+  }
+}
+
+namespace {
+
+/// A column that swings about an axis that lies as it will, on a ground that is turned.
+std::string slewing(const std::string& ground_turn, double amplitude = 0.7) {
+  return fmt::format(R"(
+[bodies.base]
+points = {{ o = ["0 m", "0 m", "0 m"] }}
+[bodies.column]
+mass = "50 kg"
+centre = ["0 m", "0 m", "0.5 m"]
+inertia = ["4 kg m^2", "4 kg m^2", "1 kg m^2"]
+points = {{ a = ["0 m", "0 m", "0 m"], b = ["0 m", "0 m", "1 m"] }}
+[joints.base]
+kind = "fixed"
+connect = ["ground", "base.o"]
+at = ["1 m", "-2 m", "3 m"]
+{}
+[joints.slew]
+kind = "revolute"
+connect = ["base.o", "column.a"]
+axis = [0.48, -0.6, 0.64]
+[joints.root]
+kind = "fixed"
+connect = ["column.b", "arm.heel"]
+turn = [["y", "-20 deg"], ["x", "30 deg"]]
+[drivers.slewing]
+joint = "slew"
+kind = "harmonic"
+mean = "0.2 rad"
+amplitude = "{} rad"
+frequency = "0.6 Hz"
+)",
+                     ground_turn, amplitude);
+}
+
+}  // namespace
+
+// Invariant: the scene turned as a whole.
+TEST_CASE("however a scene lies in the world its beam moves alike", "[elastic_motion]") {
+  const Moved straight(arm(slewing("") + beside, steel)),
+      turned(
+          arm(slewing("turn = [[\"x\", \"70 deg\"], [\"z\", \"-130 deg\"], [\"y\", \"15 deg\"]]") +
+                  beside,
+              steel));
+  const ElasticMotionInSpace one = straight.by(4, 8), other = turned.by(4, 8);
+  for (const double part : {0.0, 0.123, 0.4, 0.81}) {
+    for (const double s : {0.0, 1.3, 3.1}) {
+      const Cuts expected = cuts_of(one.loads_at(straight.at(part)), s),
+                 rigid = cuts_of(straight.rigid().loads_at(straight.at(part)), s);
+      check_alike(cuts_of(other.loads_at(turned.at(part)), s), expected, expected, 1e-7);
+      CHECK((expected - rigid).norm() > 1e-4 * rigid.norm());
+    }
+  }
+}
+
+// Invariants: nothing changes with time in axes that turn steadily; and along the arm, which its
+// own pull stretches, rigid bodies miss (omega/omega_stretching)^2 alone.
+TEST_CASE("steady turning vibrates nothing", "[elastic_motion]") {
+  const auto spun = [](const std::string& tip) {
+    return Moved(arm(R"(
+[joints.heel]
+kind = "revolute"
+connect = ["ground", "arm.heel"]
+at = ["0 m", "0 m", "0 m"]
+axis = "z"
+[drivers.turning]
+joint = "heel"
+kind = "constant rate"
+start = "0 rad"
+rate = "2 rad/s"
+)" + tip,
+                     steel));
+  };
+  const Moved plain = spun("");
+  const ElasticMotionInSpace stretched = plain.by(6, 8);
+  const Cuts rigid = cuts_of(plain.rigid().loads_at(plain.at(0.0)), 0.0);
+  REQUIRE(rigid[0] > 0.0);
+  check_alike(cuts_of(stretched.loads_at(plain.at(0.3)), 0.0), rigid, Cuts::Constant(rigid[0]),
+              1e-6);
+  const Moved leaning = spun(beside);
+  const ElasticMotionInSpace bent = leaning.by(6, 8);
+  const Cuts first = cuts_of(bent.loads_at(leaning.at(0.0)), 0.0);
+  for (const double part : {0.2, 0.51, 0.9})
+    check_alike(cuts_of(bent.loads_at(leaning.at(part)), 0.0), first, first, 1e-7);
+}
+
+namespace {
+
+/// A point mass at the tip of an arm without mass, rigid in shear, that swings far about an axis
+/// through its heel, in its own axes:
+///
+///     m (u'' + 2 w x u' + w' x u + w x (w x u)) + K u + d K_0 u' = -m (w' x r + w x (w x r))
+///
+/// K = diag(EA/L, k_z, k_y), k = N/(L (1 - tanh(x)/x)), x = L (N/EI)^(1/2), in compression of tan,
+/// of the pull N of the rigid motion; periodic from the start that repeats, by Runge and Kutta.
+/// Sources: Goldstein, Classical Mechanics (1980), 4-10; Timoshenko, Gere, Theory of Elastic
+/// Stability (1961), 1.
+struct SwungMass {
+  using State = Eigen::Matrix<double, 6, 1>;
+  double m, L, EA, EI_y, EI_z, delay;
+  Vector3d axis;
+  double amplitude, omega;
+  static constexpr int steps = 9600;
+
+  double stiffness(double EI, double N) const {
+    const double x = L * std::sqrt(std::abs(N) / EI);
+    if (x < 1e-4) return 3.0 * EI / (L * L * L) + 1.2 * N / L;
+    return N / (L * (1.0 - (N > 0.0 ? std::tanh(x) : std::tan(x)) / x));
+  }
+  State rate(double t, const State& y, double load) const {
+    const Vector3d w = axis * amplitude * omega * std::cos(omega * t),
+                   change = -axis * amplitude * omega * omega * std::sin(omega * t), r(L, 0.0, 0.0),
+                   u = y.head<3>(), v = y.tail<3>();
+    const Vector3d rigid = change.cross(r) + w.cross(w.cross(r));
+    const double N = -m * rigid.x();
+    const Vector3d K(EA / L, stiffness(EI_z, N), stiffness(EI_y, N)),
+        K_0(EA / L, 3.0 * EI_z / (L * L * L), 3.0 * EI_y / (L * L * L));
+    State of;
+    of.head<3>() = v;
+    of.tail<3>() = -load * rigid - 2.0 * w.cross(v) - change.cross(u) - w.cross(w.cross(u)) -
+                   (K.cwiseProduct(u) + delay * K_0.cwiseProduct(v)) / m;
+    return of;
+  }
+  std::vector<State> path(const State& start, double load) const {
+    std::vector<State> states{start};
+    const double h = 2.0 * pi / omega / steps;
+    for (int i = 0; i < steps; ++i) {
+      const double t = h * i;
+      const State y = states.back(), a = rate(t, y, load),
+                  b = rate(t + 0.5 * h, y + 0.5 * h * a, load),
+                  c = rate(t + 0.5 * h, y + 0.5 * h * b, load), d = rate(t + h, y + h * c, load);
+      states.push_back(y + h / 6.0 * (a + 2.0 * b + 2.0 * c + d));
+    }
+    return states;
+  }
+  std::vector<State> periodic() const {
+    Eigen::Matrix<double, 6, 6> free;
+    for (int i = 0; i < 6; ++i) free.col(i) = path(State::Unit(i), 0.0).back();
+    const State forced = path(State::Zero(), 1.0).back();
+    const Eigen::Matrix<double, 6, 6> open = Eigen::Matrix<double, 6, 6>::Identity() - free;
+    return path(open.lu().solve(forced), 1.0);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a mass on an arm that swings far moves as integration over time says",
+          "[elastic_motion]") {
+  const Vector3d axis(0.48, -0.6, 0.64);
+  const double frequency = 1.0, amplitude = 0.8, mass = 300.0;
+  const Moved of(
+      arm(hinge(axis, amplitude, frequency) + R"(
+[bodies.load]
+mass = "300 kg"
+points = { c = ["0 m", "0 m", "0 m"] }
+[joints.tip]
+kind = "fixed"
+connect = ["arm.tip", "load.c"]
+)",
+          light,
+          "[model]\nshear_modulus = \"1e6 GPa\"\ndamping = { ratio = 0.03, at = \"4 Hz\" "
+          "}\n"));
+  const ElasticMotionInSpace elastic = of.by(3, 8);
+  const std::vector<frame::BeamMode> modes = of.modes(8, 3);
+  const MatrixXd& eta = elastic.coordinates();
+  REQUIRE(eta.cols() == 3);
+  Matrix3d tip;
+  for (int j = 0; j < 3; ++j)
+    tip.col(j) = modes[static_cast<std::size_t>(j)].motion.tail<6>().head<3>();
+  const SectionProperties section = properties_of(of.project.beam.segments.front().from);
+  const SwungMass swung{mass,
+                        4.0,
+                        E * section.area.value(),
+                        E * section.I_y.value(),
+                        E * section.I_z.value(),
+                        0.03 / (pi * 4.0),
+                        axis,
+                        amplitude,
+                        2.0 * pi * frequency};
+  const auto path = swung.periodic();
+  double largest = 0.0, apart = 0.0;
+  for (Eigen::Index i = 0; i < eta.rows(); ++i) {
+    const auto at = static_cast<std::size_t>(i * SwungMass::steps / eta.rows());
+    if (static_cast<Eigen::Index>(at) * eta.rows() != i * SwungMass::steps) continue;
+    const Vector3d expected = path[at].head<3>(), found = tip * eta.row(i).transpose();
+    largest = std::max(largest, expected.norm());
+    apart = std::max(apart, (expected - found).norm());
+  }
+  INFO(apart / largest << " of " << largest << " m, " << elastic.lowest_frequency() << " Hz");
+  REQUIRE(largest > 0.0);
+  CHECK(apart < 1e-4 * largest);
+}
+
+// Energy over a period: what the drive does beyond moving rigid bodies is what the material takes,
+//
+//     integral of M q' = retardation times the sum of omega_j^2 integral of eta_j'^2
+//
+// for p_j is the work of inertia, and the root's moment that of the modes. By sums over the even
+// instants, exact for few harmonics.
+TEST_CASE("what the drive does beyond rigid bodies is dissipated", "[elastic_motion]") {
+  const Vector3d axis(0.48, -0.6, 0.64);
+  const double small = 1e-4, frequency = 4.0, omega = 2.0 * pi * frequency;
+  const Moved of(arm(hinge(axis, small, frequency) + beside, steel,
+                     "[model]\ndamping = { ratio = 0.05, at = \"6 Hz\" }\n"));
+  const ElasticMotionInSpace elastic = of.by(6, 8);
+  const std::vector<frame::BeamMode> modes = of.modes(8, 6);
+  const MatrixXd& eta = elastic.coordinates();
+  REQUIRE(eta.cols() == 6);
+  const Eigen::Index n = eta.rows();
+  double done = 0.0;
+  Eigen::MatrixXcd first = Eigen::MatrixXcd::Zero(1, eta.cols());
+  const double step = of.rigid().period().value() / static_cast<double>(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(n);
+    const double rate = small * omega * std::cos(2.0 * pi * part);
+    const Cuts extra = cuts_of(elastic.loads_at(of.at(part)), 0.0) -
+                       cuts_of(of.rigid().loads_at(of.at(part)), 0.0);
+    // The cut behind the root is what it does, reversed.
+    done += -extra.tail<3>().dot(axis) * rate * step;
+    first += std::exp(std::complex<double>(0.0, -2.0 * pi * part)) * eta.row(i) * (2.0 / double(n));
+  }
+  const double retardation = 0.05 / (pi * 6.0);
+  double dissipated = 0.0;
+  for (Eigen::Index j = 0; j < eta.cols(); ++j) {
+    const double natural = 2.0 * pi * modes[static_cast<std::size_t>(j)].frequency;
+    dissipated += retardation * natural * natural * 0.5 * std::norm(first(0, j)) * omega * omega *
+                  of.rigid().period().value();
+  }
+  REQUIRE(dissipated > 0.0);
+  CHECK(done == Approx(dissipated).epsilon(1e-5));
+}
+
+TEST_CASE("what modes do not hold is refused with its reason", "[elastic_motion]") {
+  const auto refused = [](const std::string& text, const std::string& why) {
+    const Moved of(text);
+    try {
+      of.by(2, 8);
+      FAIL("not refused: " << why);
+    } catch (const AnalysisError& error) {
+      CHECK_THAT(error.failure().what, Catch::Contains(why));
+    }
+  };
+  std::string once = arm(hinge({0, 0, 1}, 0.1, 1.0) + beside, steel);
+  const std::string harmonic = once.substr(
+      once.find("kind = \"harmonic\""), once.find("frequency") - once.find("kind = \"harmonic\""));
+  std::string open = once;
+  open.replace(open.find(harmonic), harmonic.size(),
+               "kind = \"smooth step\"\nfrom = \"0 rad\"\nto = \"0.3 rad\"\nend = \"1 s\"\n");
+  open.erase(open.find("frequency"),
+             open.find('\n', open.find("frequency")) - open.find("frequency"));
+  refused(open, "does not repeat");
+  // Without damping, in the first frequency to seven digits.
+  const double first = Moved(once).modes(8, 1).front().frequency;
+  refused(arm(hinge({0, 0, 1}, 1e-6, first) + beside, steel), "without damping");
+  refused(arm(hinge({0, 0, 1}, 0.1, 1.0) + R"(
+[bodies.trolley]
+mass = "20 kg"
+points = { c = ["0 m", "0 m", "0 m"] }
+[joints.trolley]
+kind = "prismatic"
+connect = ["arm.mid", "trolley.c"]
+axis = "x"
+[drivers.travelling]
+joint = "trolley"
+kind = "harmonic"
+mean = "0 m"
+amplitude = "0.3 m"
+frequency = "1 Hz"
+)",
+              steel),
+          "joint trolley slides along the beam");
+}
+
+TEST_CASE("where modes do not hold bodies stay rigid, and elastic ones are refused",
+          "[elastic_motion]") {
+  const std::string fast = arm(hinge({0, 0, 1}, 0.1, 1.0) + R"(
+[bodies.trolley]
+mass = "80 kg"
+points = { c = ["0 m", "0 m", "0 m"] }
+[joints.trolley]
+kind = "prismatic"
+connect = ["arm.mid", "trolley.c"]
+axis = "x"
+[drivers.travelling]
+joint = "trolley"
+kind = "harmonic"
+mean = "1 m"
+amplitude = "1 m"
+frequency = "1 Hz"
+)" + beside,
+                               steel);
+  Project project = parse_project("arm.toml", fast);
+  const ModelChoice choice = choose_model(project);
+  CHECK(choice.chosen.level == ModelLevel::rigid);
+  CHECK_THAT(choice.reason,
+             Catch::Contains("no modes of the beam are used: joint trolley slides along the beam"));
+  CHECK(vibration_missed_in_space(project, choice) > choice.tolerance);
+  project.model.demand = ModelDemand::flexible;
+  CHECK_THROWS_WITH(choose_model(project), Catch::Contains("cannot be had"));
+  project = parse_project("arm.toml", arm(hinge({0, 0, 1}, 0.1, 1.0) + beside, steel));
+  project.model.demand = ModelDemand::flexible;
+  const ModelledRuns runs = run_by_chosen_model(project);
+  CHECK(runs.model.chosen.level == ModelLevel::modal);
+  CHECK(runs.model.weighed.back().found.value() <= project.model.tolerance);
+}
+
+namespace {
+
+/// A scene by chance: an arm at the end of driven joints, or luffed by a driven strut in a loop.
+struct Scene {
+  std::string text;
+  bool closed = false;
+};
+
+Scene scene_by_chance(unsigned seed) {
+  std::mt19937 engine(seed);
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(engine()) / 4294967296.0;
+  };
+  const auto direction = [&] {
+    Vector3d of(between(-1, 1), between(-1, 1), between(-1, 1));
+    return Vector3d(of.normalized());
+  };
+  const auto axis = [](const Vector3d& of) {
+    return fmt::format("axis = [{:.15g}, {:.15g}, {:.15g}]\n", of.x(), of.y(), of.z());
+  };
+  Scene scene;
+  scene.closed = between(0, 1) < 0.4;
+  const double base = between(0.2, 0.8);
+  const auto swings = [&](const char* name, const char* joint, double amplitude) {
+    return fmt::format(
+        "[drivers.{}]\njoint = \"{}\"\nkind = \"harmonic\"\nmean = \"{} rad\"\namplitude = \"{} "
+        "rad\"\nfrequency = \"{:.12g} Hz\"\nphase = \"{} rad\"\n",
+        name, joint, between(-0.3, 0.3), amplitude, base * (between(0, 1) < 0.3 ? 2.0 : 1.0),
+        between(0.0, 6.0));
+  };
+  std::string joints = fmt::format(R"(
+[bodies.column]
+mass = "80 kg"
+centre = ["0 m", "0 m", "0.5 m"]
+inertia = ["5 kg m^2", "6 kg m^2", "2 kg m^2"]
+points = {{ a = ["0 m", "0 m", "0 m"], b = ["0 m", "0 m", "1 m"], s = ["{:.3f} m", "{:.3f} m", "0 m"] }}
+[joints.slew]
+kind = "revolute"
+connect = ["ground", "column.a"]
+at = ["0 m", "0 m", "0 m"]
+)",
+                                   between(0.3, 0.9), between(-0.2, 0.2)) +
+                       axis(direction()) + swings("slewing", "slew", between(0.05, 0.4));
+  if (scene.closed) {
+    joints += fmt::format(R"(
+[joints.heel]
+kind = "revolute"
+connect = ["column.b", "arm.heel"]
+axis = "-y"
+start = "{} rad"
+[joints.strut]
+kind = "distance"
+connect = ["column.s", "arm.mid"]
+[drivers.luffing]
+joint = "strut"
+kind = "harmonic"
+mean = "{} m"
+amplitude = "{} m"
+frequency = "{:.12g} Hz"
+phase = "{} rad"
+)",
+                          between(0.1, 0.5), between(1.35, 1.6), between(0.01, 0.08), base,
+                          between(0.0, 6.0));
+  } else {
+    joints += "[joints.heel]\nkind = \"revolute\"\nconnect = [\"column.b\", \"arm.heel\"]\n" +
+              axis(direction()) + swings("heel", "heel", between(0.05, 0.3));
+  }
+  joints += fmt::format(R"(
+[bodies.load]
+mass = "{} kg"
+centre = ["{} m", "{} m", "{} m"]
+inertia = ["{} kg m^2", "{} kg m^2", "{} kg m^2"]
+points = {{ c = ["0 m", "0 m", "0 m"] }}
+[joints.tip]
+kind = "fixed"
+connect = ["arm.tip", "load.c"]
+)",
+                        between(20, 250), between(-0.2, 0.4), between(-0.5, 0.5),
+                        between(-0.5, 0.5), between(4, 8), between(5, 8), between(6, 9));
+  scene.text = arm(joints, "density = \"7850 kg/m^3\"\n",
+                   fmt::format("[model]\ntolerance = 0.02\ndamping = {{ ratio = {}, at = \"6 Hz\" "
+                               "}}\n",
+                               between(0.01, 0.03)));
+  return scene;
+}
+
+/// Largest difference of stresses and of their ranges, as a model is judged.
+double apart(const MatrixXd& model, const MatrixXd& better) {
+  const MatrixXd difference = model - better;
+  return std::max(difference.cwiseAbs().maxCoeff() / better.cwiseAbs().maxCoeff(),
+                  largest_range(difference) / largest_range(better));
+}
+
+struct Judged {
+  int rigid = 0, modal = 0, unproven = 0, closed = 0;
+  double worst = 0.0;
+};
+
+/// What `auto` chooses, against twelve modes and four times the parts; all loads in balance.
+void judge(unsigned seed, Judged& sum) {
+  const Scene scene = scene_by_chance(seed);
+  const Moved of(scene.text);
+  const ModelledRuns chosen = run_by_chosen_model(of.project);
+  INFO("seed " << seed << (scene.closed ? ", closed: " : ", open: ") << chosen.model.reason);
+  const SituationRun& run = chosen.runs.front();
+  for (int i = 0; i < 7; ++i) {
+    const double part = std::fmod(0.37 * i + 0.011 * seed, 1.0);
+    CHECK(imbalance(run.loads.loads_at(of.at(part)), 4.0) < 1e-9);
+  }
+  const bool rigid = chosen.model.chosen.level == ModelLevel::rigid;
+  if (rigid && chosen.model.weighed.front().error > 0.02) {
+    ++sum.unproven;
+    return;
+  }
+  ++(rigid ? sum.rigid : sum.modal);
+  sum.closed += scene.closed ? 1 : 0;
+  LoadSpan span = of.rigid().span();
+  const ElasticMotionInSpace best = of.by(12, 32);
+  const LoadHistory better(span, [&](Time time) { return best.loads_at(time); });
+  const double error = apart(stress_history_in_space(run.loads, of.project.beam),
+                             stress_history_in_space(better, of.project.beam));
+  sum.worst = std::max(sum.worst, error);
+  CHECK(error < 0.02);
+}
+
+}  // namespace
+
+TEST_CASE("what is chosen for scenes by chance is within the tolerance", "[elastic_motion]") {
+  Judged sum;
+  for (unsigned seed = 1; seed <= 3; ++seed) judge(seed, sum);
+  CHECK(sum.rigid + sum.modal > 0);
+}
+
+// Takes minutes.
+TEST_CASE("what is chosen for sixty scenes by chance is within the tolerance",
+          "[.][sixty_scenes]") {
+  Judged sum;
+  for (unsigned seed = 1; seed <= 60; ++seed) judge(seed, sum);
+  WARN(sum.rigid << " rigid, " << sum.modal << " by modes, " << sum.closed << " of them closed, "
+                 << sum.unproven << " without a model; worst " << sum.worst);
+  CHECK(sum.modal >= 15);
+  CHECK(sum.closed >= 10);
+}
+
+}  // namespace elastic_motion_in_space_test
