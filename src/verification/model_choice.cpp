@@ -39,12 +39,13 @@ RigidMotion rigid_motion_of(const Project& project, const SituationRun& run) {
 }
 
 /// The estimate of the situation in which rigid bodies miss most.
-VibrationEstimate worst_estimate(const Project& project, const std::deque<SituationRun>& rigid) {
+VibrationEstimate worst_estimate(const Project& project, const std::deque<SituationRun>& rigid,
+                                 double slower = 1.0) {
   const ElasticBody elastic = elastic_body_of(project, 8);
   VibrationEstimate worst;
   for (const SituationRun& run : rigid) {
     VibrationEstimate estimate =
-        estimate_vibration(rigid_motion_of(project, run), elastic, run.loads);
+        estimate_vibration(rigid_motion_of(project, run), elastic, run.loads, slower);
     if (worst.without_modes.empty() ||
         estimate.without_modes.front() > worst.without_modes.front()) {
       worst = std::move(estimate);
@@ -53,14 +54,52 @@ VibrationEstimate worst_estimate(const Project& project, const std::deque<Situat
   return worst;
 }
 
+bool same_instants(const LoadHistory& a, const LoadHistory& b) {
+  return a.span().instants == b.span().instants && a.period() == b.period();
+}
+
+/// Stresses at the even instants of another history. A motion that ends at rest has stresses behind
+/// its end by every model.
+Eigen::MatrixXd stress_at_instants_of(const LoadHistory& other, const LoadHistory& history,
+                                      const std::vector<ComparedPlace>& places) {
+  if (same_instants(other, history)) return stress_history(history, places);
+  const LoadSpan& span = other.span();
+  Eigen::MatrixXd stresses(static_cast<Eigen::Index>(other.even_instants()),
+                           2 * static_cast<Eigen::Index>(places.size()));
+  for (Eigen::Index i = 0; i < stresses.rows(); ++i) {
+    const Time time =
+        span.begin + span.period * static_cast<double>(i) / static_cast<double>(span.instants);
+    stresses.row(i) = fibre_stresses(history.diagram_at(time), places).transpose();
+  }
+  return stresses;
+}
+
 /// How far the stresses of two histories are apart, as `difference_between`.
 double difference_between(const LoadHistory& model, const LoadHistory& better,
                           const std::vector<ComparedPlace>& places) {
   const Eigen::MatrixXd of_better = stress_history(better, places);
-  const Eigen::MatrixXd difference = stress_history(model, places) - of_better;
+  const Eigen::MatrixXd difference = stress_at_instants_of(better, model, places) - of_better;
   const double range = largest_range(of_better);
   const double apart = difference.cwiseAbs().maxCoeff() / of_better.cwiseAbs().maxCoeff();
   return range > 0.0 ? std::max(apart, largest_range(difference) / range) : apart;
+}
+
+/// Why so many modes of motions that do not repeat cannot be looked at; "" where they can.
+std::string too_fast(const std::deque<SituationRun>& rigid, const std::vector<double>& frequencies,
+                     std::size_t modes) {
+  const double fastest = frequencies[std::min(modes, frequencies.size()) - 1];
+  for (const SituationRun& run : rigid) {
+    const planar::Motion& motion = planar_motion_of(run);
+    constexpr double least_behind = 3.0;  // periods of the lowest mode
+    const double length = motion.period + least_behind / frequencies.front();
+    if (motion.closed || instants_to_a_period * fastest * length <= most_vibrating_instants)
+      continue;
+    return fmt::format(
+        "the motion holds {:.0f} periods of {:.4g} Hz, more than {:.0f} instants "
+        "resolve; a shorter time can be looked at",
+        motion.period * fastest, fastest, most_vibrating_instants);
+  }
+  return "";
 }
 
 /// A modal model with another mode and twice the parts; of rigid bodies one with one mode.
@@ -253,9 +292,14 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
   choice.frequencies = estimate.frequencies;
   choice.harmonics = estimate.harmonics;
   const double of_bending = second.change.value_or(0.0);
+  const bool repeats = std::all_of(rigid.begin(), rigid.end(), [](const SituationRun& run) {
+    return planar_motion_of(run).closed;
+  });
   const ModelEstimate by_rigid{
       {},
-      fmt::format("harmonics of the loads against the modes of six postures {}, second order {}",
+      fmt::format("{} {}, second order {}",
+                  repeats ? "harmonics of the loads against the modes of six postures"
+                          : "response of the modes of six postures from rest",
                   percent_text(estimate.without_modes.front()), percent_text(of_bending)),
       estimate.without_modes.front() + of_bending,
       {}};
@@ -264,12 +308,19 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
       fmt::format("vibration is estimated to change the governing stress by {}, {}; tolerance {}",
                   percent_text(estimate.without_modes.front()), second_order_text(second),
                   percent_text(choice.tolerance));
+  const auto unseen = [&](std::size_t modes) {
+    const std::string why = too_fast(rigid, estimate.frequencies, modes + 1);
+    if (!why.empty())
+      choice.reason = fmt::format("rigid bodies; what vibration adds is not known: {}; {}; {}", why,
+                                  missed, against_frequencies(estimate));
+    return !why.empty();
+  };
   bool enough = by_rigid.error <= choice.tolerance;
   // An estimate far below the tolerance is not worth the modes of every posture.
   constexpr double verified_above = 0.7;
   std::string found;
   if (enough && by_rigid.error > verified_above * choice.tolerance &&
-      project.model.demand == ModelDemand::automatic) {
+      project.model.demand == ModelDemand::automatic && !unseen(0)) {
     const double against_mode = error_found(project, {}, shared) + estimate.left_out;
     choice.weighed.back().found = against_mode;
     found = fmt::format(", found {} against one mode in every posture", percent_text(against_mode));
@@ -288,7 +339,7 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
     by_bending.error = estimate.without_modes.front();
     by_bending.basis = "vibration left out";
     if (by_bending.error <= choice.tolerance) {
-      if (by_bending.error > verified_above * choice.tolerance) {
+      if (by_bending.error > verified_above * choice.tolerance && !unseen(0)) {
         by_bending.found = error_found(project, bent, shared) + estimate.left_out;
       }
       if (by_bending.found.value_or(0.0) <= choice.tolerance) {
@@ -317,6 +368,7 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
         fmt::format("modes left out, and {} that the beam's rotation couples with its vibration",
                     percent_text(estimate.left_out));
     if (by_modes.error > choice.tolerance) continue;
+    if (unseen(k) && project.model.demand == ModelDemand::automatic) return choice;
     by_modes.found = error_found(project, by_modes.model, shared) + estimate.left_out;
     if (*by_modes.found > choice.tolerance) continue;
     choice.chosen = by_modes.model;
@@ -380,13 +432,22 @@ double largest_design_factor_of(const Project& project) {
 ///     sum of share (|D| - |D_1|),  D = 1/(1 - (f/f_1)^2),  f_1^2 ~ 1 - N/N_cr
 ///
 /// share, f  of the harmonics of the loads. Where a frequency is met on the way there is no bound.
+/// Of a motion that does not repeat it is what the response from rest grows by (`slower`).
 /// Source: Timoshenko, Young, Weaver, Vibration Problems in Engineering (1974), section 5.12.
-void add_slower_vibration(double factor, ModelChoice& choice) {
+void add_slower_vibration(const Project& project, const std::deque<SituationRun>& rigid,
+                          double factor, ModelChoice& choice) {
   SecondOrderEstimate& of = choice.second_order;
   if (choice.chosen.level == ModelLevel::quasi_static || choice.frequencies.empty()) return;
   if (factor == 1.0 || of.in_plane.part <= 0.0 || of.in_plane.part >= 1.0) return;
   const double softer = (1.0 - of.in_plane.part) / (1.0 - of.in_plane.part / factor);
   double adds = 0.0;
+  const bool open = std::any_of(rigid.begin(), rigid.end(),
+                                [](const SituationRun& run) { return !run.loads.closed(); });
+  if (open) {
+    const double once = worst_estimate(project, rigid).without_modes.front();
+    adds = std::max(0.0,
+                    worst_estimate(project, rigid, std::sqrt(softer)).without_modes.front() - once);
+  }
   for (const LoadHarmonic& load : choice.harmonics) {
     const double square = std::pow(load.frequency / choice.frequencies.front(), 2);
     const double once = 1.0 - square, designed = 1.0 - square / softer;
@@ -418,7 +479,7 @@ ModelChoice choose_for_rigid(const Project& project, const std::deque<SituationR
   if (choice.counts_second_order) {
     // What its cut forces hold is the second order of the loads times one.
     choice.second_order.growth = std::move(second.beyond_once);
-    add_slower_vibration(largest_design_factor_of(project), choice);
+    add_slower_vibration(project, rigid, largest_design_factor_of(project), choice);
   }
   if (choice.chosen.level == ModelLevel::rigid) return choice;
   const std::string tabled = tabled_forces_in(project);
@@ -440,7 +501,8 @@ void weigh_balance(const Project& project, const std::deque<SituationRun>& rigid
   for (std::size_t i = 0; i < rigid.size(); ++i) {
     // Series of Fourier have no second derivative where something jumps or bends.
     const std::string obstacle =
-        by_model[i].loads.span().breaks.empty()
+        !rigid[i].loads.closed() ? "the motion does not repeat"
+        : by_model[i].loads.span().breaks.empty()
             ? obstacle_to_balance(planar_in(project, *rigid[i].situation), elastic.body)
             : "its loads jump or bend at points of a table or ends of a step";
     if (!obstacle.empty()) {

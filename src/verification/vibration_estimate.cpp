@@ -10,12 +10,15 @@
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/forces.hpp"
+#include "boxbeam/numerics/chebyshev_curve.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
 
 namespace boxbeam {
 namespace {
 
 constexpr std::size_t modes_looked_at = 3;
+/// What begins suddenly excites high modes as well.
+constexpr std::size_t modes_of_start = 6;
 constexpr std::size_t postures_looked_at = 6;
 constexpr double significant = 0.01;
 
@@ -65,6 +68,82 @@ bool same_places(const std::vector<flexible::SpringElement>& a,
                     });
 }
 
+/// The mean cut forces over the parts of a beam in a motion that does not repeat, as one column.
+class StrainingOnce {
+ public:
+  StrainingOnce(const RigidMotion& rigid, const std::vector<flexible::SpringElement>& springs)
+      : borders_(borders_of(rigid)),
+        curve_([&](double time) { return column_at(rigid, time, springs); },
+               {borders_, 8.0 * step_of(rigid), step_of(rigid)},
+               [](const Eigen::VectorXd& largest) {
+                 constexpr double part = 1e-4;
+                 Eigen::VectorXd allowed(largest.size());
+                 for (Eigen::Index k = 0; k < 3; ++k) {
+                   const auto every = Eigen::seqN(k, largest.size() / 3, 3);
+                   allowed(every).setConstant(part * largest(every).maxCoeff());
+                 }
+                 return allowed;
+               }),
+        before_(column_at(rigid, borders_.front() - rigid.motion->period, springs)) {
+    if (planar::is_at_rest(*rigid.motion, rigid.motion->end))
+      behind_ = column_at(rigid, borders_.back() + rigid.motion->period, springs);
+  }
+
+  /// The dynamic part of each mode at the ends of steps, a column each. `work`: what the column of
+  /// cut forces does on the modes, a row each.
+  Eigen::MatrixXd dynamic_parts(const Eigen::MatrixXd& work, const Eigen::VectorXd& frequencies,
+                                const Eigen::VectorXd& damping) const {
+    constexpr double steps_to_a_period = 20.0, most_steps = 4000.0, watched_periods = 1.5;
+    const Eigen::VectorXd squares = (full_turn * frequencies).array().square();
+    const Eigen::MatrixXd stiffness = squares.asDiagonal(), viscous = damping.asDiagonal();
+    const auto force_at = [&](double time) -> Eigen::VectorXd {
+      return work * (time <= borders_.back() ? curve_.at(time) : *behind_);
+    };
+    const auto equations = [&](double time) -> ModalEquations {
+      return {viscous, stiffness, force_at(time)};
+    };
+    std::vector<double> borders = borders_;
+    if (behind_) borders.push_back(borders.back() + watched_periods / frequencies.minCoeff());
+    const double length = borders.back() - borders.front();
+    const double step =
+        std::max(1.0 / (steps_to_a_period * frequencies.maxCoeff()), length / most_steps);
+    const TransientResponse response(equations, borders,
+                                     resting({viscous, stiffness, work * before_}), step);
+    const std::vector<double>& times = response.times();
+    Eigen::MatrixXd parts(static_cast<Eigen::Index>(times.size()), work.rows());
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      const ModalState& at = response.states()[i];
+      const Eigen::VectorXd beyond = viscous * at.speed - force_at(times[i]);
+      parts.row(static_cast<Eigen::Index>(i)) =
+          (at.eta + beyond.cwiseQuotient(squares)).transpose();
+    }
+    return parts;
+  }
+
+ private:
+  static double step_of(const RigidMotion& rigid) {
+    return rigid.motion->period / static_cast<double>(rigid.motion->states.size());
+  }
+  static Eigen::VectorXd column_at(const RigidMotion& rigid, double time,
+                                   const std::vector<flexible::SpringElement>& springs) {
+    return means_over(cut_forces_of(rigid.loads(si<Time>(time))), springs).reshaped();
+  }
+
+  std::vector<double> borders_;
+  ChebyshevCurve curve_;
+  Eigen::VectorXd before_;
+  std::optional<Eigen::VectorXd> behind_;  ///< where the motion ends at rest
+};
+
+/// The work of mean cut forces, as one column, on the strains of modes.
+Eigen::MatrixXd work_on(const PostureModes& modes) {
+  Eigen::MatrixXd work(static_cast<Eigen::Index>(modes.frequencies.size()),
+                       3 * static_cast<Eigen::Index>(modes.strains.size()));
+  for (std::size_t i = 0; i < modes.strains.size(); ++i)
+    work.middleCols<3>(3 * static_cast<Eigen::Index>(i)) = modes.strains[i].transpose();
+  return work;
+}
+
 /// The largest coefficient of dry friction in a mechanism.
 double largest_friction(const planar::Mechanism& mechanism) {
   double largest = 0.0;
@@ -104,7 +183,7 @@ std::vector<LoadHarmonic> harmonics_of(const Eigen::VectorXd& moment, double bas
 }
 
 VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody& elastic,
-                                     const LoadHistory& history) {
+                                     const LoadHistory& history, double slower) {
   const planar::Motion& motion = *rigid.motion;
   const std::vector<ComparedPlace> places = compared_places_of(*rigid.beam);
   const Eigen::MatrixXd stresses = stress_history(history, places);
@@ -119,6 +198,7 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
   // In most postures the beam is divided alike.
   std::vector<flexible::SpringElement> divided;
   std::vector<Eigen::Matrix3Xd> means;
+  std::optional<StrainingOnce> once;
   double fastest = 0.0;
   for (const planar::State& state : motion.states) {
     fastest = std::max(fastest, std::abs(state.v[3 * static_cast<Eigen::Index>(elastic.body) + 2]));
@@ -129,21 +209,32 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
     const PostureModes modes =
         modes_in_posture(loaded_posture(*rigid.mechanism, state, elastic, *rigid.beam,
                                         rigid.loads(si<Time>(state.time))),
-                         modes_looked_at);
+                         motion.closed ? modes_looked_at : modes_of_start);
     if (modes.frequencies.empty()) continue;  // without mass nothing vibrates
     if (!(modes.frequencies.front() > 0.0)) {
       refuse("the lowest natural frequency of the beam in its mechanism cannot be told from zero");
     }
     const auto count = static_cast<Eigen::Index>(modes.frequencies.size());
-    Eigen::MatrixXd p(stresses.rows(), count);
+    const Eigen::VectorXd frequencies =
+        slower * Eigen::VectorXd::Map(modes.frequencies.data(), count);
     if (!same_places(divided, modes.beam.springs)) {
       divided = modes.beam.springs;
       means.clear();
-      for (std::size_t i = 0; i < history.even_instants(); ++i)
+      if (!motion.closed) once.emplace(rigid, divided);
+      for (std::size_t i = 0; motion.closed && i < history.even_instants(); ++i)
         means.push_back(means_over(history.even_diagram(i), divided));
     }
-    for (std::size_t i = 0; i < means.size(); ++i)
-      p.row(static_cast<Eigen::Index>(i)) = modal_loads(modes, means[i]).transpose();
+    Eigen::MatrixXd parts(stresses.rows(), count);
+    if (once) {
+      parts = once->dynamic_parts(work_on(modes), frequencies, modes.damping.diagonal());
+    } else {
+      Eigen::MatrixXd p(stresses.rows(), count);
+      for (std::size_t i = 0; i < means.size(); ++i)
+        p.row(static_cast<Eigen::Index>(i)) = modal_loads(modes, means[i]).transpose();
+      for (Eigen::Index j = 0; j < count; ++j)
+        parts.col(j) = dynamic_part(p.col(j), frequencies[j], modes.damping(j, j), base);
+    }
+    parts *= slower * slower;
     const double turning = std::pow(fastest / (full_turn * modes.frequencies.front()), 2);
     const double beside = 1.0 - modes.shifting[static_cast<std::size_t>(elastic.body)](0, 0);
     const double left_out = turning * std::clamp(beside, 0.0, 1.0);
@@ -153,13 +244,11 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
       estimate.without_modes[counted] =
           std::max(estimate.without_modes[counted], error + (counted == 0 ? turning : left_out));
     };
-    Eigen::MatrixXd missed = Eigen::MatrixXd::Zero(stresses.rows(), stresses.cols());
+    Eigen::MatrixXd missed = Eigen::MatrixXd::Zero(parts.rows(), stresses.cols());
     raise(static_cast<std::size_t>(count), 0.0);
     for (Eigen::Index j = count; j-- > 0;) {
       const auto mode = static_cast<std::size_t>(j);
-      const double frequency = modes.frequencies[mode];
-      const Eigen::VectorXd part = dynamic_part(p.col(j), frequency, modes.damping(j, j), base);
-      missed += part * fibre_stresses(modes.diagrams[mode], places).matrix().transpose();
+      missed += parts.col(j) * fibre_stresses(modes.diagrams[mode], places).matrix().transpose();
       const double of_range = range > 0.0 ? largest_range(missed) / range : 0.0;
       raise(mode, std::max(missed.cwiseAbs().maxCoeff() / peak, of_range));
     }
@@ -174,7 +263,7 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
   Eigen::Index governing = 0;
   (stresses.colwise().maxCoeff() - stresses.colwise().minCoeff()).maxCoeff(&governing);
   const Station& station = places[static_cast<std::size_t>(governing / 2)].station;
-  estimate.harmonics = harmonics_of(bending_over_period(history, station), base);
+  if (motion.closed) estimate.harmonics = harmonics_of(bending_over_period(history, station), base);
   return estimate;
 }
 
