@@ -162,7 +162,7 @@ std::vector<NotJudged> vibration_beside_of(const Project& project, const ModelCh
                                   (last - end).value(), percent_text(left),
                                   project.model.retardation > 0.0
                                       ? ""
-                                      : "; without damping ([model] retardation) it does not die "
+                                      : "; without damping ([model] damping) it does not die "
                                         "out")});
   }
   return beside;

@@ -227,9 +227,9 @@ TEST_CASE("damping limits the vibration, without it resonance is refused", "[ela
         Approx(2.0 * more.coordinates().maxCoeff()).epsilon(1e-3));
 }
 
-TEST_CASE("a motion that does not repeat is refused with what to do", "[elastic_motion]") {
+TEST_CASE("a motion that forces decide is refused with what to do", "[elastic_motion]") {
   Beam of = shaken(0.3, 24);
-  of.motion.closed = false;
+  of.motion.freedom.undriven = 1;
   CHECK_THROWS_WITH(ElasticMotion(of.rigid(), of.elastic(), 1), Catch::Contains("--model rigid"));
 }
 
