@@ -398,7 +398,15 @@ double ElasticMotion::length_watched() const {
     dies_out = std::max(dies_out, decay > 0.0 ? std::log(amplitude / level) / decay : 1e300);
   }
   const double period = 1.0 / modes.frequencies.front();
-  const double most = most_vibrating_instants / (instants_to_a_period * fastest_) - motion.period;
+  // As many steps to a second as the motion has, or else as the fastest mode wants.
+  const double resolved = static_cast<double>(motion.states.size()) / motion.period;
+  const double least = instants_to_a_period * fastest_;
+  const auto most_at = [&](double rate) {
+    constexpr double rounding = 0.999;
+    return rounding * most_vibrating_instants / rate - motion.period;
+  };
+  double most = most_at(std::max(resolved, least));
+  if (most < periods_undamped * period) most = most_at(least);
   if (dies_out > most) dies_out = std::max(periods_undamped * period, std::min(dies_out, most));
   if (modes.damping(0, 0) <= 0.0) dies_out = std::min(dies_out, periods_undamped * period);
   return std::max(least_periods * period, dies_out);
@@ -411,16 +419,16 @@ LoadSpan ElasticMotion::span_of(const LoadSpan& rigid) const {
   span.period = until - span.begin;
   const double share = (span.period / rigid.period).value();
   if (share > 1.0) span.breaks.push_back(rigid.begin + rigid.period);
-  const double wanted = std::max(static_cast<double>(rigid.instants) * share,
-                                 instants_to_a_period * fastest_ * span.period.value());
-  if (wanted > most_vibrating_instants) {
+  const double least = instants_to_a_period * fastest_ * span.period.value();
+  if (least > most_vibrating_instants) {
     refuse(fmt::format(
         "the {:.4g} s looked at hold {:.0f} periods of its mode at {:.4g} Hz, more than {:.0f} "
         "instants resolve; look at a shorter time, or use --model rigid to have the loads of rigid "
         "bodies",
         span.period.value(), fastest_ * span.period.value(), fastest_, most_vibrating_instants));
   }
-  span.instants = static_cast<std::size_t>(std::ceil(wanted));
+  const double wanted = std::max(static_cast<double>(rigid.instants) * share, least);
+  span.instants = static_cast<std::size_t>(std::ceil(std::min(wanted, most_vibrating_instants)));
   return span;
 }
 

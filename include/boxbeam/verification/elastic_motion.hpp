@@ -74,7 +74,8 @@ class ElasticMotion {
   BeamLoads loads_at(Time time) const;
 
   /// The time of the loads: of a motion that does not repeat with the free vibration behind it, in
-  /// at least eight instants to a period of the fastest mode.
+  /// at least eight instants to a period of the fastest mode and, as far as their number allows, as
+  /// many to a second as the motion has. Throws AnalysisError where it holds too many periods.
   LoadSpan span_of(const LoadSpan& rigid) const;
 
   /// Modal coordinates with their viscous part, less their static one, at the instants of a motion
