@@ -165,7 +165,7 @@ TEST_CASE("an emergency stop is verified with the vibration that it leaves", "[e
       test::run_program({"verify", path, "--json", "-"}, folder.path());
   INFO(result.err);
   const auto document = nlohmann::json::parse(result.out);
-  CHECK(document["model"]["level"] == "modal");
+  CHECK(document["model"]["chosen"] == "modal");
 }
 
 TEST_CASE("what a stop leaves without damping is said where fatigue is asked", "[emergency_stop]") {
