@@ -1,5 +1,9 @@
 #include "boxbeam/verification/elastic_motion.hpp"
 
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -8,7 +12,9 @@
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
+#include "boxbeam/numerics/chebyshev_curve.hpp"
 #include "boxbeam/project/link_profile.hpp"
+#include "boxbeam/verification/vibrating_stress.hpp"
 #include "modal_motion.hpp"
 
 namespace boxbeam {
@@ -66,7 +72,51 @@ double axial_part(const RigidMotion& rigid, const ElasticBody& elastic) {
   return most * std::pow(elastic.length / std::numbers::pi, 2) / least;
 }
 
+Eigen::VectorXd squares_of(const PostureModes& modes) {
+  Eigen::VectorXd squares(static_cast<Eigen::Index>(modes.frequencies.size()));
+  for (Eigen::Index j = 0; j < squares.size(); ++j)
+    squares[j] = std::pow(full_turn * modes.frequencies[static_cast<std::size_t>(j)], 2);
+  return squares;
+}
+
+/// Equations of k modes as one column, and back.
+Eigen::VectorXd packed(const ModalEquations& of) {
+  Eigen::VectorXd all(of.damping.size() + of.stiffness.size() + of.force.size());
+  all << of.damping.reshaped(), of.stiffness.reshaped(), of.force;
+  return all;
+}
+
+ModalEquations unpacked(const Eigen::VectorXd& all, Eigen::Index k) {
+  return {all.head(k * k).reshaped(k, k), all.segment(k * k, k * k).reshaped(k, k), all.tail(k)};
+}
+
+/// Of K a part of its largest entry, of C of what that damps critically, of every force of its own
+/// largest value, or of all where it hardly counts beside the others.
+Eigen::VectorXd allowed_of(const Eigen::VectorXd& largest, Eigen::Index k) {
+  constexpr double part = 1e-4, hardly = 1e-2;
+  const double stiffness = largest.segment(k * k, k * k).maxCoeff();
+  const double force = largest.tail(k).maxCoeff();
+  Eigen::VectorXd allowed(largest.size());
+  allowed << Eigen::VectorXd::Constant(k * k, part * std::sqrt(stiffness)),
+      Eigen::VectorXd::Constant(k * k, part * stiffness),
+      part * largest.tail(k).cwiseMax(hardly * force);
+  return allowed;
+}
+
 }  // namespace
+
+std::vector<double> borders_of(const RigidMotion& rigid) {
+  const planar::Motion& motion = *rigid.motion;
+  const double begin = motion.begin, end = begin + motion.period;
+  constexpr double same = 1e-9;
+  std::vector<double> borders{begin};
+  for (const Break& at : breaks_of(planar::functions_of(*rigid.mechanism), begin, end)) {
+    if (at.at > borders.back() + same * motion.period && at.at < end - same * motion.period)
+      borders.push_back(at.at);
+  }
+  borders.push_back(end);
+  return borders;
+}
 
 ElasticBody elastic_body_of(const Project& project, int parts) {
   const auto body_of = [&](const TaperedBeam& beam, int body) {
@@ -89,12 +139,12 @@ ElasticBody elastic_body_of(const Project& project, int parts) {
 }
 
 LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic, LoadsAt axial) {
-  auto finder = std::make_shared<planar::StateFinder>(*rigid.mechanism, *rigid.motion);
-  return [rigid, elastic, finder, axial = std::move(axial)](Time time) {
+  auto states = std::make_shared<planar::StatesAround>(*rigid.mechanism, *rigid.motion);
+  return [rigid, elastic, states, axial = std::move(axial)](Time time) {
     BeamLoads loads = rigid.loads(time);
     const BeamLoads borne = axial ? axial(time) : loads;
     const BeamLoads bent =
-        second_order_of(standing_posture(rigid, elastic, finder->at(time.value()), loads, &borne))
+        second_order_of(standing_posture(rigid, elastic, states->at(time.value()), loads, &borne))
             .loads;
     loads.lines = on_stretches_of(loads.lines, bent.lines);
     add_mode(loads, 1.0, bent);
@@ -105,52 +155,167 @@ LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic, Lo
 ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t modes,
                              LoadsAt axial)
     : rigid_(std::move(rigid)),
-      finder_(std::make_shared<planar::StateFinder>(*rigid_.mechanism, *rigid_.motion)),
+      states_(std::make_shared<planar::StatesAround>(*rigid_.mechanism, *rigid_.motion)),
       elastic_(std::move(elastic)),
       count_(modes),
       axial_(std::move(axial)) {
   const planar::Motion& motion = *rigid_.motion;
-  if (!motion.closed || motion.freedom.undriven > 0) {
+  if (motion.freedom.undriven > 0) {
     refuse_vibration(
         "rigid bodies are not enough for this motion, and the beam's vibration is only computed in "
-        "motions that drivers fix and that repeat; use --model rigid to have the loads of rigid "
-        "bodies all the same");
+        "motions that drivers fix; use --model rigid to have the loads of rigid bodies all the "
+        "same");
   }
-  const Eigen::Index stride = stride_of(motion.states.size(), modes);
-  const Eigen::Index n = static_cast<Eigen::Index>(motion.states.size()) / stride;
-  const auto k = static_cast<Eigen::Index>(modes);
   const planar::State& first = motion.states.front();
   reference_ =
-      modes_in_posture(posture_at(first, rigid_.loads(si<Time>(first.time))), count_).shapes;
+      modes_in_posture(posture_at(first, rigid_.loads(si<Time>(first.time)), first.time), count_)
+          .shapes;
+  if (motion.closed)
+    solve_periodic();
+  else
+    solve_from_rest();
+}
 
+ModalPosture ElasticMotion::passed_at(const planar::State& state, const BeamLoads& rigid,
+                                      double time) const {
+  const LoadedPosture loaded = posture_at(state, rigid, time);
+  auto [at, turn] = aligned_at(loaded, time);
+  FrameTerms frame = frame_terms(at, state);
+  ModalPosture posture;
+  posture.squares = squares_of(at);
+  posture.damping = std::move(at.damping);
+  posture.of_rate = std::move(frame.of_rate);
+  posture.of_size = std::move(frame.of_size);
+  posture.force = modal_loads(at, loaded);
+  posture.turn = std::move(turn);
+  return posture;
+}
+
+void ElasticMotion::note_frequencies(const ModalPosture& posture) {
+  lowest_ = std::min(lowest_, std::sqrt(posture.squares[0]) / full_turn);
+  fastest_ = std::max(fastest_, std::sqrt(posture.squares.tail<1>()[0]) / full_turn);
+}
+
+void ElasticMotion::solve_periodic() {
+  const planar::Motion& motion = *rigid_.motion;
+  const auto stride = static_cast<std::size_t>(stride_of(motion.states.size(), count_));
   std::vector<ModalPosture> postures;
-  lowest_ = 1e300;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const planar::State& state = motion.states[static_cast<std::size_t>(i * stride)];
-    const BeamLoads loads = rigid_.loads(si<Time>(state.time));
-    const LoadedPosture loaded = posture_at(state, loads);
-    auto [at, turn] = aligned_at(loaded, state.time);
-    ModalPosture& posture = postures.emplace_back();
-    posture.squares.resize(k);
-    for (Eigen::Index j = 0; j < k; ++j) {
-      posture.squares[j] = std::pow(full_turn * at.frequencies[static_cast<std::size_t>(j)], 2);
-    }
-    lowest_ = std::min(lowest_, at.frequencies.front());
-    posture.force = modal_loads(at, loaded);
-    FrameTerms frame = frame_terms(at, state);
-    posture.of_rate = std::move(frame.of_rate);
-    posture.of_size = std::move(frame.of_size);
-    posture.damping = std::move(at.damping);
-    posture.turn = std::move(turn);
+  for (std::size_t i = 0; i < motion.states.size() / stride; ++i) {
+    const planar::State& state = motion.states[i * stride];
+    postures.push_back(passed_at(state, rigid_.loads(si<Time>(state.time)), state.time));
+    note_frequencies(postures.back());
   }
   ModalMotion solved = solve_modal_motion(postures, motion.period);
   eta_ = std::move(solved.eta);
   dynamic_ = std::move(solved.dynamic);
 }
 
-LoadedPosture ElasticMotion::posture_at(const planar::State& state, const BeamLoads& rigid) const {
+void ElasticMotion::respond(std::vector<double> borders, double longest_piece) {
+  const auto k = static_cast<Eigen::Index>(count_);
+  const double end = rigid_.motion->begin + rigid_.motion->period;
+  const double step = rigid_.motion->period / static_cast<double>(rigid_.motion->states.size());
+  const auto ask = [&](double time) {
+    const ModalPosture at = passed_at(states_->at(time), rigid_.loads(si<Time>(time)), time);
+    note_frequencies(at);
+    return packed(aligned(at));
+  };
+  const ChebyshevCurve curve(
+      ask, {borders, longest_piece, std::min(step, longest_piece)},
+      [k](const Eigen::VectorXd& largest) { return allowed_of(largest, k); });
+  constexpr double steps_to_a_period = 20.0, steps_to_a_piece = 2.0;
+  double longest_step = 1.0 / (steps_to_a_period * fastest_);
+  if (borders.front() < end)
+    longest_step = std::min(longest_step, curve.shortest_piece() / steps_to_a_piece);
+  const auto equations = [&](double time) { return unpacked(curve.at(time), k); };
+  if (transient_) {
+    transient_->go_on(equations, borders, longest_step);
+    return;
+  }
+  // Before it all is at rest.
+  const double before = borders.front() - rigid_.motion->period;
+  const ModalPosture rest = passed_at(states_->at(before), rigid_.loads(si<Time>(before)), before);
+  transient_.emplace(equations, borders, resting(aligned(rest)), longest_step);
+}
+
+void ElasticMotion::solve_from_rest() {
+  const planar::Motion& motion = *rigid_.motion;
+  constexpr double instants_to_a_piece = 8.0;
+  respond(borders_of(rigid_),
+          instants_to_a_piece * motion.period / static_cast<double>(motion.states.size()));
+  if (!planar::is_at_rest(motion, motion.end)) return;
+  const double end = motion.begin + motion.period;
+  const double watched = length_watched();
+  // Constant, but for a vibrating axial force.
+  respond({end, end + watched}, axial_ ? 0.5 / lowest_ : watched);
+}
+
+/// How long the free vibration behind the end is looked at.
+double ElasticMotion::length_watched() const {
+  constexpr double least_periods = 1.5, periods_undamped = 3.0, gone = 0.05;
+  const planar::Motion& motion = *rigid_.motion;
+  const double end = motion.begin + motion.period;
+  const Moment rest = moment_at(end + motion.period);
+  const Eigen::MatrixXd& turn = rest.aligned.turn;
+  const PostureModes& modes = rest.aligned.modes;
+  const std::vector<ComparedPlace> places = compared_places_of(*rigid_.beam);
+  const auto k = static_cast<Eigen::Index>(count_);
+  Eigen::VectorXd stress(k), largest = Eigen::VectorXd::Zero(k);
+  for (Eigen::Index j = 0; j < k; ++j) {
+    stress[j] =
+        fibre_stresses(modes.diagrams[static_cast<std::size_t>(j)], places).abs().maxCoeff();
+  }
+  for (const ModalState& state : transient_->states())
+    largest = largest.cwiseMax((turn * state.eta).cwiseAbs());
+  const double level = gone * stress.cwiseProduct(largest).maxCoeff();
+  const ModalState& last = transient_->states().back();
+  const Eigen::VectorXd beside = turn * last.eta - rest.statically, speed = turn * last.speed;
+  double dies_out = 0.0;
+  for (Eigen::Index j = 0; j < k; ++j) {
+    const double omega = full_turn * modes.frequencies[static_cast<std::size_t>(j)];
+    const double amplitude = stress[j] * std::hypot(beside[j], speed[j] / omega);
+    if (amplitude <= level) continue;
+    const double decay = 0.5 * modes.damping(j, j);
+    dies_out = std::max(dies_out, decay > 0.0 ? std::log(amplitude / level) / decay : 1e300);
+  }
+  const double period = 1.0 / modes.frequencies.front();
+  // As many steps to a second as the motion has, or else as the fastest mode wants.
+  const double resolved = static_cast<double>(motion.states.size()) / motion.period;
+  const double least = instants_to_a_period * fastest_;
+  const auto most_at = [&](double rate) {
+    constexpr double rounding = 0.999;
+    return rounding * most_vibrating_instants / rate - motion.period;
+  };
+  double most = most_at(std::max(resolved, least));
+  if (most < periods_undamped * period) most = most_at(least);
+  if (dies_out > most) dies_out = std::max(periods_undamped * period, std::min(dies_out, most));
+  if (modes.damping(0, 0) <= 0.0) dies_out = std::min(dies_out, periods_undamped * period);
+  return std::max(least_periods * period, dies_out);
+}
+
+LoadSpan ElasticMotion::span_of(const LoadSpan& rigid) const {
+  if (!transient_) return rigid;
+  LoadSpan span = rigid;
+  const Time until = si<Time>(transient_->times().back());
+  span.period = until - span.begin;
+  const double share = (span.period / rigid.period).value();
+  if (share > 1.0) span.breaks.push_back(rigid.begin + rigid.period);
+  const double least = instants_to_a_period * fastest_ * span.period.value();
+  if (least > most_vibrating_instants) {
+    refuse_vibration(fmt::format(
+        "the {:.4g} s looked at hold {:.0f} periods of its mode at {:.4g} Hz, more than {:.0f} "
+        "instants resolve; look at a shorter time, or use --model rigid to have the loads of rigid "
+        "bodies",
+        span.period.value(), fastest_ * span.period.value(), fastest_, most_vibrating_instants));
+  }
+  const double wanted = std::max(static_cast<double>(rigid.instants) * share, least);
+  span.instants = static_cast<std::size_t>(std::ceil(std::min(wanted, most_vibrating_instants)));
+  return span;
+}
+
+LoadedPosture ElasticMotion::posture_at(const planar::State& state, const BeamLoads& rigid,
+                                        double time) const {
   if (!axial_) return standing_posture(rigid_, elastic_, state, rigid);
-  const BeamLoads axial = axial_(si<Time>(state.time));
+  const BeamLoads axial = axial_(si<Time>(time));
   return standing_posture(rigid_, elastic_, state, rigid, &axial);
 }
 
@@ -164,37 +329,59 @@ Eigen::VectorXd ElasticMotion::dynamic_at(double time) const {
   return trigonometric_at(dynamic_, (time - rigid_.motion->begin) / rigid_.motion->period);
 }
 
-BeamLoads ElasticMotion::loads_at(Time time) const {
-  BeamLoads loads = rigid_.loads(time);
-  const LoadedPosture posture = posture_at(finder_->at(time.value()), loads);
-  const auto [at, turn] = aligned_at(posture, time.value());
-  const Eigen::VectorXd sizes = turn * dynamic_at(time.value());
+ElasticMotion::Moment ElasticMotion::moment_at(double time) const {
+  BeamLoads loads = rigid_.loads(si<Time>(time));
+  const LoadedPosture posture = posture_at(states_->at(time), loads, time);
+  Aligned aligned = aligned_at(posture, time);
+  Eigen::VectorXd statically;
+  if (!rigid_.motion->closed) {
+    statically = modal_loads(aligned.modes, posture).cwiseQuotient(squares_of(aligned.modes));
+  }
   const BeamLoads bent = second_order_of(posture).loads;
   loads.lines = on_stretches_of(loads.lines, bent.lines);
   add_mode(loads, 1.0, bent);
+  return {std::move(loads), std::move(aligned), std::move(statically)};
+}
+
+BeamLoads ElasticMotion::loads_at(Time time) const {
+  const bool behind =
+      transient_ && !axial_ && time.value() > rigid_.motion->begin + rigid_.motion->period;
+  if (behind && !at_end_) at_end_ = std::make_shared<const Moment>(moment_at(time.value()));
+  const Moment now = behind ? *at_end_ : moment_at(time.value());
+  const auto& [at, turn] = now.aligned;
+  Eigen::VectorXd sizes;
+  if (transient_) {
+    const ModalState state = transient_->at(time.value());
+    const Eigen::VectorXd viscous = at.damping * (turn * state.speed);
+    sizes = turn * state.eta + viscous.cwiseQuotient(squares_of(at)) - now.statically;
+  } else {
+    sizes = turn * dynamic_at(time.value());
+  }
+  BeamLoads loads = now.bent;
   for (std::size_t j = 0; j < count_; ++j) {
     add_mode(loads, sizes[static_cast<Eigen::Index>(j)], at.loads[j]);
   }
   return loads;
 }
 
-LoadsAt elastic_loads_of(const Project& project, const planar::Mechanism& mechanism,
-                         const planar::Motion& motion, const ElasticModel& model, LoadsAt rigid) {
-  if (model.level == ModelLevel::rigid) return rigid;
+LoadHistory elastic_loads_of(const Project& project, const planar::Mechanism& mechanism,
+                             const planar::Motion& motion, const ElasticModel& model,
+                             const LoadSpan& span, LoadsAt rigid) {
+  if (model.level == ModelLevel::rigid) return {span, std::move(rigid)};
   require_few_instants(motion.states.size());
   const RigidMotion bodies{&mechanism, &motion, &project.beam, std::move(rigid)};
   const ElasticBody elastic = elastic_body_of(project, model.parts);
-  if (model.level == ModelLevel::quasi_static) return bent_statically(bodies, elastic);
+  if (model.level == ModelLevel::quasi_static) return {span, bent_statically(bodies, elastic)};
   const auto modes = static_cast<std::size_t>(model.modes);
   auto first = std::make_shared<const ElasticMotion>(bodies, elastic, modes);
   // The vibrating part of an axial force that hardly counts does not count.
   constexpr double hardly = 0.02;
   if (axial_part(bodies, elastic) < hardly) {
-    return [first](Time time) { return first->loads_at(time); };
+    return {first->span_of(span), [first](Time time) { return first->loads_at(time); }};
   }
   const LoadsAt vibrating = [first](Time time) { return first->loads_at(time); };
   auto of = std::make_shared<const ElasticMotion>(bodies, elastic, modes, vibrating);
-  return [of](Time time) { return of->loads_at(time); };
+  return {of->span_of(span), [of](Time time) { return of->loads_at(time); }};
 }
 
 }  // namespace boxbeam

@@ -146,6 +146,13 @@ Eigen::MatrixXd turn_between(const Eigen::MatrixXd& shapes, const Eigen::MatrixX
   return svd.matrixU() * svd.matrixV().transpose();
 }
 
+ModalEquations aligned(const ModalPosture& posture) {
+  const Eigen::MatrixXd& turn = posture.turn;
+  const Eigen::MatrixXd stiffness = Eigen::MatrixXd(posture.squares.asDiagonal()) + posture.of_size;
+  return {turn.transpose() * (posture.damping + posture.of_rate) * turn,
+          turn.transpose() * stiffness * turn, turn.transpose() * posture.force};
+}
+
 ModalMotion solve_modal_motion(const std::vector<ModalPosture>& postures, double period) {
   const auto n = static_cast<Eigen::Index>(postures.size());
   const Eigen::Index k = postures.front().squares.size();
@@ -161,19 +168,18 @@ ModalMotion solve_modal_motion(const std::vector<ModalPosture>& postures, double
     const ModalPosture& at = postures[static_cast<std::size_t>(i)];
     const Eigen::MatrixXd& turn = at.turn;
     lowest = std::min(lowest, std::sqrt(at.squares[0]) / full_turn);
-    p.row(i) = (turn.transpose() * at.force).transpose();
+    const ModalEquations equations = aligned(at);
+    p.row(i) = equations.force.transpose();
     statically.row(i) = (turn.transpose() * at.force.cwiseQuotient(at.squares)).transpose();
-    const Eigen::MatrixXd damping = turn.transpose() * (at.damping + at.of_rate) * turn;
     viscous.emplace_back(turn.transpose() * at.squares.cwiseInverse().asDiagonal() * at.damping *
                          turn);
     for (Eigen::Index m = 0; m < n; ++m) {
       const Eigen::Index apart = (i - m + n) % n;
       system.block(i * k, m * k, k, k) =
-          rate * d.first[apart] * damping +
+          rate * d.first[apart] * equations.damping +
           rate * rate * d.second[apart] * Eigen::MatrixXd::Identity(k, k);
     }
-    const Eigen::MatrixXd stiffness = Eigen::MatrixXd(at.squares.asDiagonal()) + at.of_size;
-    system.block(i * k, i * k, k, k) += turn.transpose() * stiffness * turn;
+    system.block(i * k, i * k, k, k) += equations.stiffness;
   }
   Eigen::VectorXd right(n * k);
   for (Eigen::Index i = 0; i < n; ++i) right.segment(i * k, k) = p.row(i).transpose();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "boxbeam/beam/beam_loads.hpp"
+#include "boxbeam/verification/transient_response.hpp"
 
 namespace boxbeam {
 
@@ -17,6 +18,9 @@ struct ModalPosture {
   Eigen::VectorXd force;             ///< generalised, under the loads of the rigid motion
   Eigen::MatrixXd turn;              ///< from the basis of the motion to this one (`turn_between`)
 };
+
+/// The equations of a posture in the basis of the motion.
+ModalEquations aligned(const ModalPosture& posture);
 
 /// The coordinates of modes over a periodic motion, a row for each of its instants [sqrt(kg) m].
 struct ModalMotion {

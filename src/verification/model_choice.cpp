@@ -53,12 +53,13 @@ RigidMotion rigid_motion_of(const Project& project, const SituationRun& run) {
 }
 
 /// The estimate of the situation in which rigid bodies miss most.
-VibrationEstimate worst_estimate(const Project& project, const std::deque<SituationRun>& rigid) {
+VibrationEstimate worst_estimate(const Project& project, const std::deque<SituationRun>& rigid,
+                                 double slower = 1.0) {
   const ElasticBody elastic = elastic_body_of(project, 8);
   VibrationEstimate worst;
   for (const SituationRun& run : rigid) {
     VibrationEstimate estimate =
-        estimate_vibration(rigid_motion_of(project, run), elastic, run.loads);
+        estimate_vibration(rigid_motion_of(project, run), elastic, run.loads, slower);
     if (worst.without_modes.empty() ||
         estimate.without_modes.front() > worst.without_modes.front()) {
       worst = std::move(estimate);
@@ -67,12 +68,55 @@ VibrationEstimate worst_estimate(const Project& project, const std::deque<Situat
   return worst;
 }
 
+/// Stresses of two histories at the even instants of the better one. A motion that ends at rest has
+/// stresses behind its end by every model.
+struct StressesOfBoth {
+  Eigen::MatrixXd model, better;
+};
+
+StressesOfBoth stresses_of_both(const Project& project, const LoadHistory& model,
+                                const LoadHistory& better) {
+  if (std::holds_alternative<spatial::Mechanism>(project.mechanism))
+    return {stress_history_in_space(model, project.beam),
+            stress_history_in_space(better, project.beam)};
+  const std::vector<ComparedPlace> places = compared_places_of(project.beam);
+  Eigen::MatrixXd of_better = stress_history(better, places);
+  const LoadSpan& span = better.span();
+  if (model.span().instants == span.instants && model.period() == better.period())
+    return {stress_history(model, places), std::move(of_better)};
+  Eigen::MatrixXd of_model(of_better.rows(), of_better.cols());
+  for (Eigen::Index i = 0; i < of_model.rows(); ++i) {
+    const Time time =
+        span.begin + span.period * static_cast<double>(i) / static_cast<double>(span.instants);
+    of_model.row(i) = fibre_stresses(model.diagram_at(time), places).transpose();
+  }
+  return {std::move(of_model), std::move(of_better)};
+}
+
 /// How far two histories of stresses are apart, as `difference_between`.
 double difference_between(const Eigen::MatrixXd& model, const Eigen::MatrixXd& of_better) {
   const Eigen::MatrixXd difference = model - of_better;
   const double range = largest_range(of_better);
   const double apart = difference.cwiseAbs().maxCoeff() / of_better.cwiseAbs().maxCoeff();
   return range > 0.0 ? std::max(apart, largest_range(difference) / range) : apart;
+}
+
+/// Why so many modes of motions that do not repeat cannot be looked at; "" where they can.
+std::string too_fast(const std::deque<SituationRun>& rigid, const std::vector<double>& frequencies,
+                     std::size_t modes) {
+  const double fastest = frequencies[std::min(modes, frequencies.size()) - 1];
+  for (const SituationRun& run : rigid) {
+    const planar::Motion& motion = planar_motion_of(run);
+    constexpr double least_behind = 3.0;  // periods of the lowest mode
+    const double length = motion.period + least_behind / frequencies.front();
+    if (motion.closed || instants_to_a_period * fastest * length <= most_vibrating_instants)
+      continue;
+    return fmt::format(
+        "the motion holds {:.0f} periods of {:.4g} Hz, more than {:.0f} instants "
+        "resolve; a shorter time can be looked at",
+        motion.period * fastest, fastest, most_vibrating_instants);
+  }
+  return "";
 }
 
 /// A modal model with another mode and twice the parts; of rigid bodies one with one mode.
@@ -86,16 +130,10 @@ double error_found(const Project& project, const ElasticModel& model, const Shar
   const ElasticModel better = better_than(model);
   const std::deque<SituationRun> by_model = run_situations(project, model, shared);
   const std::deque<SituationRun> by_better = run_situations(project, better, shared);
-  const std::vector<ComparedPlace> places = compared_places_of(project.beam);
-  const auto stresses_of = [&](const SituationRun& run) {
-    return std::holds_alternative<spatial::Mechanism>(project.mechanism)
-               ? stress_history_in_space(run.loads, project.beam)
-               : stress_history(run.loads, places);
-  };
   double found = 0.0;
   for (std::size_t i = 0; i < by_model.size(); ++i) {
-    found =
-        std::max(found, difference_between(stresses_of(by_model[i]), stresses_of(by_better[i])));
+    const StressesOfBoth of = stresses_of_both(project, by_model[i].loads, by_better[i].loads);
+    found = std::max(found, difference_between(of.model, of.better));
   }
   return found;
 }
@@ -113,6 +151,15 @@ std::string against_frequencies(const VibrationEstimate& estimate, const std::st
         estimate.frequencies.front() / highest.frequency, highest.frequency);
   }
   return text;
+}
+
+/// Which other beams bend with the verified one, behind its frequency.
+std::string beams_beside_text(const Project& project) {
+  if (project.beams_beside.empty()) return "";
+  std::string names;
+  for (const BeamBeside& other : project.beams_beside)
+    names += (names.empty() ? "" : ", ") + other.name;
+  return fmt::format(" ({} elastic as well)", names);
 }
 
 /// Bodies that bend statically under their axial force, without vibration.
@@ -194,9 +241,12 @@ struct Climb {
   std::string against;  ///< `against_frequencies`
   /// Error of a model against a better one.
   std::function<double(const ElasticModel&)> found_by;
+  /// Says of so many modes why they cannot be looked at; of those that can it is false.
+  std::function<bool(std::size_t)> unseen = {};
 };
 
-/// Sets the first modes that are known to be within the tolerance; else why none are.
+/// Sets the first modes that are known to be within the tolerance; else why none are, "" where that
+/// is said already.
 std::string climb_modes(const VibrationEstimate& estimate, const Climb& climb,
                         ModelChoice& choice) {
   for (std::size_t k = 1; k < estimate.without_modes.size(); ++k) {
@@ -207,6 +257,7 @@ std::string climb_modes(const VibrationEstimate& estimate, const Climb& climb,
         fmt::format("modes left out, and {} that the beam's rotation couples with its vibration",
                     percent_text(estimate.left_out));
     if (by_modes.error > choice.tolerance) continue;
+    if (climb.unseen && climb.unseen(k)) return "";
     by_modes.found = climb.found_by(by_modes.model) + estimate.left_out;
     if (*by_modes.found > choice.tolerance) continue;
     choice.chosen = by_modes.model;
@@ -368,9 +419,14 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
   choice.frequencies = estimate.frequencies;
   choice.harmonics = estimate.harmonics;
   const double of_bending = second.change.value_or(0.0);
+  const bool repeats = std::all_of(rigid.begin(), rigid.end(), [](const SituationRun& run) {
+    return planar_motion_of(run).closed;
+  });
   const ModelEstimate by_rigid{
       {},
-      fmt::format("harmonics of the loads against the modes of six postures {}, second order {}",
+      fmt::format("{} {}, second order {}",
+                  repeats ? "harmonics of the loads against the modes of six postures"
+                          : "response of the modes of six postures from rest",
                   percent_text(estimate.without_modes.front()), percent_text(of_bending)),
       estimate.without_modes.front() + of_bending,
       {}};
@@ -379,12 +435,20 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
       fmt::format("vibration is estimated to change the governing stress by {}, {}; tolerance {}",
                   percent_text(estimate.without_modes.front()), second_order_text(second),
                   percent_text(choice.tolerance));
+  const std::string against = against_frequencies(estimate, beams_beside_text(project));
+  const auto unseen = [&](std::size_t modes) {
+    const std::string why = too_fast(rigid, estimate.frequencies, modes + 1);
+    if (!why.empty())
+      choice.reason = fmt::format("rigid bodies; what vibration adds is not known: {}; {}; {}", why,
+                                  missed, against);
+    return !why.empty();
+  };
   bool enough = by_rigid.error <= choice.tolerance;
   // An estimate far below the tolerance is not worth the modes of every posture.
   constexpr double verified_above = 0.7;
   std::string found;
   if (enough && by_rigid.error > verified_above * choice.tolerance &&
-      project.model.demand == ModelDemand::automatic) {
+      project.model.demand == ModelDemand::automatic && !unseen(0)) {
     const double against_mode = error_found(project, {}, shared) + estimate.left_out;
     choice.weighed.back().found = against_mode;
     found = fmt::format(", found {} against one mode in every posture", percent_text(against_mode));
@@ -394,7 +458,7 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
       (enough && project.model.demand == ModelDemand::automatic)) {
     choice.reason = fmt::format("rigid bodies{}: {}; {}{}",
                                 project.model.demand == ModelDemand::rigid ? ", as demanded" : "",
-                                against_frequencies(estimate), missed, found);
+                                against, missed, found);
     return choice;
   }
   if (project.model.demand == ModelDemand::automatic) {
@@ -403,14 +467,13 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
     by_bending.error = estimate.without_modes.front();
     by_bending.basis = "vibration left out";
     if (by_bending.error <= choice.tolerance) {
-      if (by_bending.error > verified_above * choice.tolerance) {
+      if (by_bending.error > verified_above * choice.tolerance && !unseen(0)) {
         by_bending.found = error_found(project, bent, shared) + estimate.left_out;
       }
       if (by_bending.found.value_or(0.0) <= choice.tolerance) {
         choice.chosen = bent;
         choice.counts_second_order = true;
-        choice.reason = fmt::format("{}: {}; rigid bodies: {}", describe(bent),
-                                    against_frequencies(estimate), missed);
+        choice.reason = fmt::format("{}: {}; rigid bodies: {}", describe(bent), against, missed);
         return choice;
       }
     }
@@ -421,14 +484,19 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
     choice.reason = fmt::format(
         "rigid bodies; what vibration adds is not known: dry friction in joint {} turns round "
         "with the motion, and without damping {}; {}",
-        rubbing, missed, against_frequencies(estimate));
+        rubbing, missed, against);
     return choice;
   }
+  const auto passes_unseen = [&](std::size_t modes) {
+    return project.model.demand == ModelDemand::automatic && unseen(modes);
+  };
   const std::string why =
       climb_modes(estimate,
-                  {missed, against_frequencies(estimate),
-                   [&](const ElasticModel& model) { return error_found(project, model, shared); }},
+                  {missed, against,
+                   [&](const ElasticModel& model) { return error_found(project, model, shared); },
+                   passes_unseen},
                   choice);
+  if (why.empty() && choice.chosen.level != ModelLevel::modal) return choice;
   if (choice.chosen.level == ModelLevel::modal) {
     choice.counts_second_order = true;
     return choice;
@@ -476,13 +544,22 @@ double largest_design_factor_of(const Project& project) {
 ///     sum of share (|D| - |D_1|),  D = 1/(1 - (f/f_1)^2),  f_1^2 ~ 1 - N/N_cr
 ///
 /// share, f  of the harmonics of the loads. Where a frequency is met on the way there is no bound.
+/// Of a motion that does not repeat it is what the response from rest grows by (`slower`).
 /// Source: Timoshenko, Young, Weaver, Vibration Problems in Engineering (1974), section 5.12.
-void add_slower_vibration(double factor, ModelChoice& choice) {
+void add_slower_vibration(const Project& project, const std::deque<SituationRun>& rigid,
+                          double factor, ModelChoice& choice) {
   SecondOrderEstimate& of = choice.second_order;
   if (choice.chosen.level == ModelLevel::quasi_static || choice.frequencies.empty()) return;
   if (factor == 1.0 || of.in_plane.part <= 0.0 || of.in_plane.part >= 1.0) return;
   const double softer = (1.0 - of.in_plane.part) / (1.0 - of.in_plane.part / factor);
   double adds = 0.0;
+  const bool open = std::any_of(rigid.begin(), rigid.end(),
+                                [](const SituationRun& run) { return !run.loads.closed(); });
+  if (open) {
+    const double once = worst_estimate(project, rigid).without_modes.front();
+    adds = std::max(0.0,
+                    worst_estimate(project, rigid, std::sqrt(softer)).without_modes.front() - once);
+  }
   for (const LoadHarmonic& load : choice.harmonics) {
     const double square = std::pow(load.frequency / choice.frequencies.front(), 2);
     const double once = 1.0 - square, designed = 1.0 - square / softer;
@@ -514,7 +591,7 @@ ModelChoice choose_for_rigid(const Project& project, const std::deque<SituationR
   if (choice.counts_second_order) {
     // What its cut forces hold is the second order of the loads times one.
     choice.second_order.growth = std::move(second.beyond_once);
-    add_slower_vibration(largest_design_factor_of(project), choice);
+    add_slower_vibration(project, rigid, largest_design_factor_of(project), choice);
   }
   if (choice.chosen.level == ModelLevel::rigid) return choice;
   const std::string tabled = tabled_forces_in(project);
@@ -536,7 +613,8 @@ void weigh_balance(const Project& project, const std::deque<SituationRun>& rigid
   for (std::size_t i = 0; i < rigid.size(); ++i) {
     // Series of Fourier have no second derivative where something jumps or bends.
     const std::string obstacle =
-        !elastic.beside.empty() ? "other beams bend with it"
+        !elastic.beside.empty()    ? "other beams bend with it"
+        : !rigid[i].loads.closed() ? "the motion does not repeat"
         : by_model[i].loads.span().breaks.empty()
             ? obstacle_to_balance(planar_in(project, *rigid[i].situation), elastic.body)
             : "its loads jump or bend at points of a table or ends of a step";

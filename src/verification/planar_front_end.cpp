@@ -20,7 +20,7 @@ namespace {
 /// Where the loads on the beam come from at any time: the mechanism's reactions or the chain.
 LoadsAt loads_of(const Project& project, const planar::Mechanism& mechanism,
                  const planar::Motion& motion) {
-  auto finder = std::make_shared<planar::StateFinder>(mechanism, motion);
+  auto finder = std::make_shared<planar::StatesAround>(mechanism, motion);
   if (project.dynamics == Dynamics::newton_chain) {
     auto distribution = mass_distribution_of(project.beam);
     return [&project, &mechanism, finder, distribution](Time time) {
@@ -116,14 +116,14 @@ class PlanarMotion : public SolvedMotion {
     const LoadSpan span{
         si<Time>(motion.begin), si<Time>(motion.period), motion.states.size(), motion.closed,
         break_times_in(planar::functions_of(*mechanism_), motion.begin, motion.period)};
-    return {span, elastic_loads_of(*project_, *mechanism_, motion, model_,
-                                   loads_of(*project_, *mechanism_, motion))};
+    return elastic_loads_of(*project_, *mechanism_, motion, model_, span,
+                            loads_of(*project_, *mechanism_, motion));
   }
 
   double gravity() const override { return mechanism_->gravity.norm(); }
 
   PostureAt postures(const LoadHistory& loads) const override {
-    auto finder = std::make_shared<planar::StateFinder>(*mechanism_, motion);
+    auto finder = std::make_shared<planar::StatesAround>(*mechanism_, motion);
     return [this, &loads, finder](Time time, const std::string& why) {
       return posture_figure(*project_, *mechanism_, finder->at(time.value()), loads.loads_at(time),
                             why);
@@ -148,7 +148,7 @@ class PlanarMotion : public SolvedMotion {
     if (!stopped_) {
       constexpr int parts = 16;
       stopped_.emplace(
-          Stopped{elastic_body_of(*project_, parts), planar::StateFinder(*mechanism_, motion)});
+          Stopped{elastic_body_of(*project_, parts), planar::StatesAround(*mechanism_, motion)});
       // Nothing moves: no mass counts.
       const auto without_mass = [](ElasticBody& body) {
         for (flexible::LinkStretch& of : body.stretches) {
@@ -186,10 +186,24 @@ class PlanarMotion : public SolvedMotion {
   /// What all postures in which it is stopped have in common, from the first of them on.
   struct Stopped {
     ElasticBody elastic;
-    planar::StateFinder finder;
+    planar::StatesAround finder;
   };
   mutable std::optional<Stopped> stopped_;
 };
+
+/// Why an open motion's beam does not begin or end at rest; "" where it does.
+std::string obstacle_to_start(const planar::Motion& motion) {
+  constexpr double dead_point = 1e-6;
+  if (motion.closed) return "";
+  for (const planar::State* const state : {&motion.states.front(), &motion.end}) {
+    if (state->pivot > dead_point) continue;
+    return fmt::format(
+        "at {:.6g} s the mechanism is at a dead point, in which its drivers do not "
+        "hold it",
+        state->time);
+  }
+  return "";
+}
 
 class PlanarFrontEnd : public FrontEnd {
  public:
@@ -219,7 +233,8 @@ class PlanarFrontEnd : public FrontEnd {
       if (freedom.undriven > 0) {
         return "forces decide the motion: with its drivers held the mechanism is free to move";
       }
-      if (!planar_motion_of(run).closed) return "the motion does not repeat";
+      const std::string held = obstacle_to_start(planar_motion_of(run));
+      if (!held.empty()) return held;
       if (planar::time_span_of(mechanism).steeper)
         return "the edges of a table of forces are steeper than the instants looked at";
       if (freedom.redundant > 0) {

@@ -7,8 +7,8 @@
 #include "boxbeam/mechanism/planar/constraints.hpp"
 #include "boxbeam/mechanism/planar/degrees_of_freedom.hpp"
 #include "boxbeam/mechanism/planar/forces.hpp"
-#include "boxbeam/mechanism/planar/motion.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
+#include "boxbeam/mechanism/planar/rest.hpp"
 #include "neighbour_loads.hpp"
 
 namespace boxbeam {
@@ -201,7 +201,7 @@ class PlanarNeighbours : public NeighbourLoads {
 
   const planar::Mechanism* mechanism_;
   const planar::Motion* motion_;
-  planar::StateFinder finder_;
+  planar::StatesAround finder_;
   std::optional<double> looked_at_;  ///< the time of the state [s]
   planar::State state_;
   std::vector<planar::Reaction> reactions_;

@@ -130,6 +130,44 @@ bool goes_on(const Project& project, const SituationRun& run) {
          planar_motion_of(run).freedom.undriven > 0;
 }
 
+/// What of the vibration in a motion that does not repeat is not looked at: before it, where the
+/// motion has a speed at once, and behind what the vibrating model looks at.
+std::vector<NotJudged> vibration_beside_of(const Project& project, const ModelChoice& model,
+                                           const SituationRun& run) {
+  const planar::Motion& motion = planar_motion_of(run);
+  if (motion.closed) return {};
+  std::vector<NotJudged> beside;
+  if (!planar::is_at_rest(motion, motion.states.front())) {
+    beside.push_back(
+        {Criterion::yield, "vibration at the beginning",
+         fmt::format("at {:.6g} s bodies move already: the beam is taken to be at rest in its "
+                     "mechanism until then, and what a blow or a motion before leaves in it is not "
+                     "looked at; let drivers begin with a step or a table from rest",
+                     motion.begin)});
+  }
+  const Time end = si<Time>(motion.begin + motion.period);
+  const Time last = run.loads.begin() + run.loads.period();
+  if (!project.fatigue.asked || !(last > end) || model.frequencies.empty()) return beside;
+  const std::vector<ComparedPlace> places = compared_places_of(project.beam);
+  const Eigen::MatrixXd stresses = stress_history(run.loads, places);
+  const double step = run.loads.period().value() / static_cast<double>(run.loads.span().instants);
+  const auto rows = static_cast<Eigen::Index>(std::ceil(1.0 / (model.frequencies.front() * step)));
+  constexpr double gone = 0.1;
+  const double left =
+      largest_range(stresses.bottomRows(std::min(rows, stresses.rows()))) / largest_range(stresses);
+  if (left > gone) {
+    beside.push_back({Criterion::fatigue, "vibration behind the motion",
+                      fmt::format("after {:.4g} s it still has {} of the largest range, and its "
+                                  "further cycles are not counted{}",
+                                  (last - end).value(), percent_text(left),
+                                  project.model.retardation > 0.0
+                                      ? ""
+                                      : "; without damping ([model] damping) it does not die "
+                                        "out")});
+  }
+  return beside;
+}
+
 bool has_functions_of_time(const frame::Structure& structure) {
   for (const DriverUse& of : functions_of(structure)) {
     const auto* const series = std::get_if<PolynomialDriver>(of.driver);
@@ -205,7 +243,14 @@ std::vector<NotJudged> unestimated_vibration_of(const Project& project, const Mo
   if (project.model.measured_loads) return {};
   const auto* const frame = std::get_if<frame::Structure>(&project.mechanism);
   if (!model.bends_rigid_motion && frame == nullptr) return {};
-  if (model.chosen.level == ModelLevel::modal) return {};
+  const bool planar = std::holds_alternative<planar::Mechanism>(project.mechanism);
+  if (model.chosen.level == ModelLevel::modal) {
+    for (const SituationRun& run : runs) {
+      std::vector<NotJudged> beside = vibration_beside_of(project, model, run);
+      if (!beside.empty()) return beside;
+    }
+    return {};
+  }
   const auto* const space = std::get_if<spatial::Mechanism>(&project.mechanism);
   std::string obstacle = front_end_of(project)->obstacle_to_vibration(runs);
   if (space != nullptr && obstacle.empty() && !model.frequencies.empty()) {
@@ -225,6 +270,14 @@ std::vector<NotJudged> unestimated_vibration_of(const Project& project, const Mo
     const Eigen::MatrixXd stresses = stress_history(run.loads, compared_places_of(project.beam));
     return largest_range(stresses) > model.tolerance * stresses.cwiseAbs().maxCoeff();
   };
+  if (planar && obstacle.empty()) {
+    for (const SituationRun& run : runs) {
+      if (!changes(run)) continue;
+      std::vector<NotJudged> beside = vibration_beside_of(project, model, run);
+      if (!beside.empty()) return beside;
+    }
+    return {};
+  }
   if (std::none_of(runs.begin(), runs.end(), changes)) return {};
   if (obstacle.empty() && space != nullptr)
     obstacle = "the stopped mechanism does not hold the beam";

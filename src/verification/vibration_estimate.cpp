@@ -11,12 +11,15 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
 #include "boxbeam/mechanism/planar/forces.hpp"
+#include "boxbeam/numerics/chebyshev_curve.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
 
 namespace boxbeam {
 namespace {
 
 constexpr std::size_t modes_looked_at = 3;
+/// What begins suddenly excites high modes as well.
+constexpr std::size_t modes_of_start = 6;
 constexpr std::size_t postures_looked_at = 6;
 constexpr double significant = 0.01;
 
@@ -66,42 +69,134 @@ bool same_places(const std::vector<flexible::SpringElement>& a,
                     });
 }
 
-/// The mean cut forces over the parts of an elastic body as a rigid one, instant by instant: in
-/// most postures it is divided alike.
-class MeansOverTime {
+/// The parts into which elastic bodies are divided, the beam's first.
+using DividedBodies = std::vector<std::vector<flexible::SpringElement>>;
+
+DividedBodies divided_in(const PostureModes& modes) {
+  DividedBodies divided{modes.beam.link.springs};
+  for (const PostureModes::Strained& other : modes.beside) divided.push_back(other.link.springs);
+  return divided;
+}
+
+bool divided_alike(const DividedBodies& a, const DividedBodies& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_places);
+}
+
+/// What strains the elastic bodies: their mean cut forces as rigid ones over their parts, three of
+/// each, as one column.
+class StrainingCuts {
  public:
-  /// `diagram(i)`: of the instant i.
-  template <class DiagramAt>
-  const std::vector<Eigen::Matrix3Xd>& over(const std::vector<flexible::SpringElement>& springs,
-                                            std::size_t instants, const DiagramAt& diagram) {
-    if (same_places(divided_, springs)) return means_;
-    divided_ = springs;
-    means_.clear();
-    for (std::size_t i = 0; i < instants; ++i) means_.push_back(means_over(diagram(i), springs));
-    return means_;
+  StrainingCuts(const RigidMotion& rigid, const ElasticBody& elastic)
+      : rigid_(&rigid), elastic_(&elastic), states_(*rigid.mechanism, *rigid.motion) {}
+
+  Eigen::VectorXd at(double time, const DividedBodies& divided) {
+    return at(time, cut_forces_of(rigid_->loads(si<Time>(time))), divided);
+  }
+  /// `beam`: of the beam then.
+  Eigen::VectorXd at(double time, const CutForceDiagram& beam, const DividedBodies& divided) {
+    Eigen::Index size = 0;
+    for (const auto& springs : divided) size += 3 * static_cast<Eigen::Index>(springs.size());
+    Eigen::VectorXd column(size);
+    Eigen::Index from = 0;
+    const auto put = [&](const CutForceDiagram& cut, std::size_t body) {
+      const Eigen::Index rows = 3 * static_cast<Eigen::Index>(divided[body].size());
+      column.segment(from, rows) = means_over(cut, divided[body]).reshaped();
+      from += rows;
+    };
+    put(beam, 0);
+    if (elastic_->beside.empty()) return column;
+    const planar::State state = states_.at(time);
+    for (std::size_t k = 0; k < elastic_->beside.size(); ++k) {
+      const planar::BeamBody& other = elastic_->beside[k].laid_out;
+      put(cut_forces_of(planar::beam_loads_of(*rigid_->mechanism, state, other)), k + 1);
+    }
+    return column;
   }
 
  private:
-  std::vector<flexible::SpringElement> divided_;
-  std::vector<Eigen::Matrix3Xd> means_;
+  const RigidMotion* rigid_;
+  const ElasticBody* elastic_;
+  planar::StatesAround states_;
 };
 
-/// Cut forces of the elastic bodies beside the beam as rigid ones, at the instants of a history.
-std::vector<std::vector<CutForceDiagram>> cuts_beside(const RigidMotion& rigid,
-                                                      const ElasticBody& elastic,
-                                                      const LoadHistory& history) {
-  std::vector<std::vector<CutForceDiagram>> cuts(elastic.beside.size());
-  if (cuts.empty()) return cuts;
-  planar::StateFinder finder(*rigid.mechanism, *rigid.motion);
-  const double step = history.period().value() / static_cast<double>(history.even_instants());
-  for (std::size_t i = 0; i < history.even_instants(); ++i) {
-    const planar::State state = finder.at(history.begin().value() + step * static_cast<double>(i));
-    for (std::size_t k = 0; k < cuts.size(); ++k) {
-      cuts[k].push_back(cut_forces_of(
-          planar::beam_loads_of(*rigid.mechanism, state, elastic.beside[k].laid_out)));
-    }
+/// The response of modes from rest in a motion that does not repeat.
+class StrainingOnce {
+ public:
+  StrainingOnce(const RigidMotion& rigid, StrainingCuts& cuts, const DividedBodies& divided)
+      : borders_(borders_of(rigid)),
+        curve_([&](double time) { return cuts.at(time, divided); },
+               {borders_, 8.0 * step_of(rigid), step_of(rigid)},
+               [](const Eigen::VectorXd& largest) {
+                 constexpr double part = 1e-4;
+                 Eigen::VectorXd allowed(largest.size());
+                 for (Eigen::Index k = 0; k < 3; ++k) {
+                   const auto every = Eigen::seqN(k, largest.size() / 3, 3);
+                   allowed(every).setConstant(part * largest(every).maxCoeff());
+                 }
+                 return allowed;
+               }),
+        before_(cuts.at(borders_.front() - rigid.motion->period, divided)) {
+    if (planar::is_at_rest(*rigid.motion, rigid.motion->end))
+      behind_ = cuts.at(borders_.back() + rigid.motion->period, divided);
   }
-  return cuts;
+
+  /// The dynamic part of each mode at the ends of steps, a column each. `work`: what the column of
+  /// cut forces does on the modes, a row each.
+  Eigen::MatrixXd dynamic_parts(const Eigen::MatrixXd& work, const Eigen::VectorXd& frequencies,
+                                const Eigen::VectorXd& damping) const {
+    constexpr double steps_to_a_period = 20.0, most_steps = 4000.0, watched_periods = 1.5;
+    const Eigen::VectorXd squares = (full_turn * frequencies).array().square();
+    const Eigen::MatrixXd stiffness = squares.asDiagonal(), viscous = damping.asDiagonal();
+    const auto force_at = [&](double time) -> Eigen::VectorXd {
+      return work * (time <= borders_.back() ? curve_.at(time) : *behind_);
+    };
+    const auto equations = [&](double time) -> ModalEquations {
+      return {viscous, stiffness, force_at(time)};
+    };
+    std::vector<double> borders = borders_;
+    if (behind_) borders.push_back(borders.back() + watched_periods / frequencies.minCoeff());
+    const double length = borders.back() - borders.front();
+    const double step =
+        std::max(1.0 / (steps_to_a_period * frequencies.maxCoeff()), length / most_steps);
+    const TransientResponse response(equations, borders,
+                                     resting({viscous, stiffness, work * before_}), step);
+    const std::vector<double>& times = response.times();
+    Eigen::MatrixXd parts(static_cast<Eigen::Index>(times.size()), work.rows());
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      const ModalState& at = response.states()[i];
+      const Eigen::VectorXd beyond = viscous * at.speed - force_at(times[i]);
+      parts.row(static_cast<Eigen::Index>(i)) =
+          (at.eta + beyond.cwiseQuotient(squares)).transpose();
+    }
+    return parts;
+  }
+
+ private:
+  static double step_of(const RigidMotion& rigid) {
+    return rigid.motion->period / static_cast<double>(rigid.motion->states.size());
+  }
+  std::vector<double> borders_;
+  ChebyshevCurve curve_;
+  Eigen::VectorXd before_;
+  std::optional<Eigen::VectorXd> behind_;  ///< where the motion ends at rest
+};
+
+/// The work of what strains the elastic bodies, a column of `StrainingCuts`, on modes, a row each.
+Eigen::MatrixXd work_on(const PostureModes& modes) {
+  Eigen::Index parts = static_cast<Eigen::Index>(modes.beam.strains.size());
+  for (const PostureModes::Strained& other : modes.beside)
+    parts += static_cast<Eigen::Index>(other.strains.size());
+  Eigen::MatrixXd work(static_cast<Eigen::Index>(modes.frequencies.size()), 3 * parts);
+  Eigen::Index from = 0;
+  const auto put = [&](const PostureModes::Strained& of) {
+    for (const Eigen::Matrix3Xd& strains : of.strains) {
+      work.middleCols<3>(from) = strains.transpose();
+      from += 3;
+    }
+  };
+  put(modes.beam);
+  for (const PostureModes::Strained& other : modes.beside) put(other);
+  return work;
 }
 
 /// The largest coefficient of dry friction in a mechanism.
@@ -143,7 +238,7 @@ std::vector<LoadHarmonic> harmonics_of(const Eigen::VectorXd& moment, double bas
 }
 
 VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody& elastic,
-                                     const LoadHistory& history) {
+                                     const LoadHistory& history, double slower) {
   const planar::Motion& motion = *rigid.motion;
   const std::vector<ComparedPlace> places = compared_places_of(*rigid.beam);
   const Eigen::MatrixXd stresses = stress_history(history, places);
@@ -155,9 +250,26 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
   if (peak == 0.0) return estimate;
   if (!std::isfinite(peak)) refuse("the stresses under the loads of rigid bodies are no numbers");
 
-  MeansOverTime means;
-  const std::vector<std::vector<CutForceDiagram>> beside = cuts_beside(rigid, elastic, history);
-  std::vector<MeansOverTime> means_beside(beside.size());
+  StrainingCuts cuts(rigid, elastic);
+  // In most postures bodies are divided alike.
+  DividedBodies divided;
+  Eigen::MatrixXd straining;  // a row for each even instant
+  std::optional<StrainingOnce> once;
+  const auto divide = [&](DividedBodies anew) {
+    if (divided_alike(divided, anew)) return;
+    divided = std::move(anew);
+    if (!motion.closed) {
+      once.emplace(rigid, cuts, divided);
+      return;
+    }
+    const double step = motion.period / static_cast<double>(history.even_instants());
+    for (std::size_t i = 0; i < history.even_instants(); ++i) {
+      const Eigen::VectorXd column =
+          cuts.at(motion.begin + step * static_cast<double>(i), history.even_diagram(i), divided);
+      if (i == 0) straining.resize(stresses.rows(), column.size());
+      straining.row(static_cast<Eigen::Index>(i)) = column.transpose();
+    }
+  };
   double fastest = 0.0;
   for (const planar::State& state : motion.states) {
     fastest = std::max(fastest, std::abs(state.v[3 * static_cast<Eigen::Index>(elastic.body) + 2]));
@@ -168,26 +280,25 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
     const PostureModes modes =
         modes_in_posture(loaded_posture(*rigid.mechanism, state, elastic, *rigid.beam,
                                         rigid.loads(si<Time>(state.time))),
-                         modes_looked_at);
+                         motion.closed ? modes_looked_at : modes_of_start);
     if (modes.frequencies.empty()) continue;  // without mass nothing vibrates
     if (!(modes.frequencies.front() > 0.0)) {
       refuse("the lowest natural frequency of the beam in its mechanism cannot be told from zero");
     }
     const auto count = static_cast<Eigen::Index>(modes.frequencies.size());
-    Eigen::MatrixXd p = Eigen::MatrixXd::Zero(stresses.rows(), count);
-    const auto add_work = [&](const PostureModes::Strained& of, MeansOverTime& over,
-                              const auto& diagram) {
-      const std::vector<Eigen::Matrix3Xd>& of_instants =
-          over.over(of.link.springs, history.even_instants(), diagram);
-      for (std::size_t i = 0; i < of_instants.size(); ++i)
-        p.row(static_cast<Eigen::Index>(i)) += modal_loads(of, of_instants[i]).transpose();
-    };
-    add_work(modes.beam, means,
-             [&](std::size_t i) -> const CutForceDiagram& { return history.even_diagram(i); });
-    for (std::size_t k = 0; k < beside.size(); ++k) {
-      add_work(modes.beside[k], means_beside[k],
-               [&](std::size_t i) -> const CutForceDiagram& { return beside[k][i]; });
+    const Eigen::VectorXd frequencies =
+        slower * Eigen::VectorXd::Map(modes.frequencies.data(), count);
+    divide(divided_in(modes));
+    const Eigen::MatrixXd work = work_on(modes);
+    Eigen::MatrixXd parts(stresses.rows(), count);
+    if (once) {
+      parts = once->dynamic_parts(work, frequencies, modes.damping.diagonal());
+    } else {
+      const Eigen::MatrixXd p = straining * work.transpose();
+      for (Eigen::Index j = 0; j < count; ++j)
+        parts.col(j) = dynamic_part(p.col(j), frequencies[j], modes.damping(j, j), base);
     }
+    parts *= slower * slower;
     const double turning = std::pow(fastest / (full_turn * modes.frequencies.front()), 2);
     const double of_others = 1.0 - modes.shifting[static_cast<std::size_t>(elastic.body)](0, 0);
     const double left_out = turning * std::clamp(of_others, 0.0, 1.0);
@@ -197,13 +308,11 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
       estimate.without_modes[counted] =
           std::max(estimate.without_modes[counted], error + (counted == 0 ? turning : left_out));
     };
-    Eigen::MatrixXd missed = Eigen::MatrixXd::Zero(stresses.rows(), stresses.cols());
+    Eigen::MatrixXd missed = Eigen::MatrixXd::Zero(parts.rows(), stresses.cols());
     raise(static_cast<std::size_t>(count), 0.0);
     for (Eigen::Index j = count; j-- > 0;) {
       const auto mode = static_cast<std::size_t>(j);
-      const double frequency = modes.frequencies[mode];
-      const Eigen::VectorXd part = dynamic_part(p.col(j), frequency, modes.damping(j, j), base);
-      missed += part * fibre_stresses(modes.diagrams[mode], places).matrix().transpose();
+      missed += parts.col(j) * fibre_stresses(modes.diagrams[mode], places).matrix().transpose();
       const double of_range = range > 0.0 ? largest_range(missed) / range : 0.0;
       raise(mode, std::max(missed.cwiseAbs().maxCoeff() / peak, of_range));
     }
@@ -218,7 +327,7 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
   Eigen::Index governing = 0;
   (stresses.colwise().maxCoeff() - stresses.colwise().minCoeff()).maxCoeff(&governing);
   const Station& station = places[static_cast<std::size_t>(governing / 2)].station;
-  estimate.harmonics = harmonics_of(bending_over_period(history, station), base);
+  if (motion.closed) estimate.harmonics = harmonics_of(bending_over_period(history, station), base);
   return estimate;
 }
 

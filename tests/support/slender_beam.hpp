@@ -30,7 +30,7 @@ struct Beam {
   boxbeam::planar::Mechanism mechanism;
   boxbeam::planar::Motion motion;
   boxbeam::planar::BeamBody body;
-  std::shared_ptr<boxbeam::planar::StateFinder> finder;
+  std::shared_ptr<boxbeam::planar::StatesAround> finder;
 
   explicit Beam(double density = rho) {
     using namespace boxbeam;
@@ -51,7 +51,7 @@ struct Beam {
 
   void solve(int instants) {
     motion = boxbeam::planar::solve_motion(mechanism, instants);
-    finder = std::make_shared<boxbeam::planar::StateFinder>(mechanism, motion);
+    finder = std::make_shared<boxbeam::planar::StatesAround>(mechanism, motion);
   }
 
   boxbeam::RigidMotion rigid() const {
@@ -84,19 +84,24 @@ inline boxbeam::planar::Joint driven(const Beam& of, boxbeam::planar::Coordinate
   return {"drive", kind};
 }
 
-/// Its base shakes across its axis, r times as fast as its first frequency.
-inline Beam shaken(double r, int instants, double amplitude = 0.01) {
-  constexpr double pi = std::numbers::pi;
+/// Its base follows a driver across its axis; `length`: how long it is looked at, where the driver
+/// does not say so [s].
+inline Beam carried(boxbeam::Driver driver, int instants, double length = 0.0) {
   Beam of;
   boxbeam::planar::Slider slider;
   slider.point = of.start();
-  slider.direction = pi / 2;
+  slider.direction = std::numbers::pi / 2;
   of.mechanism.joints = {{"base", slider}};
-  of.mechanism.joints.push_back(
-      driven(of, boxbeam::planar::Coordinate::y,
-             boxbeam::HarmonicDriver{0.0, amplitude, 2 * pi * r * first_frequency(), 0.0}));
+  of.mechanism.joints.push_back(driven(of, boxbeam::planar::Coordinate::y, std::move(driver)));
+  of.mechanism.duration.length = length;
   of.solve(instants);
   return of;
+}
+
+/// Its base shakes across its axis, r times as fast as its first frequency.
+inline Beam shaken(double r, int instants, double amplitude = 0.01) {
+  const double omega = 2 * std::numbers::pi * r * first_frequency();
+  return carried(boxbeam::HarmonicDriver{0.0, amplitude, omega, 0.0}, instants);
 }
 
 }  // namespace test::slender

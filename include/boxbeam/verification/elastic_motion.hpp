@@ -2,19 +2,26 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 
-#include "boxbeam/mechanism/planar/motion.hpp"
+#include "boxbeam/mechanism/planar/rest.hpp"
 #include "boxbeam/verification/load_history.hpp"
 #include "boxbeam/verification/model_choice.hpp"
 #include "boxbeam/verification/posture_modes.hpp"
+#include "boxbeam/verification/transient_response.hpp"
 
 namespace boxbeam {
+
+struct ModalPosture;
 
 /// The elastic body that the verified beam of a planar case is, with those of its other beams.
 /// `project` stays.
 ElasticBody elastic_body_of(const Project& project, int parts);
 
 /// A planar mechanism whose drivers fix its motion, and the loads on its beam as a rigid body.
+/// Before and behind a motion that does not repeat the loads are those of the mechanism held at
+/// rest there
+/// (`StatesAround`).
 struct RigidMotion {
   const planar::Mechanism* mechanism = nullptr;
   const planar::Motion* motion = nullptr;
@@ -27,8 +34,7 @@ struct RigidMotion {
 /// `axial`: loads whose axial force the beam bears; nothing: those of the rigid beam.
 LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic, LoadsAt axial = {});
 
-/// Elastic vibration of the beam in a large periodic motion of its mechanism, by theory of the
-/// second order.
+/// Elastic vibration of the beam in a large motion of its mechanism, by theory of the second order.
 ///
 /// In every posture, under the forces of the rigid motion there, the mechanism has modes; their
 /// basis is turned so that it is nearest to the one at the beginning (orthogonal Procrustes
@@ -37,8 +43,18 @@ LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic, Lo
 ///
 ///     eta'' + (C + F') eta' + (K + F) eta = p(t),   K = phi^T (K + K_g) phi,   p_j = `modal_loads`
 ///
-/// periodic, solved at N instants by Fourier collocation; F', F of the turning bodies
-/// (`frame_terms`). To the loads of the beam that bends statically (`second_order_of`) come those
+/// F', F of the turning bodies (`frame_terms`): in a motion that repeats the periodic solution at N
+/// instants by Fourier collocation, in one that does not the solution from rest
+/// (`TransientResponse`), K, C, F', F and p by polynomials between the ends of steps and points of
+/// tables (`ChebyshevCurve`, within 1e-4).
+///
+/// Such a motion begins with the beam at rest in static balance under what acts on the mechanism
+/// held where it begins. Where accelerations or speeds are there at once, what they load the beam
+/// with is a sudden load; the blow of a speed that is there at once is not in it. Where the motion
+/// ends at rest the free vibration is followed until it is down to a twentieth of the largest
+/// coordinate, for three periods of the lowest mode at least where it does not die out.
+///
+/// To the loads of the beam that bends statically (`second_order_of`) come those
 /// of the modes' own inertia, -K^-1 (eta'' + F' eta' + F eta): what elasticity and viscosity bear
 /// together beyond the static part,
 ///
@@ -51,8 +67,8 @@ LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic, Lo
 /// in MATLAB (2000), chapter 3; Schönemann, Psychometrika 31 (1966).
 class ElasticMotion {
  public:
-  /// Throws AnalysisError where the motion is not periodic, a harmonic of it meets a natural
-  /// frequency of an undamped beam, or modes change beyond recognition over it.
+  /// Throws AnalysisError where forces decide the motion, a harmonic of one that repeats meets a
+  /// natural frequency of an undamped beam, or modes change beyond recognition over it.
   /// `axial`: loads whose axial force the beam bears; nothing: those of the rigid beam. The axial
   /// force vibrates as well: loads of a first motion here make it known to the second order.
   ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t modes, LoadsAt axial = {});
@@ -60,11 +76,18 @@ class ElasticMotion {
   /// Loads on the beam at any time.
   BeamLoads loads_at(Time time) const;
 
-  /// Modal coordinates with their viscous part, less their static one, at the instants, a row for
-  /// each [sqrt(kg) m].
+  /// The time of the loads: of a motion that does not repeat with the free vibration behind it, in
+  /// at least eight instants to a period of the fastest mode and, as far as their number allows, as
+  /// many to a second as the motion has. Throws AnalysisError where it holds too many periods.
+  LoadSpan span_of(const LoadSpan& rigid) const;
+
+  /// Modal coordinates with their viscous part, less their static one, at the instants of a motion
+  /// that repeats, a row for each [sqrt(kg) m].
   const Eigen::MatrixXd& dynamic_part() const { return dynamic_; }
-  /// Modal coordinates at the instants [sqrt(kg) m].
+  /// Modal coordinates at these instants [sqrt(kg) m].
   const Eigen::MatrixXd& coordinates() const { return eta_; }
+  /// The same over a motion that does not repeat.
+  const std::optional<TransientResponse>& transient() const { return transient_; }
   double lowest_frequency() const { return lowest_; }  ///< over the motion [Hz]
 
  private:
@@ -73,22 +96,48 @@ class ElasticMotion {
     PostureModes modes;
     Eigen::MatrixXd turn;
   };
-  LoadedPosture posture_at(const planar::State& state, const BeamLoads& rigid) const;
+  /// What makes the loads of an instant: those of the bent beam, and modes.
+  struct Moment {
+    BeamLoads bent;
+    Aligned aligned;
+    Eigen::VectorXd statically;  ///< K^-1 p in the basis of the posture
+  };
+  LoadedPosture posture_at(const planar::State& state, const BeamLoads& rigid, double time) const;
   Aligned aligned_at(const LoadedPosture& posture, double time) const;
+  ModalPosture passed_at(const planar::State& state, const BeamLoads& rigid, double time) const;
+  void note_frequencies(const ModalPosture& posture);
+  Moment moment_at(double time) const;
   Eigen::VectorXd dynamic_at(double time) const;
+  void solve_periodic();
+  void solve_from_rest();
+  void respond(std::vector<double> borders, double longest_piece);
+  double length_watched() const;
 
   RigidMotion rigid_;
-  std::shared_ptr<planar::StateFinder> finder_;
+  std::shared_ptr<planar::StatesAround> states_;
   ElasticBody elastic_;
   std::size_t count_;
   LoadsAt axial_;
   Eigen::MatrixXd reference_;  ///< shapes at the beginning
   Eigen::MatrixXd eta_, dynamic_;
-  double lowest_ = 0.0;
+  std::optional<TransientResponse> transient_;
+  double lowest_ = 1e300, fastest_ = 0.0;
+  mutable std::shared_ptr<const Moment> at_end_;  ///< at rest behind the end
 };
 
+/// The most instants in which a beam is looked at that vibrates in a motion that does not repeat.
+inline constexpr double most_vibrating_instants = 8192.0;
+
+/// Instants to a period of the fastest mode that is counted.
+inline constexpr double instants_to_a_period = 8.0;
+
+/// The times between its ends at which the loads of a motion may jump or bend, with the ends [s].
+std::vector<double> borders_of(const RigidMotion& rigid);
+
 /// Loads on the beam of a planar case by a model of it: those of rigid bodies, or with vibration.
-LoadsAt elastic_loads_of(const Project& project, const planar::Mechanism& mechanism,
-                         const planar::Motion& motion, const ElasticModel& model, LoadsAt rigid);
+/// `span`: of the rigid bodies' loads.
+LoadHistory elastic_loads_of(const Project& project, const planar::Mechanism& mechanism,
+                             const planar::Motion& motion, const ElasticModel& model,
+                             const LoadSpan& span, LoadsAt rigid);
 
 }  // namespace boxbeam

@@ -1,0 +1,100 @@
+#include "boxbeam/numerics/chebyshev_curve.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace boxbeam {
+namespace {
+
+constexpr Eigen::Index curve_points = 9;
+
+/// Of each point of a piece, the angle whose cosine it is.
+double curve_angle(Eigen::Index k) {
+  return std::numbers::pi * (2.0 * static_cast<double>(k) + 1.0) / (2.0 * curve_points);
+}
+
+/// Ascending in [-1, 1].
+double curve_point(Eigen::Index k) { return -std::cos(curve_angle(k)); }
+
+/// The two highest of the waves in a piece, by their largest size.
+Eigen::VectorXd highest_waves(const Eigen::MatrixXd& values) {
+  Eigen::VectorXd largest = Eigen::VectorXd::Zero(values.rows());
+  for (const double wave : {curve_points - 1.0, curve_points - 2.0}) {
+    Eigen::VectorXd shares(curve_points);
+    for (Eigen::Index k = 0; k < curve_points; ++k)
+      shares[k] = 2.0 / curve_points * std::cos(wave * curve_angle(k));
+    largest = largest.cwiseMax((values * shares).cwiseAbs());
+  }
+  return largest;
+}
+
+}  // namespace
+
+ChebyshevCurve::Piece ChebyshevCurve::piece_of(const Function& f, double from, double to) {
+  Piece piece{from, to, {}};
+  for (Eigen::Index k = 0; k < curve_points; ++k) {
+    const Eigen::VectorXd value = f(0.5 * (from + to) + 0.5 * (to - from) * curve_point(k));
+    if (k == 0) piece.values.resize(value.size(), curve_points);
+    piece.values.col(k) = value;
+  }
+  return piece;
+}
+
+ChebyshevCurve::ChebyshevCurve(const Function& f, const Division& division,
+                               const Accuracy& accuracy) {
+  std::vector<Piece> open;  // the first of them last
+  for (std::size_t i = 1; i < division.borders.size(); ++i) {
+    const double from = division.borders[i - 1], length = division.borders[i] - from;
+    const double count = std::max(1.0, std::ceil(length / division.longest - 1e-9));
+    for (double k = 0.0; k < count; k += 1.0)
+      open.push_back(piece_of(f, from + length * k / count, from + length * (k + 1.0) / count));
+  }
+  std::reverse(open.begin(), open.end());
+  largest_ = Eigen::VectorXd::Zero(open.front().values.rows());
+  const auto look_at = [&](const Piece& piece) {
+    largest_ = largest_.cwiseMax(piece.values.cwiseAbs().rowwise().maxCoeff());
+  };
+  for (const Piece& piece : open) look_at(piece);
+  const Eigen::VectorXd allowed = accuracy(largest_);
+  while (!open.empty()) {
+    Piece piece = std::move(open.back());
+    open.pop_back();
+    const double middle = 0.5 * (piece.from + piece.to);
+    const bool halve = piece.to - piece.from > 2.0 * division.shortest &&
+                       (highest_waves(piece.values).array() > allowed.array()).any();
+    if (!halve) {
+      pieces_.push_back(std::move(piece));
+      continue;
+    }
+    open.push_back(piece_of(f, middle, piece.to));
+    look_at(open.back());
+    open.push_back(piece_of(f, piece.from, middle));
+    look_at(open.back());
+  }
+}
+
+Eigen::VectorXd ChebyshevCurve::at(double x) const {
+  const auto behind =
+      std::upper_bound(pieces_.begin() + 1, pieces_.end(), x,
+                       [](double value, const Piece& piece) { return value < piece.from; });
+  const Piece& piece = *(behind - 1);
+  const double u = (2.0 * x - piece.from - piece.to) / (piece.to - piece.from);
+  // Barycentric formula: Berrut and Trefethen, SIAM Review 46 (2004).
+  Eigen::VectorXd shares(curve_points);
+  for (Eigen::Index k = 0; k < curve_points; ++k) {
+    const double distance = u - curve_point(k);
+    if (distance == 0.0) return piece.values.col(k);
+    shares[k] = (k % 2 == 0 ? 1.0 : -1.0) * std::sin(curve_angle(k)) / distance;
+  }
+  return piece.values * (shares / shares.sum());
+}
+
+double ChebyshevCurve::shortest_piece() const {
+  double shortest = pieces_.front().to - pieces_.front().from;
+  for (const Piece& piece : pieces_) shortest = std::min(shortest, piece.to - piece.from);
+  return shortest;
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,104 @@
+#include "boxbeam/verification/transient_response.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace boxbeam {
+namespace {
+
+/// The method's nodes c, its matrix A, A^2 and weights, and of the polynomials that are one at one
+/// node and zero at the others the coefficients of 1, u, u^2, a row for each.
+struct GaussMethod {
+  Eigen::Vector3d nodes, weights, double_weights;
+  Eigen::Matrix3d once, twice, bases;
+};
+
+const GaussMethod& gauss_method() {
+  static const GaussMethod method = [] {
+    GaussMethod of;
+    const double root = std::sqrt(15.0);
+    of.nodes << 0.5 - root / 10.0, 0.5, 0.5 + root / 10.0;
+    of.weights << 5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0;
+    Eigen::Matrix3d powers;
+    for (int j = 0; j < 3; ++j) powers.row(j) << 1.0, of.nodes[j], of.nodes[j] * of.nodes[j];
+    // Row j of the inverse's transpose: the polynomial that is one at node j.
+    of.bases = powers.inverse().transpose();
+    for (int i = 0; i < 3; ++i) {
+      const double c = of.nodes[i];
+      of.once.row(i) = of.bases * Eigen::Vector3d(c, c * c / 2.0, c * c * c / 3.0);
+    }
+    of.twice = of.once * of.once;
+    of.double_weights = of.once.transpose() * of.weights;
+    return of;
+  }();
+  return method;
+}
+
+}  // namespace
+
+TransientResponse::TransientResponse(const EquationsAt& equations,
+                                     const std::vector<double>& borders, ModalState start,
+                                     double longest_step)
+    : times_{borders.front()}, states_{std::move(start)} {
+  go_on(equations, borders, longest_step);
+}
+
+void TransientResponse::go_on(const EquationsAt& equations, const std::vector<double>& borders,
+                              double longest_step) {
+  const GaussMethod& gauss = gauss_method();
+  const Eigen::Index k = states_.back().eta.size();
+  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(k, k);
+  Eigen::MatrixXd system(stages * k, stages * k);
+  Eigen::VectorXd right(stages * k);
+  for (std::size_t border = 1; border < borders.size(); ++border) {
+    const double from = borders[border - 1], length = borders[border] - from;
+    const double steps = std::max(1.0, std::ceil(length / longest_step - 1e-9));
+    const double h = length / steps;
+    for (double step = 1.0; step <= steps; step += 1.0) {
+      const double begin = from + (step - 1.0) * h;
+      const ModalState& known = states_.back();
+      for (Eigen::Index i = 0; i < stages; ++i) {
+        const ModalEquations at = equations(begin + gauss.nodes[i] * h);
+        for (Eigen::Index j = 0; j < stages; ++j) {
+          system.block(i * k, j * k, k, k) =
+              h * gauss.once(i, j) * at.damping + h * h * gauss.twice(i, j) * at.stiffness;
+        }
+        system.block(i * k, i * k, k, k) += identity;
+        right.segment(i * k, k) = at.force - at.damping * known.speed -
+                                  at.stiffness * (known.eta + gauss.nodes[i] * h * known.speed);
+      }
+      const Eigen::VectorXd solved = system.partialPivLu().solve(right);
+      Eigen::MatrixXd accelerations = Eigen::MatrixXd::Map(solved.data(), k, stages);
+      ModalState next;
+      next.eta = known.eta + h * known.speed + h * h * (accelerations * gauss.double_weights);
+      next.speed = known.speed + h * (accelerations * gauss.weights);
+      accelerations_.push_back(std::move(accelerations));
+      states_.push_back(std::move(next));
+      times_.push_back(step < steps ? from + step * h : borders[border]);
+    }
+  }
+}
+
+ModalState TransientResponse::at(double time) const {
+  if (time <= times_.front()) return states_.front();
+  if (time >= times_.back()) return states_.back();
+  const auto step = static_cast<std::size_t>(std::upper_bound(times_.begin(), times_.end(), time) -
+                                             times_.begin() - 1);
+  const double h = times_[step + 1] - times_[step];
+  const double u = (time - times_[step]) / h;
+  const Eigen::Matrix3d& bases = gauss_method().bases;
+  const Eigen::Vector3d once = bases * Eigen::Vector3d(u, u * u / 2.0, u * u * u / 3.0);
+  const Eigen::Vector3d twice =
+      bases * Eigen::Vector3d(u * u / 2.0, u * u * u / 6.0, u * u * u * u / 12.0);
+  const ModalState& known = states_[step];
+  return {known.eta + u * h * known.speed + h * h * (accelerations_[step] * twice),
+          known.speed + h * (accelerations_[step] * once)};
+}
+
+ModalState resting(const ModalEquations& equations) {
+  return {equations.stiffness.partialPivLu().solve(equations.force),
+          Eigen::VectorXd::Zero(equations.force.size())};
+}
+
+}  // namespace boxbeam
