@@ -21,7 +21,7 @@ Box box_with(double height, double throat) {
 
 TaperedBeam beam_of(const Profile& from, const Profile& to, double length) {
   TaperedBeam beam;
-  beam.segments.push_back({"S1", si<Length>(0.0), si<Length>(length), {from}, {to}});
+  beam.segments.push_back({"S1", si<Length>(0.0), si<Length>(length), {from, {}}, {to, {}}});
   return beam;
 }
 
@@ -38,7 +38,7 @@ TEST_CASE("four seams of a prismatic box, by length and by the square of their t
 TEST_CASE("seams without a throat penetrate fully, those of other profiles are none") {
   TaperedBeam beam = beam_of(box_with(0.4, 0.0), box_with(0.4, 0.0), 2.0);
   const RoundTube tube{si<Length>(0.2), si<Length>(0.01)};
-  beam.segments.push_back({"S2", si<Length>(2.0), si<Length>(1.0), {tube}, {tube}});
+  beam.segments.push_back({"S2", si<Length>(2.0), si<Length>(1.0), {tube, {}}, {tube, {}}});
   const SeamSum sum = seams_of(beam);
   CHECK(sum.full.value() == Approx(8.0));
   CHECK(sum.fillets.value() == 0.0);
