@@ -37,7 +37,8 @@ Verification of(double stiffness, const char* driven = "", double damping = 0.0)
           "[sections.s]\nkind = \"box\"\nwidth = \"120 mm\"\nheight = \"140 mm\"\nflange = \"10 "
           "mm\"\nweb = \"10 mm\"\n[beam]\nbody = \"arm\"\nstart = \"A\"\naxis = \"x\"\nz = "
           "\"z\"\ndensity = \"7850 kg/m^3\"\n[[beam.segments]]\nlength = \"1 m\"\nsection = "
-          "\"s\"\n[material]\nsteel = \"S355\"\n[strength]\nrequired = 1.5\n"));
+          "\"s\"\n[material]\nsteel = \"S355\"\n[strength]\nrequired = 1.5\n[model]\ndemand = "
+          "\"rigid\"\n"));
 }
 
 double yield_of(const Verification& verified) {
