@@ -219,8 +219,10 @@ void ElasticMotion::respond(std::vector<double> borders, double longest_piece) {
     note_frequencies(at);
     return packed(aligned(at));
   };
+  // Behind the end only a vibrating axial force changes anything: no faster than modes do.
+  const double shortest = transient_ ? 0.5 / fastest_ : step;
   const ChebyshevCurve curve(
-      ask, {borders, longest_piece, std::min(step, longest_piece)},
+      ask, {borders, longest_piece, std::min(shortest, longest_piece)},
       [k](const Eigen::VectorXd& largest) { return allowed_of(largest, k); });
   constexpr double steps_to_a_period = 20.0, steps_to_a_piece = 2.0;
   double longest_step = 1.0 / (steps_to_a_period * fastest_);

@@ -88,7 +88,7 @@ Found compare_starts(const Project& project, const SituationRun& model,
 
 }  // namespace
 
-TEST_CASE("random starts are as near to many modes as the tolerance says", "[random_starts]") {
+TEST_CASE("random starts are as near to many modes as the tolerance says", "[.][random_starts]") {
   const Project linkage = read_project(test::project_file("sections/four-bar-rocker/rocker.toml"));
   Project arm = linkage;
   {
