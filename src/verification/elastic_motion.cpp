@@ -105,6 +105,11 @@ Eigen::VectorXd allowed_of(const Eigen::VectorXd& largest, Eigen::Index k) {
 
 }  // namespace
 
+double step_of_rates(const planar::Motion& motion) {
+  constexpr double part = 1.0 / 64.0;
+  return part * motion.period / static_cast<double>(motion.states.size());
+}
+
 std::vector<double> borders_of(const RigidMotion& rigid) {
   const planar::Motion& motion = *rigid.motion;
   const double begin = motion.begin, end = begin + motion.period;
@@ -233,10 +238,20 @@ void ElasticMotion::respond(std::vector<double> borders, double longest_piece) {
     transient_->go_on(equations, borders, longest_step);
     return;
   }
-  // Before it all is at rest.
-  const double before = borders.front() - rigid_.motion->period;
-  const ModalPosture rest = passed_at(states_->at(before), rigid_.loads(si<Time>(before)), before);
-  transient_.emplace(equations, borders, resting(aligned(rest)), longest_step);
+  transient_.emplace(equations, borders, state_at_beginning(), longest_step);
+}
+
+ModalState ElasticMotion::state_at_beginning() const {
+  const planar::Motion& motion = *rigid_.motion;
+  const auto balance_at = [&](double time) {
+    return resting(aligned(passed_at(states_->at(time), rigid_.loads(si<Time>(time)), time)));
+  };
+  if (planar::is_at_rest(motion, motion.states.front()))
+    return balance_at(motion.begin - motion.period);
+  const double h = step_of_rates(motion);
+  return moving_with({balance_at(motion.begin).eta, balance_at(motion.begin + h).eta,
+                      balance_at(motion.begin + 2.0 * h).eta},
+                     h);
 }
 
 void ElasticMotion::solve_from_rest() {

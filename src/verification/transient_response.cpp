@@ -101,4 +101,8 @@ ModalState resting(const ModalEquations& equations) {
           Eigen::VectorXd::Zero(equations.force.size())};
 }
 
+ModalState moving_with(const std::array<Eigen::VectorXd, 3>& eta, double h) {
+  return {eta[0], (-3.0 * eta[0] + 4.0 * eta[1] - eta[2]) / (2.0 * h)};
+}
+
 }  // namespace boxbeam

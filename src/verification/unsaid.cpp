@@ -152,8 +152,8 @@ std::vector<NotJudged> vibration_beside_of(const Project& project, const ModelCh
   if (!planar::is_at_rest(motion, motion.states.front())) {
     beside.push_back(
         {Criterion::yield, "vibration at the beginning",
-         fmt::format("at {:.6g} s bodies move already: the beam is taken to be at rest in its "
-                     "mechanism until then, and what a blow or a motion before leaves in it is not "
+         fmt::format("at {:.6g} s bodies move already: the beam follows its loads without a free "
+                     "vibration then, and what a blow or a motion before leaves in it is not "
                      "looked at; let drivers begin with a step or a table from rest",
                      motion.begin)});
   }

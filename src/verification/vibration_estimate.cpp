@@ -119,6 +119,22 @@ class StrainingCuts {
   planar::StatesAround states_;
 };
 
+/// What strains bodies at the beginning of a motion that does not repeat, and its rate: at rest, or
+/// as it moves already.
+ModalState column_at_beginning(const RigidMotion& rigid, StrainingCuts& cuts,
+                               const DividedBodies& divided) {
+  const planar::Motion& motion = *rigid.motion;
+  if (planar::is_at_rest(motion, motion.states.front())) {
+    Eigen::VectorXd column = cuts.at(motion.begin - motion.period, divided);
+    Eigen::VectorXd rate = Eigen::VectorXd::Zero(column.size());
+    return {std::move(column), std::move(rate)};
+  }
+  const double h = step_of_rates(motion);
+  return moving_with({cuts.at(motion.begin, divided), cuts.at(motion.begin + h, divided),
+                      cuts.at(motion.begin + 2.0 * h, divided)},
+                     h);
+}
+
 /// The response of modes from rest in a motion that does not repeat.
 class StrainingOnce {
  public:
@@ -135,7 +151,7 @@ class StrainingOnce {
                  }
                  return allowed;
                }),
-        before_(cuts.at(borders_.front() - rigid.motion->period, divided)) {
+        before_(column_at_beginning(rigid, cuts, divided)) {
     if (planar::is_at_rest(*rigid.motion, rigid.motion->end))
       behind_ = cuts.at(borders_.back() + rigid.motion->period, divided);
   }
@@ -159,7 +175,9 @@ class StrainingOnce {
     const double step =
         std::max(1.0 / (steps_to_a_period * frequencies.maxCoeff()), length / most_steps);
     const TransientResponse response(equations, borders,
-                                     resting({viscous, stiffness, work * before_}), step);
+                                     ModalState{(work * before_.eta).cwiseQuotient(squares),
+                                                (work * before_.speed).cwiseQuotient(squares)},
+                                     step);
     const std::vector<double>& times = response.times();
     Eigen::MatrixXd parts(static_cast<Eigen::Index>(times.size()), work.rows());
     for (std::size_t i = 0; i < times.size(); ++i) {
@@ -177,7 +195,7 @@ class StrainingOnce {
   }
   std::vector<double> borders_;
   ChebyshevCurve curve_;
-  Eigen::VectorXd before_;
+  ModalState before_;  ///< the column and its rate, which modes follow statically
   std::optional<Eigen::VectorXd> behind_;  ///< where the motion ends at rest
 };
 

@@ -49,8 +49,9 @@ LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic, Lo
 /// tables (`ChebyshevCurve`, within 1e-4).
 ///
 /// Such a motion begins with the beam at rest in static balance under what acts on the mechanism
-/// held where it begins. Where accelerations or speeds are there at once, what they load the beam
-/// with is a sudden load; the blow of a speed that is there at once is not in it. Where the motion
+/// held where it begins: where accelerations are there at once, what they load the beam with is a
+/// sudden load. Where bodies move already they have done so before, and the beam follows its static
+/// balance without a free vibration; a blow or what vibrated before is not in it. Where the motion
 /// ends at rest the free vibration is followed until it is down to a twentieth of the largest
 /// coordinate, for three periods of the lowest mode at least where it does not die out.
 ///
@@ -108,6 +109,7 @@ class ElasticMotion {
   void note_frequencies(const ModalPosture& posture);
   Moment moment_at(double time) const;
   Eigen::VectorXd dynamic_at(double time) const;
+  ModalState state_at_beginning() const;
   void solve_periodic();
   void solve_from_rest();
   void respond(std::vector<double> borders, double longest_piece);
@@ -130,6 +132,9 @@ inline constexpr double most_vibrating_instants = 8192.0;
 
 /// Instants to a period of the fastest mode that is counted.
 inline constexpr double instants_to_a_period = 8.0;
+
+/// A step that is small beside all that happens in a motion [s].
+double step_of_rates(const planar::Motion& motion);
 
 /// The times between its ends at which the loads of a motion may jump or bend, with the ends [s].
 std::vector<double> borders_of(const RigidMotion& rigid);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -58,5 +59,8 @@ class TransientResponse {
 
 /// The state of rest under constant equations: K eta = p.
 ModalState resting(const ModalEquations& equations);
+
+/// The state that goes through three values at steps of h, at the first, by the parabola.
+ModalState moving_with(const std::array<Eigen::VectorXd, 3>& eta, double h);
 
 }  // namespace boxbeam
