@@ -233,7 +233,7 @@ std::vector<NotJudged> unfinished_motion_of(const Project& project,
   const double least = counts * checks.front().check.utilisation();
   for (const SituationRun& run : runs) {
     if (!goes_on(project, run)) continue;
-    const Time end = run.loads.begin() + run.loads.period();
+    const Time end = run.loads.begin() + si<Time>(length_of_motion(project, run));
     const auto at_end = std::find_if(checks.begin(), checks.end(), [&](const CheckResult& of) {
       const Check& check = of.check;
       const bool here = check.situation.empty() || check.situation == run.situation->name;

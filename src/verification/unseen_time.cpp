@@ -102,17 +102,16 @@ bool only_repeats(const Project& project, const SituationRun& run,
                      [](const DriverUse& of) { return timing_of(*of.driver, of.turning).repeats; });
 }
 
-/// The time that functions are looked at: of loads without the vibration behind a motion's end.
-double length_of(const Project& project, const SituationRun& run) {
+}  // namespace
+
+double length_of_motion(const Project& project, const SituationRun& run) {
   if (std::holds_alternative<planar::Mechanism>(project.mechanism))
     return planar_motion_of(run).period;
   return run.loads.period().value();
 }
 
-}  // namespace
-
 bool changes_at_end(const Project& project, const SituationRun& run) {
-  const double length = length_of(project, run);
+  const double length = length_of_motion(project, run);
   const double end = run.loads.begin().value() + length;
   const std::vector<DriverUse> functions = functions_in(project, run);
   return std::any_of(functions.begin(), functions.end(), [&](const DriverUse& of) {
@@ -129,7 +128,7 @@ std::vector<NotJudged> unseen_time_of(const Project& project,
                                       const std::deque<SituationRun>& runs) {
   for (const SituationRun& run : runs) {
     if (run.loads.closed() || run.loads.is_recorded() || run.motion->stands_still()) continue;
-    const double begin = run.loads.begin().value(), length = length_of(project, run);
+    const double begin = run.loads.begin().value(), length = length_of_motion(project, run);
     const std::vector<DriverUse> functions = functions_in(project, run);
     const std::string what = run.situation->name.empty()
                                  ? "the motion"

@@ -16,6 +16,9 @@ namespace boxbeam {
 /// where fatigue is asked only.
 std::vector<NotJudged> unseen_time_of(const Project& project, const std::deque<SituationRun>& runs);
 
+/// How long a motion is looked at [s]; its loads may go on with the vibration behind it.
+double length_of_motion(const Project& project, const SituationRun& run);
+
 /// Whether a function of time that has no end and does not repeat within the time of a run changes
 /// where that ends: a constant rate, a polynomial.
 bool changes_at_end(const Project& project, const SituationRun& run);
