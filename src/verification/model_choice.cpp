@@ -286,7 +286,7 @@ std::string obstacle_to_modes_in_space(const Project& project,
                                        const std::deque<SituationRun>& rigid) {
   for (const SituationRun& run : rigid) {
     const spatial::Mechanism& mechanism = chain_of(run).mechanism();
-    const std::string obstacle = obstacle_to_modes(mechanism, placement_in(project, mechanism));
+    std::string obstacle = obstacle_to_modes(mechanism, placement_in(project, mechanism));
     if (!obstacle.empty()) return obstacle;
   }
   return "";

@@ -55,8 +55,9 @@ void TransientResponse::go_on(const EquationsAt& equations, const std::vector<do
     const double from = borders[border - 1], length = borders[border] - from;
     const double steps = std::max(1.0, std::ceil(length / longest_step - 1e-9));
     const double h = length / steps;
-    for (double step = 1.0; step <= steps; step += 1.0) {
-      const double begin = from + (step - 1.0) * h;
+    const auto count = static_cast<std::size_t>(steps);
+    for (std::size_t step = 0; step < count; ++step) {
+      const double begin = from + static_cast<double>(step) * h;
       const ModalState& known = states_.back();
       for (Eigen::Index i = 0; i < stages; ++i) {
         const ModalEquations at = equations(begin + gauss.nodes[i] * h);
@@ -75,7 +76,8 @@ void TransientResponse::go_on(const EquationsAt& equations, const std::vector<do
       next.speed = known.speed + h * (accelerations * gauss.weights);
       accelerations_.push_back(std::move(accelerations));
       states_.push_back(std::move(next));
-      times_.push_back(step < steps ? from + step * h : borders[border]);
+      times_.push_back(step + 1 < count ? from + static_cast<double>(step + 1) * h
+                                        : borders[border]);
     }
   }
 }

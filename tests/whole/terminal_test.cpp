@@ -1,6 +1,7 @@
 // What a terminal shows, completion and manual, and places that cannot be written.
 
 #include <fcntl.h>
+#include <poll.h>
 #include <pty.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -48,11 +49,24 @@ std::string on_terminal(const Words& arguments, const std::map<std::string, std:
     ::execv(pointers[0], pointers.data());
     ::_exit(127);
   }
+  // Held open here, for what a terminal still has when its last user goes can be lost.
+  const int held = ::open(::ptsname(terminal), O_RDWR | O_NOCTTY);
   std::string shown;
   char buffer[4096];
-  for (ssize_t n = 0; (n = ::read(terminal, buffer, sizeof buffer)) > 0;) {
-    shown.append(buffer, static_cast<std::size_t>(n));
+  for (bool ended = false;;) {
+    pollfd waiting{terminal, POLLIN, 0};
+    constexpr int milliseconds = 20;
+    if (::poll(&waiting, 1, milliseconds) > 0) {
+      const ssize_t n = ::read(terminal, buffer, sizeof buffer);
+      if (n <= 0) break;
+      shown.append(buffer, static_cast<std::size_t>(n));
+    } else if (ended) {
+      break;
+    } else {
+      ended = ::waitpid(pid, nullptr, WNOHANG) == pid;
+    }
   }
+  if (held >= 0) ::close(held);
   ::close(terminal);
   ::waitpid(pid, nullptr, 0);
   return shown;
