@@ -429,7 +429,7 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
       {},
       fmt::format("{} {}, second order {}",
                   repeats ? "harmonics of the loads against the modes of six postures"
-                          : "response of the modes of six postures from rest",
+                          : "response of the modes of six postures over time",
                   percent_text(estimate.without_modes.front()), percent_text(of_bending)),
       estimate.without_modes.front() + of_bending,
       {}};
@@ -547,7 +547,7 @@ double largest_design_factor_of(const Project& project) {
 ///     sum of share (|D| - |D_1|),  D = 1/(1 - (f/f_1)^2),  f_1^2 ~ 1 - N/N_cr
 ///
 /// share, f  of the harmonics of the loads. Where a frequency is met on the way there is no bound.
-/// Of a motion that does not repeat it is what the response from rest grows by (`slower`).
+/// Of a motion that does not repeat it is what the response over time grows by (`slower`).
 /// Source: Timoshenko, Young, Weaver, Vibration Problems in Engineering (1974), section 5.12.
 void add_slower_vibration(const Project& project, const std::deque<SituationRun>& rigid,
                           double factor, ModelChoice& choice) {

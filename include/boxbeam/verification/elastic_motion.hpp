@@ -20,8 +20,7 @@ ElasticBody elastic_body_of(const Project& project, int parts);
 
 /// A planar mechanism whose drivers fix its motion, and the loads on its beam as a rigid body.
 /// Before and behind a motion that does not repeat the loads are those of the mechanism held at
-/// rest there
-/// (`StatesAround`).
+/// rest there (`StatesAround`).
 struct RigidMotion {
   const planar::Mechanism* mechanism = nullptr;
   const planar::Motion* motion = nullptr;
@@ -44,7 +43,7 @@ LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic, Lo
 ///     eta'' + (C + F') eta' + (K + F) eta = p(t),   K = phi^T (K + K_g) phi,   p_j = `modal_loads`
 ///
 /// F', F of the turning bodies (`frame_terms`): in a motion that repeats the periodic solution at N
-/// instants by Fourier collocation, in one that does not the solution from rest
+/// instants by Fourier collocation, in one that does not the solution from its beginning
 /// (`TransientResponse`), K, C, F', F and p by polynomials between the ends of steps and points of
 /// tables (`ChebyshevCurve`, within 1e-4).
 ///

@@ -11,13 +11,14 @@ namespace boxbeam {
 ///
 ///     sum over harmonics h of p_jh/omega_j^2 r^2/(1 - r^2 + 2 i zeta r),  r = h Omega/omega_j
 ///
-/// and of one that does not the response from rest (`TransientResponse`), eta + (C eta' -
-/// p)/omega_j^2, with a free vibration of a period and a half behind an end at rest. Either is
-/// times the stresses of the mode: what elasticity and viscosity bear together beyond the static 1
-/// of the beam that bends statically. Added is the order of what the rotation of the beam couples,
-/// (omega_rotation/omega_1)^2; where modes are counted, of it the part of the first mode's mass
-/// that is not the beam's. Where a motion that does not repeat holds more than 200 periods of a
-/// mode, phases of its free vibration are not right, their sizes are.
+/// and of one that does not the response from its beginning, at rest or under way as
+/// `ElasticMotion` says (`TransientResponse`), eta + (C eta' - p)/omega_j^2, with a free vibration
+/// of a period and a half behind an end at rest. Either is times the stresses of the mode: what
+/// elasticity and viscosity bear together beyond the static 1 of the beam that bends statically.
+/// Added is the order of what the rotation of the beam couples, (omega_rotation/omega_1)^2; where
+/// modes are counted, of it the part of the first mode's mass that is not the beam's. Where a
+/// motion that does not repeat holds more than 200 periods of a mode, phases of its free vibration
+/// are not right, their sizes are.
 struct VibrationEstimate {
   /// As `difference_between`, of the worst posture, with none, one, ... of the modes counted; of
   /// the last, all that are looked at, what their number leaves out is not known.
