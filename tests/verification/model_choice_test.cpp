@@ -322,7 +322,7 @@ TEST_CASE("a motion that does not repeat is estimated as it begins and ends at r
   CHECK(choice.weighed.front().error < 0.03);
   CHECK(choice.harmonics.empty());
   CHECK_THAT(choice.reason, Catch::Contains("vibration is estimated"));
-  CHECK_THAT(choice.weighed.front().basis, Catch::Contains("from rest"));
+  CHECK_THAT(choice.weighed.front().basis, Catch::Contains("over time"));
 
   // A start at full speed: what it does is estimated, and what a blow leaves is said.
   Project once = test::rig();
