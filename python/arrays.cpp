@@ -18,9 +18,6 @@ namespace {
 
 namespace py = pybind11;
 
-/// Numbers of an array that are read where they are: contiguous doubles are not copied.
-using Samples = py::array_t<double, py::array::c_style | py::array::forcecast>;
-
 std::span<const double> samples_of(const Samples& samples, const char* name) {
   if (samples.ndim() != 1) throw py::value_error(fmt::format("{} is no array of one row", name));
   return {samples.data(), static_cast<std::size_t>(samples.size())};
@@ -116,6 +113,24 @@ py::tuple damage(const Samples& ranges, const Samples& means, const Samples& cou
 }
 
 }  // namespace
+
+py::dict columns_of(std::vector<MotionColumn>&& columns) {
+  struct AsObject {
+    std::size_t instants;
+    py::object operator()(MotionColumn::Numbers& of) const {
+      std::vector<std::size_t> shape{instants};
+      shape.insert(shape.end(), of.shape.begin(), of.shape.end());
+      return array_of(std::move(of.values)).attr("reshape")(shape);
+    }
+    py::object operator()(const MotionColumn::Words& of) const { return py::cast(of); }
+    py::object operator()(const MotionColumn::Truths& of) const { return py::cast(of); }
+    py::object operator()(MotionColumn::Below& of) const { return columns_of(std::move(of)); }
+  };
+  py::dict named;
+  for (MotionColumn& column : columns)
+    named[py::str(column.name)] = std::visit(AsObject{column.instants}, column.of);
+  return named;
+}
 
 void add_fatigue(py::module_& module) {
   module.def("rainflow", rainflow);

@@ -6,7 +6,12 @@
 #include <memory>
 #include <vector>
 
+#include "boxbeam/report/motion_columns.hpp"
+
 namespace boxbeam::python {
+
+/// Numbers of an array that are read where they are: contiguous doubles are not copied.
+using Samples = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
 
 /// An array of numpy around numbers that stay where they are.
 inline pybind11::array_t<double> array_of(std::vector<double>&& numbers) {
@@ -17,6 +22,9 @@ inline pybind11::array_t<double> array_of(std::vector<double>&& numbers) {
                                 [](void* of) { delete static_cast<std::vector<double>*>(of); });
   return pybind11::array_t<double>(size, data, owner);
 }
+
+/// Columns by their names, numbers as arrays around what stays where it is.
+pybind11::dict columns_of(std::vector<MotionColumn>&& columns);
 
 /// Cycles and damage of stresses in arrays.
 void add_fatigue(pybind11::module_& module);

@@ -51,11 +51,34 @@ std::string verified(const std::string& path, const std::optional<std::string>& 
   return results_json(verify_beams(read({path, text}, set)));
 }
 
-std::string moved(const std::string& path, const std::optional<std::string>& text,
-                  const Settings& set, const std::vector<double>& times) {
-  const py::gil_scoped_release others_run;
-  return motion_json(front_end_of(read({path, text}, set).front())->motion(times, ""));
-}
+/// The motion of a case, of which Python asks for the document, or for columns.
+class Moved {
+ public:
+  Moved(const std::string& path, const std::optional<std::string>& text, const Settings& set,
+        const Samples& times) {
+    if (times.ndim() != 1) throw py::value_error("times are no array of one row");
+    const std::vector<double> at(times.data(), times.data() + times.size());
+    const py::gil_scoped_release others_run;
+    beams_ = read({path, text}, set);
+    motion_ = front_end_of(beams_.front())->motion(at, "");
+  }
+  std::string json() const {
+    const py::gil_scoped_release others_run;
+    return motion_json(motion_);
+  }
+  py::dict columns() const {
+    std::vector<MotionColumn> found;
+    {
+      const py::gil_scoped_release others_run;
+      found = motion_columns(motion_);
+    }
+    return columns_of(std::move(found));
+  }
+
+ private:
+  std::vector<Project> beams_;
+  AnyMotionResult motion_;
+};
 
 std::string section_properties(const std::vector<std::string>& profiles, const std::string& steel,
                                const std::array<double, cut_force::count>& forces,
@@ -270,7 +293,11 @@ PYBIND11_MODULE(_core, module) {
   pybind11::register_exception_translator(of::translate);
   module.attr("version") = boxbeam::version;
   module.def("verify", of::verified);
-  module.def("motion", of::moved);
+  pybind11::class_<of::Moved>(module, "Moved")
+      .def(pybind11::init<const std::string&, const std::optional<std::string>&,
+                          const of::Settings&, const of::Samples&>())
+      .def("json", &of::Moved::json)
+      .def("columns", &of::Moved::columns);
   module.def("section", of::section_properties);
   module.def("sweep", of::swept);
   of::add_fatigue(module);

@@ -46,7 +46,7 @@ def verify(case, set=None, *, folder=None):
 def motion(case, times=(), set=None, *, folder=None):
     """Moves the mechanism alone, at instants [s]; without any at twelve of its period."""
     path, text = _case(case, folder)
-    return Motion(_core.motion(path, text, _settings(set), [float(time) for time in times]))
+    return Motion(_core.Moved(path, text, _settings(set), np.asarray(times, dtype=float)))
 
 
 def section(profile, steel="S355", forces=None):

@@ -1,5 +1,5 @@
 import os
-from typing import Any, Iterable, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,7 +18,7 @@ _Case = Union[str, "os.PathLike[str]", dict]
 _Settings = Optional[Mapping[str, Any]]
 
 def verify(case: _Case, set: _Settings = ..., *, folder: Union[str, "os.PathLike[str]", None] = ...) -> Verification: ...
-def motion(case: _Case, times: Iterable[float] = ..., set: _Settings = ..., *,
+def motion(case: _Case, times: ArrayLike = ..., set: _Settings = ..., *,
            folder: Union[str, "os.PathLike[str]", None] = ...) -> Motion: ...
 def section(profile: str, steel: str = ..., forces: Optional[Mapping[str, float]] = ...) -> Section: ...
 def rainflow(history: ArrayLike, counting: str = ..., residue: str = ...) -> Cycles: ...

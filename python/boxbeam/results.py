@@ -2,6 +2,7 @@
 
 import csv
 import dataclasses
+import functools
 import json
 import os
 from typing import Any, Dict, List, Optional, Union
@@ -30,8 +31,15 @@ class _Document:
     """A document of the program in JSON, which is the one source of what the attributes say."""
 
     def __init__(self, text: str):
-        self._text = text
-        self._data: Dict[str, Any] = json.loads(text)
+        self._written = text
+
+    @property
+    def _text(self) -> str:
+        return self._written
+
+    @functools.cached_property
+    def _data(self) -> Dict[str, Any]:
+        return json.loads(self._text)
 
     def to_dict(self) -> Dict[str, Any]:
         """The document as dictionaries and lists; its schema: `boxbeam schema`."""
@@ -121,21 +129,31 @@ class Verification(_Document):
 
 
 class Motion(_Document):
-    """What `boxbeam motion` finds ("boxbeam.motion/1"); `columns` has its states as arrays over `time`."""
+    """What `boxbeam motion` finds ("boxbeam.motion/1"); `columns` has its states as arrays over `time`.
+
+    The document itself is written when it is asked for: of very many instants ask for the columns."""
+
+    def __init__(self, of):
+        self._of = of
+
+    @functools.cached_property
+    def _text(self) -> str:
+        return self._of if isinstance(self._of, str) else self._of.json()
 
     @property
     def kind(self) -> str:
         return self._data["kind"]
 
-    @property
+    @functools.cached_property
     def columns(self) -> Dict[str, Any]:
-        """By the keys of a state, columns["bodies"]["beam"]["ax"]; empty where there are none."""
-        return columns_of(self._data.get("states", []))
+        """By the keys of a state, columns["bodies"]["beam"]["ax"]; empty where there are none. Vectors are arrays
+        [n, 3], rotations [n, 3, 3]; numbers stay where the program has put them."""
+        return columns_of(self._data.get("states", [])) if isinstance(self._of, str) else self._of.columns()
 
     @property
     def time(self) -> np.ndarray:
         """Instants [s]."""
-        return np.array([state["time"] for state in self._data.get("states", [])], dtype=float)
+        return self.columns.get("time", np.empty(0))
 
     def __repr__(self):
         return f"<boxbeam.Motion {self.kind}, {len(self.time)} instants>"

@@ -23,6 +23,8 @@ void put_motion(Fields& to, const AnyMotionResult& motion);
 void put_motion(Fields& to, const MotionResult& motion);
 void put_motion(Fields& to, const ChainMotionResult& motion);
 void put_motion(Fields& to, const FlexibleMotionResult& motion);
+void put_state(Fields& to, const InstantResult& state);
+void put_state(Fields& to, const ChainInstant& state);
 void put_history(Fields& to, const HistoryDemand& demand, const HistoryFatigue& fatigue);
 void put_section_summary(Fields& to, const SectionSummary& summary);
 void put_sensitivities(Fields& to, const Sensitivities& of);

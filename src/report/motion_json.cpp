@@ -66,6 +66,8 @@ void put_chain(Fields& to, const ChainResult& chain) {
   to.number("sought_mass", "kg", chain.sought_mass);
 }
 
+}  // namespace
+
 void put_state(Fields& to, const InstantResult& state) {
   to.number("time", "s", state.time);
   put_branch(to, state.branch);
@@ -122,6 +124,8 @@ void put_state(Fields& to, const ChainInstant& state) {
                joint.unique);
   });
 }
+
+namespace {
 
 void put_loops(Fields& to, const ChainLoops& loops) {
   to.texts({"closing", "joints that close loops"}, loops.closing);

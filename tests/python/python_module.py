@@ -103,6 +103,14 @@ def check_errors():
     check(isinstance(error, RuntimeError) and error.what != "", f"AnalysisError: {error and error.what}")
 
 
+def same_columns(one, other):
+    if isinstance(one, dict):
+        return isinstance(other, dict) and one.keys() == other.keys() and all(same_columns(one[k], other[k]) for k in one)
+    if isinstance(one, np.ndarray) and one.dtype == float:
+        return np.array_equal(one, np.array(other, dtype=float), equal_nan=True)
+    return list(one) == list(other)
+
+
 def check_motion():
     times = np.linspace(0.0, 1.0, 5)
     motion = boxbeam.motion(RIG, times)
@@ -112,6 +120,13 @@ def check_motion():
     bodies = motion.columns["bodies"]
     check(bodies["beam"]["ax"].shape == (5,), "accelerations as an array")
     check(bodies["beam"]["omega"][2] == same["states"][2]["bodies"]["beam"]["omega"], "omega at an instant")
+    check(not bodies["beam"]["ax"].flags["OWNDATA"], "numbers of a motion are copied")
+    # What is made of the document is what comes without it: numbers, vectors, words, what is not known.
+    gear = ROOT / "sections/landing-gear/retraction.toml"
+    for of in (motion, boxbeam.motion(gear, [0.0, 0.5, 1.0]), boxbeam.motion(RIG, [])):
+        read_back = pickle.loads(pickle.dumps(of))
+        check(same_columns(of.columns, read_back.columns) and of.to_dict() == read_back.to_dict(), "columns of a document")
+    raised(ValueError, lambda: boxbeam.motion(RIG, [[0.0, 1.0]]))
 
 
 def check_section():
