@@ -407,17 +407,6 @@ bool sort_tree(TableReader& root, const JointDrafts& drafts, Mechanism& mechanis
         "that closes the ring has closes = true");
     return false;
   }
-  // Of closed loops a matrix of all freedoms is analysed; those of a tree need none.
-  constexpr std::size_t most_in_loops = 400;
-  if (!drafts.closing.empty() && sorted.joints.size() > most_in_loops) {
-    root.table("joints").problem(
-        drafts.closing.front().name,
-        fmt::format("it closes a loop of a mechanism with {} freedoms in its other joints, and {} "
-                    "are the most that are analysed",
-                    sorted.joints.size(), most_in_loops),
-        "bodies that never move against each other can be one");
-    return false;
-  }
   sorted.closing = drafts.closing;
   for (ClosingJoint& joint : sorted.closing) {
     for (spatial::Attachment* end : {&joint.a, &joint.b})

@@ -191,7 +191,7 @@ amplitude_force = ["0 N", "1 kN"]
 
 
 SORTS = {"loops": (case_of_loops, [33, 99, 333, 999]), "chain": (case_of_chain, [10, 30, 100, 300, 1000]),
-         "loops-in-space": (case_of_loops_in_space, [1, 3, 10, 30, 100]),
+         "loops-in-space": (case_of_loops_in_space, [1, 3, 10, 30, 100, 300, 1000]),
          "parts": (case_of_parts, [100, 300, 1000, 3000, 10000])}
 
 

@@ -5,12 +5,14 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <utility>
 
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/section/cut_forces.hpp"
 #include "geometric_stiffness.hpp"
 #include "rigid_arms.hpp"
+#include "rigid_ties.hpp"
 
 namespace boxbeam::frame {
 namespace {
@@ -82,6 +84,43 @@ std::vector<SegmentMass> with_rotary_inertia(TaperedBeam beam) {
   beam.rotary_inertia = true;
   return mass_distribution_of(beam);
 }
+
+/// A sparse matrix as the sum of blocks.
+struct MatrixSum {
+  std::vector<Eigen::Triplet<double>> entries;
+
+  template <class Block>
+  void add(Index row, Index column, const Eigen::MatrixBase<Block>& block) {
+    const typename Block::PlainObject values = block;
+    for (Index c = 0; c < values.cols(); ++c)
+      for (Index r = 0; r < values.rows(); ++r)
+        if (values(r, c) != 0.0) entries.emplace_back(row + r, column + c, values(r, c));
+  }
+  Eigen::SparseMatrix<double> of_size(Index rows, Index columns) const {
+    Eigen::SparseMatrix<double> sum(rows, columns);
+    sum.setFromTriplets(entries.begin(), entries.end());
+    return sum;
+  }
+};
+
+/// What a tie's force does to the coordinates: six from each place on.
+struct Gap {
+  std::vector<std::pair<Index, Vector6>> parts;
+
+  void add(Index at, const Vector6& per) {
+    for (auto& [same, sum] : parts) {
+      if (same != at) continue;
+      sum += per;
+      return;
+    }
+    parts.emplace_back(at, per);
+  }
+  double of(const VectorXd& motion) const {
+    double sum = 0.0;
+    for (const auto& [at, per] : parts) sum += per.dot(motion.segment<6>(at));
+    return sum;
+  }
+};
 
 [[noreturn]] void refuse(const char* what) { throw AnalysisError({what, "beam", {}, {}, {}}); }
 
@@ -231,30 +270,28 @@ std::vector<BeamMode> VibratingBeam::modes(const std::vector<RigidMass>& bodies,
                                            const CutForceDiagram& rigid, std::size_t count) const {
   const auto on_beam = static_cast<Index>(6 * nodes_.size());
   const Index size = on_beam + static_cast<Index>(6 * bodies.size());
-  MatrixXd K = MatrixXd::Zero(size, size), M = K, C = K, springs = K;
+  MatrixSum stiff, inert, viscous, sprung;
   for (std::size_t p = 0; p < pieces_.size(); ++p) {
     const Piece& piece = pieces_[p];
     const double h = piece.to - piece.from;
     const double N = rigid.at({si<Length>(0.5 * (piece.from + piece.to))}).N.value();
     const auto at = static_cast<Index>(6 * p);
-    K.block<12, 12>(at, at) += piece.stiffness + geometric_block(N, h);
-    M.block<12, 12>(at, at) += piece.mass;
-    C.block<12, 12>(at, at) += retardation_ * piece.stiffness;
+    stiff.add(at, at, piece.stiffness + geometric_block(N, h));
+    inert.add(at, at, piece.mass);
+    viscous.add(at, at, retardation_ * piece.stiffness);
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const Index at = on_beam + static_cast<Index>(6 * b);
-    M.block<3, 3>(at, at).diagonal().setConstant(bodies[b].mass);
-    M.block<3, 3>(at + 3, at + 3) = bodies[b].inertia;
+    inert.add(at, at, bodies[b].mass * Matrix3d::Identity());
+    inert.add(at + 3, at + 3, bodies[b].inertia);
   }
-  std::vector<VectorXd> held;
-  struct Elastic {
+  struct Tied {
     const Tie* tie;
-    VectorXd gap;
+    Gap gap;
   };
-  std::vector<Elastic> elastic;
-  std::vector<const Tie*> rigid_ties;
+  std::vector<Tied> held, elastic;
   for (const Tie& tie : ties) {
-    VectorXd gap = VectorXd::Zero(size);
+    Gap gap;
     for (const Tie::End& end : tie.ends) {
       if (end.at.member == ground) continue;
       Index at = 0;
@@ -268,45 +305,47 @@ std::vector<BeamMode> VibratingBeam::modes(const std::vector<RigidMass>& bodies,
         at = on_beam + static_cast<Index>(6 * body);
         from = bodies[body].centre;
       }
-      gap.segment<6>(at) += carry(end.at.p - from).transpose() * end.per;
+      gap.add(at, carry(end.at.p - from).transpose() * end.per);
     }
     if (std::isinf(tie.stiffness)) {
-      held.push_back(std::move(gap));
-      rigid_ties.push_back(&tie);
-    } else {
-      if (tie.stiffness != 0.0) springs += tie.stiffness * gap * gap.transpose();
-      if (tie.damping != 0.0) C += tie.damping * gap * gap.transpose();
-      elastic.push_back({&tie, std::move(gap)});
+      held.push_back({&tie, std::move(gap)});
+      continue;
     }
+    for (const auto& [row, per_row] : gap.parts) {
+      for (const auto& [column, per_column] : gap.parts) {
+        const Matrix6 both = per_row * per_column.transpose();
+        if (tie.stiffness != 0.0) sprung.add(row, column, tie.stiffness * both);
+        if (tie.damping != 0.0) viscous.add(row, column, tie.damping * both);
+      }
+    }
+    elastic.push_back({&tie, std::move(gap)});
   }
-  K += springs;
+  const Eigen::SparseMatrix<double> springs = sprung.of_size(size, size),
+                                    K = stiff.of_size(size, size) + springs,
+                                    M = inert.of_size(size, size), C = viscous.of_size(size, size);
   // Shifts by the length of the beam, as turns.
   VectorXd unit = VectorXd::Ones(size);
   for (Index k = 0; k < size; ++k)
     if (k % 6 < 3) unit[k] = length_;
-  MatrixXd free = MatrixXd::Identity(size, size);
-  Eigen::ColPivHouseholderQR<MatrixXd> holding;
-  VectorXd norms = VectorXd::Ones(static_cast<Index>(held.size()));
-  if (!held.empty()) {
-    MatrixXd G(size, static_cast<Index>(held.size()));
-    for (std::size_t k = 0; k < held.size(); ++k) {
-      const auto column = static_cast<Index>(k);
-      const VectorXd row = held[k].cwiseProduct(unit);
-      const double norm = row.norm();
-      // Of the ground alone: nothing moves.
-      if (norm > 0.0) norms[column] = norm;
-      G.col(column) = norm > 0.0 ? VectorXd(row / norm) : row;
-    }
-    constexpr double repeats = 1e-9;
-    holding.setThreshold(repeats);
-    holding.compute(G);
-    const Index left = size - holding.rank();
-    if (left == 0) return {};
-    const MatrixXd whole = holding.householderQ() * MatrixXd::Identity(size, size);
-    free = whole.rightCols(left);
+  const auto count_held = static_cast<Index>(held.size());
+  VectorXd norms = VectorXd::Ones(count_held);
+  MatrixSum holding;
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    const auto column = static_cast<Index>(k);
+    const auto scaled = [&](const std::pair<Index, Vector6>& part) {
+      return Vector6(part.second.cwiseProduct(unit.segment<6>(part.first)));
+    };
+    double square = 0.0;
+    for (const auto& part : held[k].gap.parts) square += scaled(part).squaredNorm();
+    // Of the ground alone: nothing moves.
+    if (square > 0.0) norms[column] = std::sqrt(square);
+    for (const auto& part : held[k].gap.parts)
+      holding.add(part.first, column, scaled(part) / norms[column]);
   }
-  free = (unit.asDiagonal() * free).eval();
-  const MatrixXd stiffness = free.transpose() * K * free, mass = free.transpose() * M * free;
+  const RigidTies rigidly(holding.of_size(size, count_held));
+  if (rigidly.free().cols() == 0) return {};
+  const MatrixXd free = unit.asDiagonal() * rigidly.free();
+  const MatrixXd stiffness = free.transpose() * (K * free), mass = free.transpose() * (M * free);
   const Eigen::LLT<MatrixXd> factor(stiffness);
   if (factor.info() != Eigen::Success)
     refuse("with its drivers held it is free to move, or buckles");
@@ -326,21 +365,16 @@ std::vector<BeamMode> VibratingBeam::modes(const std::vector<RigidMass>& bodies,
     mode.drag = C * motion;
     mode.damping = motion.dot(mode.drag);
     mode.energy.back() = mu * motion.dot(springs * motion);
-    mode.own_mass =
-        motion.head(on_beam).dot(M.topLeftCorner(on_beam, on_beam) * motion.head(on_beam));
+    mode.own_mass = motion.head(on_beam).dot((M * motion).head(on_beam));
     // What rigid ties do keeps the rest in motion; elastic ones oppose their gaps.
     const auto put = [&](const Tie& tie, double force) {
       for (const Tie::End& end : tie.ends)
         if (end.at.member == 0) add_tie_load(tie, end, force, length_, mode.loads);
     };
-    if (!held.empty()) {
-      const VectorXd by_ties = K * motion - M * motion / mu;
-      const VectorXd sizes =
-          VectorXd(holding.solve(by_ties.cwiseProduct(unit))).cwiseQuotient(norms);
-      for (std::size_t t = 0; t < rigid_ties.size(); ++t)
-        put(*rigid_ties[t], sizes[static_cast<Index>(t)]);
-    }
-    for (const Elastic& of : elastic) put(*of.tie, -of.tie->stiffness * of.gap.dot(motion));
+    const VectorXd by_ties = K * motion - M * motion / mu;
+    const VectorXd sizes = rigidly.forces(by_ties.cwiseProduct(unit)).cwiseQuotient(norms);
+    for (std::size_t t = 0; t < held.size(); ++t) put(*held[t].tie, sizes[static_cast<Index>(t)]);
+    for (const Tied& of : elastic) put(*of.tie, -of.tie->stiffness * of.gap.of(motion));
   }
   return modes;
 }

@@ -2,27 +2,52 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <Eigen/QR>
-#include <Eigen/SVD>
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <numeric>
 
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/numerics/singular_values.hpp"
+#include "loop_factors.hpp"
 #include "loop_rows.hpp"
 
 namespace boxbeam::spatial {
 namespace {
 
-/// Whether a joint moves a body: it stands between the ground and the body.
-bool carries(const Mechanism& mechanism, std::size_t joint, int body) {
-  while (body > static_cast<int>(joint))
-    body = mechanism.joints[static_cast<std::size_t>(body)].parent;
-  return body == static_cast<int>(joint);
+using Jacobian = Eigen::SparseMatrix<double>;
+
+/// Rows that are as independent of each other as they can be, as many as columns.
+std::vector<std::size_t> independent_rows(const Jacobian& J) {
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(Eigen::MatrixXd(J.transpose()));
+  const auto& order = qr.colsPermutation().indices();
+  std::vector<std::size_t> rows;
+  for (Eigen::Index k = 0; k < J.cols(); ++k) rows.push_back(static_cast<std::size_t>(order[k]));
+  return rows;
+}
+
+AnalysisError undetermined(const Mechanism& mechanism, std::size_t freedoms,
+                           const std::vector<std::size_t>& joints) {
+  std::vector<std::string> names;
+  for (const std::size_t i : joints) names.push_back(mechanism.joints[i].name);
+  return AnalysisError(
+      {fmt::format(
+           "the loops leave {} freedom{} that nothing drives, in joint{} {}; drive as many "
+           "of them, let forces move them (moved_by = \"forces\"), or take freedom away where a "
+           "body only turns about the line between two ball joints (one of them universal). In a "
+           "dead point at t = 0 begin at another posture",
+           freedoms, freedoms == 1 ? "" : "s", names.size() == 1 ? "" : "s",
+           fmt::join(names, ", ")),
+       "joint " + names.front(),
+       0.0,
+       {},
+       {},
+       {}});
 }
 
 /// Time in which the fastest driver turns an eighth of a radian, where it is not known how long the
@@ -62,16 +87,17 @@ Loops::Loops(const Tree& tree) : rows_(rows_of(tree.mechanism())) {
   const auto columns = static_cast<Eigen::Index>(free_.size());
   row_scale_.resize(rows);
   column_scale_.resize(columns);
-  moves_.resize(rows, columns);
+  std::vector<Eigen::Index> number(mechanism.joints.size(), -1);  // among the free ones
+  for (Eigen::Index k = 0; k < columns; ++k) number[free_[static_cast<std::size_t>(k)]] = k;
+  for (const ClosingJoint& joint : mechanism.closing) {
+    std::vector<Between>& between = between_.emplace_back();
+    each_between(mechanism, joint, [&](std::size_t i, double sign) {
+      if (number[i] >= 0) between.push_back({number[i], sign});
+    });
+  }
   for (Eigen::Index r = 0; r < rows; ++r) {
     const LoopRow& row = rows_[static_cast<std::size_t>(r)];
     row_scale_[r] = row.kind == LoopRow::Kind::square ? 1.0 : 1.0 / size_;
-    const ClosingJoint& joint = mechanism.closing[row.joint];
-    for (Eigen::Index k = 0; k < columns; ++k) {
-      const std::size_t i = free_[static_cast<std::size_t>(k)];
-      moves_(r, k) = (carries(mechanism, i, joint.b.body) ? 1 : 0) -
-                     (carries(mechanism, i, joint.a.body) ? 1 : 0);
-    }
   }
   for (Eigen::Index k = 0; k < columns; ++k) {
     const JointKind kind = mechanism.joints[free_[static_cast<std::size_t>(k)]].kind;
@@ -107,11 +133,17 @@ void Loops::assemble(const Tree& tree, State& state) const {
   tree.move(state);
   Eigen::VectorXd values = open(tree, state, all_);
   double damping = 1e-3;
+  Eigen::SimplicialLDLT<Jacobian> solver;
   for (int step = 0; step < most && columns > 0 && damping < 1e10; ++step) {
-    const Eigen::MatrixXd J = jacobian(tree, state, all_);
-    Eigen::MatrixXd normal = J.transpose() * J;
-    normal.diagonal().array() += damping;
-    Eigen::VectorXd correction = normal.ldlt().solve(-J.transpose() * values);
+    const Jacobian J = jacobian(tree, state, all_);
+    Jacobian normal = J.transpose() * J;
+    for (Eigen::Index k = 0; k < columns; ++k) normal.coeffRef(k, k) += damping;
+    solver.compute(normal);
+    if (solver.info() != Eigen::Success) {  // freedoms that are left, and round-off
+      damping *= 10.0;
+      continue;
+    }
+    Eigen::VectorXd correction = solver.solve(-J.transpose() * values);
     const double size = correction.cwiseAbs().maxCoeff();
     if (size < 1e-15) break;
     if (size > longest) correction *= longest / size;
@@ -162,73 +194,94 @@ void Loops::assemble(const Tree& tree, State& state) const {
 /// the other rows ask for follows from them.
 void Loops::choose_rows(const Tree& tree, const State& state) {
   constexpr double none = 1e-6;  // singular values beside the largest; data have fewer digits
+  constexpr Eigen::Index most_whole = 150;
   const auto columns = static_cast<Eigen::Index>(free_.size());
   if (columns == 0) return;
   const Mechanism& mechanism = tree.mechanism();
-  const Eigen::MatrixXd J = jacobian(tree, state, all_);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeFullV);
-  const Eigen::VectorXd& values = svd.singularValues();
-  const Eigen::Index rank = (values.array() > none * std::max(values[0], 1e-300)).count();
-  if (rank < columns) {
-    const Eigen::VectorXd moving = svd.matrixV().rightCols(columns - rank).rowwise().norm();
-    std::vector<std::string> names;
-    for (Eigen::Index k = 0; k < columns; ++k) {
-      if (moving[k] > 1e-6)
-        names.push_back(mechanism.joints[free_[static_cast<std::size_t>(k)]].name);
-    }
-    const Eigen::Index left = columns - rank;
-    throw AnalysisError(
-        {fmt::format(
-             "the loops leave {} freedom{} that nothing drives, in joint{} {}; drive as many "
-             "of them, let forces move them (moved_by = \"forces\"), or take freedom away where a "
-             "body only turns about the line between two ball joints (one of them universal). In a "
-             "dead point at t = 0 begin at another posture",
-             left, left == 1 ? "" : "s", names.size() == 1 ? "" : "s", fmt::join(names, ", ")),
-         "joint " + names.front(),
-         0.0,
-         {},
-         {},
-         {}});
+  const Jacobian J = jacobian(tree, state, all_);
+  std::vector<std::size_t> idle;
+  SparseElimination order;
+  if (columns > most_whole) {
+    const Eigen::Index rank = find_order(pattern_of(all_), entries(tree, state, all_), order);
+    for (const int k : order.cols_left()) idle.push_back(free_[static_cast<std::size_t>(k)]);
+    if (rank < columns)
+      throw undetermined(mechanism, static_cast<std::size_t>(columns - rank), idle);
   }
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(J.transpose());
-  const auto& order = qr.colsPermutation().indices();
-  for (Eigen::Index k = 0; k < columns; ++k) chosen_.push_back(static_cast<std::size_t>(order[k]));
-  std::sort(chosen_.begin(), chosen_.end());
-  branch_ =
-      sign_of_determinant(Eigen::PartialPivLU<Eigen::MatrixXd>(jacobian(tree, state, chosen_)));
+  const SingularValues of = smallest_singular_values(J, none, most_whole);
+  const Eigen::Index left = (of.smallest.array() <= none * std::max(of.largest, 1e-300)).count();
+  if (left > 0) {
+    const Eigen::VectorXd moving = of.vectors.rightCols(left).rowwise().norm();
+    for (Eigen::Index k = 0; k < columns; ++k)
+      if (moving[k] > 1e-6) idle.push_back(free_[static_cast<std::size_t>(k)]);
+    throw undetermined(mechanism, static_cast<std::size_t>(left), idle);
+  }
+  if (columns > most_whole) {
+    const std::vector<int>& over = order.rows_left();  // ascending
+    std::set_difference(
+        all_.begin(), all_.end(), over.begin(), over.end(), std::back_inserter(chosen_),
+        [](auto a, auto b) { return static_cast<std::size_t>(a) < static_cast<std::size_t>(b); });
+  } else {
+    chosen_ = independent_rows(J);
+    std::sort(chosen_.begin(), chosen_.end());
+  }
+  pattern_ = pattern_of(chosen_);
+  keep_order(tree, state);
+  branch_ = factors(tree, state).sign_of_determinant();
 }
 
-/// Forces that loops can hold without any load make what they reach not unique.
+/// An order of elimination that suits a state, where none that is known does.
+void Loops::keep_order(const Tree& tree, const State& state) {
+  constexpr std::size_t most = 8;
+  if (pattern_.rows <= LoopFactors::most_whole || orders_.size() == most) return;
+  const std::vector<double> at = entries(tree, state, chosen_);
+  if (std::any_of(orders_.begin(), orders_.end(),
+                  [&](const SparseElimination& order) { return suits(order, at); }))
+    return;
+  SparseElimination order;
+  if (find_order(pattern_, at, order) == pattern_.cols) orders_.push_back(std::move(order));
+}
+
+/// Forces that loops can hold without any load make what they reach not unique: those of an
+/// equation that is left over, with what the chosen ones hold against it.
 void Loops::judge_uniqueness(const Tree& tree, const State& state) {
+  constexpr double nothing = 1e-9;
   const Mechanism& mechanism = tree.mechanism();
   const std::size_t bodies = mechanism.bodies.size();
   if (unique_.empty()) unique_.assign(bodies + mechanism.closing.size(), 1);
-  const auto rows = static_cast<Eigen::Index>(rows_.size());
-  const auto rank = static_cast<Eigen::Index>(chosen_.size());
-  if (rank == rows) return;
-  Eigen::MatrixXd held;  // columns: multipliers that leave the free joints without force
-  if (rank == 0) {
-    held = Eigen::MatrixXd::Identity(rows, rows);
-  } else {
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian(tree, state, all_), Eigen::ComputeFullU);
-    held = svd.matrixU().rightCols(rows - rank);
-  }
-  std::vector<Wrench> without, with;
-  tree.wrenches(state, {}, without);
-  double largest = 1.0;
-  for (const Wrench& joint : without)
-    largest = std::max({largest, joint.force.norm(), joint.moment.norm() / size_});
-  const double size = 1e3 * largest;  // of the forces that are tried: above round-off of the others
-  for (Eigen::Index c = 0; c < held.cols(); ++c) {
-    const Eigen::VectorXd multipliers = size * size_ * row_scale_.cwiseProduct(held.col(c));
-    const std::vector<Wrench> closing = closing_wrenches(mechanism, rows_, multipliers, state);
-    tree.wrenches(state, on_both_bodies(mechanism, closing, state), with);
-    const auto judge = [&](std::size_t index, const Wrench& change) {
-      if (change.force.norm() + change.moment.norm() / size_ > 1e-6 * size) unique_[index] = 0;
-    };
-    for (std::size_t i = 0; i < bodies; ++i)
-      judge(i, {with[i].force - without[i].force, with[i].moment - without[i].moment});
-    for (std::size_t i = 0; i < closing.size(); ++i) judge(bodies + i, closing[i]);
+  Rows over;
+  std::set_difference(all_.begin(), all_.end(), chosen_.begin(), chosen_.end(),
+                      std::back_inserter(over));
+  if (over.empty()) return;
+  const SparsePattern pattern = pattern_of(over);
+  const std::vector<double> values = entries(tree, state, over);
+  const LoopFactors J = factors(tree, state);
+  const auto judge = [&](std::size_t index, const Wrench& change) {
+    if (change.force.norm() + change.moment.norm() / size_ > 1e-6) unique_[index] = 0;
+  };
+  for (std::size_t c = 0; c < over.size(); ++c) {
+    Eigen::VectorXd asked = Eigen::VectorXd::Zero(pattern.cols);
+    for (int e = pattern.row_start[c]; e < pattern.row_start[c + 1]; ++e)
+      asked[pattern.col[static_cast<std::size_t>(e)]] = -values[static_cast<std::size_t>(e)];
+    Eigen::VectorXd held = Eigen::VectorXd::Zero(row_scale_.size());
+    if (pattern.cols > 0) held(chosen_) = J.solve_transposed(asked);
+    held[static_cast<Eigen::Index>(over[c])] = 1.0;
+    held.normalize();
+    held = (held.array().abs() < nothing).select(0.0, held);
+    const std::vector<Wrench> closing =
+        closing_wrenches(mechanism, rows_, size_ * row_scale_.cwiseProduct(held), state);
+    std::map<std::size_t, Wrench> carried;  // by the joints between the bodies of closing ones
+    for (std::size_t k = 0; k < closing.size(); ++k) {
+      if (closing[k].force.isZero(0.0) && closing[k].moment.isZero(0.0)) continue;
+      judge(bodies + k, closing[k]);
+      const Eigen::Vector3d place = position_of(state, place_of(mechanism.closing[k]));
+      each_between(mechanism, mechanism.closing[k], [&](std::size_t i, double sign) {
+        Wrench& at = carried[i];
+        at.force += sign * closing[k].force;
+        at.moment +=
+            sign * (closing[k].moment + (place - state.bodies[i].joint).cross(closing[k].force));
+      });
+    }
+    for (const auto& [i, wrench] : carried) judge(i, wrench);
   }
 }
 
@@ -257,6 +310,10 @@ void Loops::follow(const Tree& tree, const ForcedMotion* forced) {
   stand(middle, state);
   judge_uniqueness(tree, state);
   const Sample end = followed(tree, middle, span.begin + span.length, &samples_);
+  for (const Sample& sample : samples_) {
+    stand(sample, state);
+    keep_order(tree, state);
+  }
   if (!span.closed) return;
   stand(end, state);
   if (!alike(begin, state, size_)) {

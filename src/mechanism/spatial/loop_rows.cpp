@@ -182,6 +182,7 @@ std::vector<Wrench> closing_wrenches(const Mechanism& mechanism, const std::vect
   std::vector<Wrench> closing(mechanism.closing.size());
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const double multiplier = multipliers[static_cast<Eigen::Index>(r)];
+    if (multiplier == 0.0) continue;
     const Wrench of = wrench_of(mechanism, rows[r], state);
     closing[rows[r].joint].force += multiplier * of.force;
     closing[rows[r].joint].moment += multiplier * of.moment;
@@ -203,16 +204,6 @@ std::vector<BodyWrench> on_both_bodies(const Mechanism& mechanism,
     wrenches.push_back({joint.a.body, place, {-closing[i].force, -closing[i].moment}});
   }
   return wrenches;
-}
-
-int sign_of_determinant(const Eigen::PartialPivLU<Eigen::MatrixXd>& lu) {
-  int sign = lu.permutationP().determinant() > 0 ? 1 : -1;
-  for (Eigen::Index k = 0; k < lu.rows(); ++k) {
-    const double pivot = lu.matrixLU()(k, k);
-    if (!(pivot != 0.0)) return 0;
-    if (pivot < 0.0) sign = -sign;
-  }
-  return sign;
 }
 
 bool stands_right(const ClosingJoint& joint, const State& state) {

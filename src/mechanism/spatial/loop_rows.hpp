@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/LU>
-
 #include <string>
 
 #include "boxbeam/mechanism/spatial/loops.hpp"
@@ -24,6 +22,17 @@ RowMotion motion_of(const Mechanism& mechanism, const LoopRow& row, const State&
 /// place: the gradient of the equation.
 Wrench wrench_of(const Mechanism& mechanism, const LoopRow& row, const State& state);
 
+/// Calls `visit(joint, sign)` for the joints between the bodies of a closing one, on the ways from
+/// them to the body that carries both: with 1 where it carries b, -1 where it carries a.
+void each_between(const Mechanism& mechanism, const ClosingJoint& joint, const auto& visit) {
+  int a = joint.a.body, b = joint.b.body;
+  while (a != b) {  // parents come before the bodies that they carry
+    int& farther = a > b ? a : b;
+    visit(static_cast<std::size_t>(farther), a > b ? -1.0 : 1.0);
+    farther = mechanism.joints[static_cast<std::size_t>(farther)].parent;
+  }
+}
+
 /// What closing joints do to their bodies b by the multipliers of all rows, about their places
 /// there.
 std::vector<Wrench> closing_wrenches(const Mechanism& mechanism, const std::vector<LoopRow>& rows,
@@ -32,10 +41,6 @@ std::vector<Wrench> closing_wrenches(const Mechanism& mechanism, const std::vect
 /// The same on both bodies of each.
 std::vector<BodyWrench> on_both_bodies(const Mechanism& mechanism,
                                        const std::vector<Wrench>& closing, const State& state);
-
-/// Sign of the determinant of a matrix that is factorised; that of many loops is too small for a
-/// number of its own.
-int sign_of_determinant(const Eigen::PartialPivLU<Eigen::MatrixXd>& lu);
 
 /// Whether a closing joint stands as it says and not turned by half a turn, which leaves its
 /// equations zero as well.

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/spatial/forced_motion.hpp"
+#include "boxbeam/numerics/singular_values.hpp"
+#include "loop_factors.hpp"
 #include "loop_rows.hpp"
 
 namespace boxbeam::spatial {
@@ -36,30 +36,52 @@ void Loops::set(State& state, const Sample& sample) const {
   }
 }
 
-Eigen::MatrixXd Loops::jacobian(const Tree& tree, const State& state, const Rows& rows) const {
+SparsePattern Loops::pattern_of(const Rows& rows) const {
+  SparsePattern pattern;
+  pattern.rows = static_cast<Eigen::Index>(rows.size());
+  pattern.cols = static_cast<Eigen::Index>(free_.size());
+  pattern.row_start.push_back(0);
+  for (const std::size_t row : rows) {
+    for (const Between& between : between_[rows_[row].joint])
+      pattern.col.push_back(static_cast<int>(between.free));
+    pattern.row_start.push_back(static_cast<int>(pattern.col.size()));
+  }
+  return pattern;
+}
+
+std::vector<double> Loops::entries(const Tree& tree, const State& state, const Rows& rows) const {
   const Mechanism& mechanism = tree.mechanism();
-  const auto columns = static_cast<Eigen::Index>(free_.size());
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), columns);
   std::vector<Eigen::Vector3d> axes;
+  axes.reserve(free_.size());
   for (const std::size_t i : free_)
     axes.push_back(in_world(state, mechanism.joints[i].parent, mechanism.joints[i].axis));
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    const LoopRow& row = rows_[rows[r]];
+  std::vector<double> values;
+  values.reserve(pattern_.entries());
+  for (const std::size_t r : rows) {
+    const LoopRow& row = rows_[r];
     const Wrench wrench = wrench_of(mechanism, row, state);
     const Eigen::Vector3d place = position_of(state, place_of(mechanism.closing[row.joint]));
-    const auto of = static_cast<Eigen::Index>(rows[r]);
-    for (Eigen::Index k = 0; k < columns; ++k) {
-      const int moves = moves_(of, k);
-      if (moves == 0) continue;
-      const std::size_t i = free_[static_cast<std::size_t>(k)];
-      const Eigen::Vector3d& axis = axes[static_cast<std::size_t>(k)];
+    const double scale = row_scale_[static_cast<Eigen::Index>(r)];
+    for (const Between& between : between_[row.joint]) {
+      const std::size_t i = free_[static_cast<std::size_t>(between.free)];
       const double power = along_coordinate(
-          mechanism.joints[i], axis,
+          mechanism.joints[i], axes[static_cast<std::size_t>(between.free)],
           {wrench.force, wrench.moment + (place - state.bodies[i].joint).cross(wrench.force)});
-      J(static_cast<Eigen::Index>(r), k) = moves * row_scale_[of] * power * column_scale_[k];
+      values.push_back(between.sign * scale * power * column_scale_[between.free]);
     }
   }
-  return J;
+  return values;
+}
+
+Eigen::SparseMatrix<double> Loops::jacobian(const Tree& tree, const State& state,
+                                            const Rows& rows) const {
+  const SparsePattern pattern = pattern_of(rows);
+  return pattern.scaled(entries(tree, state, rows), Eigen::VectorXd::Ones(pattern.rows),
+                        Eigen::VectorXd::Ones(pattern.cols));
+}
+
+LoopFactors Loops::factors(const Tree& tree, const State& state) const {
+  return {pattern_, entries(tree, state, chosen_), orders_};
 }
 
 Eigen::VectorXd Loops::open(const Tree& tree, const State& state, const Rows& rows) const {
@@ -80,14 +102,14 @@ bool Loops::converge(const Tree& tree, State& state, Eigen::VectorXd& q, double&
   for (int step = 0; step < most; ++step) {
     tree.move(state);
     if (free_.empty()) return true;
-    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(jacobian(tree, state, chosen_));
-    const Eigen::VectorXd correction = lu.solve(-open(tree, state, chosen_));
+    const LoopFactors J = factors(tree, state);
+    const Eigen::VectorXd correction = J.solve(-open(tree, state, chosen_));
     const double size = correction.cwiseAbs().maxCoeff();
     if (!(size < 1.0)) return false;
     if (step == 0) first = size;
     q += column_scale_.cwiseProduct(correction);
     set(state, {state.time, q, {}, {}});
-    if (size < converged) return branch_ == 0 || sign_of_determinant(lu) == branch_;
+    if (size < converged) return branch_ == 0 || J.sign_of_determinant() == branch_;
   }
   return false;
 }
@@ -99,7 +121,7 @@ Loops::Sample Loops::with_rates(const Tree& tree, State& state, const Eigen::Vec
   tree.move(state);
   sample.turned = turned(state);
   if (free_.empty()) return sample;
-  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(jacobian(tree, state, chosen_));
+  const LoopFactors J = factors(tree, state);
   const auto solved = [&](double RowMotion::*left) -> Eigen::VectorXd {
     Eigen::VectorXd values(count);
     for (Eigen::Index r = 0; r < count; ++r) {
@@ -107,7 +129,7 @@ Loops::Sample Loops::with_rates(const Tree& tree, State& state, const Eigen::Vec
       values[r] = -row_scale_[static_cast<Eigen::Index>(row)] *
                   (motion_of(tree.mechanism(), rows_[row], state).*left);
     }
-    return column_scale_.cwiseProduct(lu.solve(values));
+    return column_scale_.cwiseProduct(J.solve(values));
   };
   sample.rate = solved(&RowMotion::rate);
   set(state, sample);
@@ -129,7 +151,7 @@ void Loops::accelerate(const Tree& tree, State& state) const {
               motion_of(tree.mechanism(), rows_[row], state).acceleration;
   }
   const Eigen::VectorXd acceleration =
-      column_scale_.cwiseProduct(jacobian(tree, state, chosen_).partialPivLu().solve(-left));
+      column_scale_.cwiseProduct(factors(tree, state).solve(-left));
   for (std::size_t k = 0; k < free_.size(); ++k)
     state.coordinates[free_[k]].acceleration = acceleration[static_cast<Eigen::Index>(k)];
   tree.move(state);
@@ -210,9 +232,8 @@ Loops::Sample Loops::followed(const Tree& tree, Sample from, double until,
     drive(tree, state, from.time);
     set(state, from);
     tree.move(state);
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian(tree, state, chosen_),
-                                                Eigen::ComputeFullV);
-    const Eigen::VectorXd runs = svd.matrixV().rightCols(1).cwiseAbs();
+    const SingularValues of = smallest_singular_values(jacobian(tree, state, chosen_), 0.0);
+    const Eigen::VectorXd runs = of.vectors.rightCols(1).cwiseAbs();
     std::vector<std::string> names;
     for (Eigen::Index k = 0; k < runs.size(); ++k) {
       if (runs[k] > 0.3 * runs.maxCoeff())
@@ -226,7 +247,7 @@ Loops::Sample Loops::followed(const Tree& tree, Sample from, double until,
          "joint " + tree.mechanism().closing.front().name,
          from.time,
          {},
-         svd.singularValues()[0] / svd.singularValues().tail(1)[0],
+         of.largest / of.smallest.tail(1)[0],
          {}});
   }
   return from;
@@ -289,8 +310,7 @@ void Loops::wrenches(const Tree& tree, const State& state, std::span<const BodyW
   // Rows that others imply carry nothing: where that matters, what is carried is not unique.
   Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows_.size()));
   if (count > 0) {
-    const Eigen::MatrixXd J = jacobian(tree, state, chosen_);
-    const Eigen::VectorXd of_chosen = J.transpose().partialPivLu().solve(needed);
+    const Eigen::VectorXd of_chosen = factors(tree, state).solve_transposed(needed);
     for (Eigen::Index r = 0; r < count; ++r) {
       const auto row = static_cast<Eigen::Index>(chosen_[static_cast<std::size_t>(r)]);
       multipliers[row] = row_scale_[row] * of_chosen[r];
@@ -321,9 +341,10 @@ double Loops::residual_of(const Tree& tree, const State& state) const {
 
 double Loops::condition_of(const Tree& tree, const State& state) const {
   if (free_.empty()) return 1.0;
-  const Eigen::VectorXd values =
-      Eigen::JacobiSVD<Eigen::MatrixXd>(jacobian(tree, state, chosen_)).singularValues();
-  return values[0] / values[values.size() - 1];
+  constexpr Eigen::Index most_whole = 50;
+  const SingularValues of =
+      smallest_singular_values(jacobian(tree, state, chosen_), 0.0, most_whole);
+  return of.largest / of.smallest.tail(1)[0];
 }
 
 }  // namespace boxbeam::spatial

@@ -241,4 +241,85 @@ TEST_CASE("the cut forces of a mode are those of its inertia", "[frame][vibratio
   }
 }
 
+TEST_CASE("bodies without number that are held stay out of a beam's vibration",
+          "[frame][vibration]") {
+  // A cantilever on the last of a row of bodies that are fixed to each other and to the ground is
+  // one on the ground, whether its ties are few or many, and whichever of them repeat others.
+  const TaperedBeam beam = even(box);
+  const frame::VibratingBeam vibrating(beam, E, G, {}, 8);
+  const CutForceDiagram still = pulled(2e5);
+  const auto expected = vibrating.modes({}, clamped(), still, 5);
+  for (const int count : {1, 30, 60, 400}) {
+    for (const int times : {1, 2}) {
+      INFO(count << " bodies held " << times << " times");
+      std::vector<frame::RigidMass> bodies;
+      std::vector<frame::Tie> ties;
+      for (int b = 1; b <= count; ++b) {
+        frame::RigidMass body;
+        body.mass = 3.0 + b % 5;
+        body.centre = {-0.2 * (count - b) - 0.1, 0.05 * (b % 3), -0.02 * (b % 7)};
+        body.inertia = Vector3d(0.1, 0.2, 0.3).asDiagonal();
+        bodies.push_back(body);
+        for (int k = 0; k < times; ++k)
+          hold(ties, b == 1 ? frame::ground : b - 1, b,
+               {-0.2 * (count - b) - 0.2, 0.3 * k, 0.1 * k}, 6);
+      }
+      hold(ties, count, 0, Vector3d::Zero(), 6);
+      const auto modes = vibrating.modes(bodies, ties, still, 5);
+      REQUIRE(modes.size() == expected.size());
+      for (std::size_t k = 0; k < modes.size(); ++k) {
+        CHECK(modes[k].frequency == Approx(expected[k].frequency).epsilon(1e-8));
+        CHECK(modes[k].own_mass == Approx(1.0).epsilon(1e-8));
+        // What its end holds, by the one tie that does.
+        const auto held = [&](const frame::BeamMode& mode) {
+          frame::Vector6 sum = frame::Vector6::Zero();
+          for (const PointLoad& load : mode.loads.points) {
+            sum.head<3>() += load.force;
+            sum.tail<3>() += load.moment;
+          }
+          return sum;
+        };
+        const frame::Vector6 one = held(modes[k]), other = held(expected[k]);
+        CHECK(std::min((one - other).norm(), (one + other).norm()) < 1e-6 * other.norm());
+      }
+    }
+  }
+}
+
+TEST_CASE("a hundred bodies on a beam's end count as their sum", "[frame][vibration]") {
+  // Fixed to the free end in a row; whole, they are one body there. Kinetic energy of both is the
+  // same in every motion.
+  const TaperedBeam beam = even(box);
+  const frame::VibratingBeam vibrating(beam, E, G, {}, 8);
+  const auto modes_with = [&](const std::vector<frame::RigidMass>& bodies, bool in_a_row) {
+    std::vector<frame::Tie> ties = clamped();
+    for (int b = 1; b <= static_cast<int>(bodies.size()); ++b)
+      hold(ties, in_a_row && b > 1 ? b - 1 : 0, b, {L, 0.01 * b, 0.0}, 6);
+    return vibrating.modes(bodies, ties, {}, 4);
+  };
+  std::vector<frame::RigidMass> bodies;
+  frame::RigidMass sum;
+  for (int b = 0; b < 100; ++b) {
+    frame::RigidMass body;
+    body.mass = 0.5 + 0.01 * b;
+    body.centre = {L, 0.002 * b, -0.1 + 0.003 * b};
+    body.inertia = Vector3d(0.01, 0.02, 0.015).asDiagonal();
+    bodies.push_back(body);
+    sum.mass += body.mass;
+    sum.centre += body.mass * body.centre;
+  }
+  sum.centre /= sum.mass;
+  for (const frame::RigidMass& body : bodies) {
+    const Vector3d r = body.centre - sum.centre;  // Steiner
+    sum.inertia += body.inertia +
+                   body.mass * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
+  }
+  const auto expected = modes_with({sum}, false), modes = modes_with(bodies, true);
+  REQUIRE(modes.size() == expected.size());
+  for (std::size_t k = 0; k < modes.size(); ++k) {
+    CHECK(modes[k].frequency == Approx(expected[k].frequency).epsilon(1e-9));
+    CHECK(modes[k].own_mass == Approx(expected[k].own_mass).epsilon(1e-7));
+  }
+}
+
 }  // namespace beam_vibration_test

@@ -11,7 +11,7 @@
 #include "boxbeam/mechanism/spatial/chain.hpp"
 #include "boxbeam/mechanism/spatial/forced_motion.hpp"
 #include "catch.hpp"
-#include "support/random_tree.hpp"
+#include "support/random_loops.hpp"
 #include "support/spatial_balance.hpp"
 
 namespace loops_test {
@@ -24,6 +24,7 @@ using test::add;
 using test::check_balance;
 using test::closing;
 using test::joint_of;
+using test::random_loops;
 using test::set_mass;
 
 namespace {
@@ -57,73 +58,6 @@ Mechanism slider_crank() {
   body.centre = 0.15 * along;
   body.inertia =
       4e-3 * (Matrix3d::Identity() - along * along.transpose()) + 4e-4 * along * along.transpose();
-  return mechanism;
-}
-
-/// Two chains by chance, the second from the first one's second body: the end of the first is
-/// joined to the ground and that of the second to the first's fourth body, closed at t = 0 where
-/// the coordinates are those of their starts; in each as many joints are free as its joint has
-/// equations.
-/// `always`: the kind of those joints, where it is not by chance.
-Mechanism random_loops(test::Chance& chance, std::optional<ClosingKind> always = {}) {
-  constexpr int chain = 8;
-  Mechanism mechanism = test::random_tree(chance, 2 * chain);
-  mechanism.line_forces.clear();  // the balance does not know them
-  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
-    Joint& joint = mechanism.joints[i];
-    joint.parent = static_cast<int>(i) == chain ? 1 : static_cast<int>(i) - 1;
-    if (joint.kind == JointKind::fixed) joint.kind = JointKind::revolute;
-    joint.start = chance.any(joint.kind == JointKind::revolute ? 2.0 : 0.5);
-    joint.driver = HarmonicDriver{joint.start, chance.any(0.05), 3.0 + chance.any(2.0), 0.0, {}};
-  }
-  const Tree tree(mechanism);
-  State state;
-  state.coordinates.resize(mechanism.joints.size());
-  for (std::size_t i = 0; i < mechanism.joints.size(); ++i)
-    state.coordinates[i].value = driver_at(mechanism.joints[i].driver, 0.0).value;
-  tree.move(state);
-  for (int i = 0; i < 3; ++i) {
-    const int a = chance.one_of(2 * chain + 1) - 1;
-    const int b = (a + 1 + chance.one_of(2 * chain - 1)) % (2 * chain);
-    if (a == b) continue;
-    const double stiffness = 50.0 + chance.any(40.0), length = 2.0 + chance.any();
-    const double damping = 5.0 + chance.any(4.0);
-    mechanism.springs.push_back({"spring",
-                                 {a, chance.vector()},
-                                 {b, chance.vector()},
-                                 stiffness,
-                                 length,
-                                 damping,
-                                 static_cast<Spring::Acts>(i)});
-  }
-  for (const int first : {0, chain}) {
-    constexpr int equations_of[] = {6, 5, 5, 4, 4, 3, 3, 2, 1, 5};  // in the order of the kinds
-    ClosingJoint joint;
-    joint.name = "closing";
-    joint.kind = static_cast<ClosingKind>(chance.one_of(9));
-    if (always) joint.kind = *always;
-    joint.lead = first == 0 ? 0.5 : -2.0;
-    const int a = first == 0 ? ground : 3;
-    const int b = first + chain - 1;
-    joint.b = {b, chance.vector(0.5)};
-    Vector3d place = position_of(state, joint.b);
-    joint.axis = chance.direction();
-    joint.turn = motion_of(state, a).R_WB.transpose() * motion_of(state, b).R_WB;
-    joint.other = joint.turn.transpose() * joint.axis.cross(chance.direction()).normalized();
-    if (joint.kind == ClosingKind::distance) {
-      const Vector3d away = 1.5 * chance.direction();
-      place += away;
-      joint.length = HarmonicDriver{away.norm(), 0.05, 2.0, 0.0, {}};
-    }
-    joint.a = {a, in_axes(state, a, place - motion_of(state, a).position)};
-    mechanism.closing.push_back(joint);
-    for (int left = equations_of[static_cast<std::size_t>(joint.kind)]; left > 0;) {
-      Joint& freed = mechanism.joints[static_cast<std::size_t>(first + chance.one_of(chain))];
-      if (freed.moved_by == MovedBy::loops) continue;
-      freed.moved_by = MovedBy::loops;
-      --left;
-    }
-  }
   return mechanism;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "boxbeam/mechanism/spatial/tree.hpp"
+#include "boxbeam/numerics/sparse_elimination.hpp"
 
 namespace boxbeam::spatial {
 
@@ -28,12 +29,16 @@ struct LoopRow {
 };
 
 class ForcedMotion;
+class LoopFactors;
 
 /// The closing joints of a mechanism: they decide the coordinates that neither drivers nor forces
 /// move. Loops are cut at the closing joints; what the tree of the other joints leaves open there
 /// is brought to zero by Newton's method on the free coordinates, and the multipliers of the
-/// equations are those that leave the free joints without a force along their axes. Source: Haug,
-/// Computer Aided Kinematics and Dynamics (1989), chapter 9; Featherstone (2008), chapter 8.
+/// equations are those that leave the free joints without a force along their axes. An equation
+/// asks only for the coordinates between the bodies of its joint, on the ways from them to the body
+/// that carries both: by these alone it is evaluated, and the systems are solved by a sparse
+/// elimination. Source: Haug, Computer Aided Kinematics and Dynamics (1989), chapter 9;
+/// Featherstone (2008), chapter 8.
 class Loops {
  public:
   /// A closed position: the free coordinates with their rates.
@@ -92,7 +97,12 @@ class Loops {
   using Rows = std::vector<std::size_t>;
 
   void set(State& state, const Sample& sample) const;
-  Eigen::MatrixXd jacobian(const Tree& tree, const State& state, const Rows& rows) const;
+  /// What rows of the Jacobian have, without units, in the order of their pattern.
+  std::vector<double> entries(const Tree& tree, const State& state, const Rows& rows) const;
+  SparsePattern pattern_of(const Rows& rows) const;
+  Eigen::SparseMatrix<double> jacobian(const Tree& tree, const State& state,
+                                       const Rows& rows) const;
+  LoopFactors factors(const Tree& tree, const State& state) const;  ///< of the chosen rows
   Eigen::VectorXd open(const Tree& tree, const State& state, const Rows& rows) const;
 
   /// Where screws close loops: how far each has turned by its slide, and all angles [rad]. Between
@@ -103,6 +113,7 @@ class Loops {
   void assemble(const Tree& tree, State& state) const;
   void choose_rows(const Tree& tree, const State& state);
   void judge_uniqueness(const Tree& tree, const State& state);
+  void keep_order(const Tree& tree, const State& state);
   void drive(const Tree& tree, State& state, double time) const;
 
   bool converge(const Tree& tree, State& state, Eigen::VectorXd& q, double& first) const;
@@ -112,18 +123,24 @@ class Loops {
   std::vector<LoopRow> rows_;
   Rows all_, chosen_;              ///< all rows; those that determine the free coordinates
   std::vector<std::size_t> free_;  ///< joints
-  /// Per row and free joint: 1 where it moves body b of the row alone, -1 where a alone, else 0.
-  Eigen::MatrixXi moves_;
-  Eigen::VectorXd row_scale_, column_scale_;  ///< that leave the Jacobian without units
-  double size_ = 1.0;                         ///< of the mechanism [m]
-  double longest_step_ = 0.01;                ///< of following [s]
-  double begin_ = 0.0, period_ = 0.0;         ///< after which all repeats; 0: it does not
+  /// A free coordinate between the bodies of a closing joint: 1 where it moves its b, -1 its a.
+  struct Between {
+    Eigen::Index free;
+    double sign;
+  };
+  std::vector<std::vector<Between>> between_;  ///< of every closing joint
+  Eigen::VectorXd row_scale_, column_scale_;   ///< that leave the Jacobian without units
+  double size_ = 1.0;                          ///< of the mechanism [m]
+  double longest_step_ = 0.01;                 ///< of following [s]
+  double begin_ = 0.0, period_ = 0.0;          ///< after which all repeats; 0: it does not
   int branch_ = 0;
   std::vector<ClosingJoint> screws_;  ///< those that close loops
   std::vector<std::size_t> angles_;   ///< joints whose coordinates are angles, where there are any
   std::vector<char> unique_;
   std::vector<Sample> samples_;
   const ForcedMotion* forced_ = nullptr;
+  SparsePattern pattern_;                  ///< of the chosen rows
+  std::vector<SparseElimination> orders_;  ///< of elimination, which suit along the motion
 };
 
 /// Joints whose loads bodies without elasticity do not determine.
