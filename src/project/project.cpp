@@ -274,6 +274,12 @@ spatial::BeamPlacement placement_in(const Project& project, const spatial::Mecha
   return placement;
 }
 
+spatial::BeamPlacement placement_in(const BeamBeside& other, const spatial::Mechanism& mechanism) {
+  spatial::BeamPlacement placement = other.placement;
+  placement.body = body_index(mechanism, other.name);
+  return placement;
+}
+
 const Duration& duration_of(const Project& project) {
   return std::visit([](const auto& mechanism) -> const Duration& { return mechanism.duration; },
                     project.mechanism);

@@ -58,7 +58,7 @@ class SpatialReader : public FrontEndReader {
     beam.finish();
     refuse_planar_parts(root, *project_, {.deflection = true, .neighbours = true});
     if (root.problems().empty()) {
-      place_others(root, mechanism);
+      project_->beams_beside = place_others(root, mechanism);
       place_beam(root, project_->beam, project_->placement, mechanism);
       project_->hand_formulas = read_hand_formulas(root, mechanism);
     } else {
@@ -75,7 +75,7 @@ class SpatialReader : public FrontEndReader {
     if (!root.problems().empty()) return project_->mechanism;
     spatial::BeamPlacement placement = project_->placement;
     placement.body = body_index(mechanism, beam_body_);
-    place_others(root, mechanism);
+    static_cast<void>(place_others(root, mechanism));
     place_beam(root, project_->beam, placement, mechanism);
     return mechanism;
   }
@@ -85,8 +85,9 @@ class SpatialReader : public FrontEndReader {
   }
 
  private:
-  /// Gives the other beams' bodies their mass.
-  void place_others(TableReader& root, spatial::Mechanism& mechanism) const {
+  /// Gives the other beams' bodies their mass; where they lie.
+  std::vector<BeamBeside> place_others(TableReader& root, spatial::Mechanism& mechanism) const {
+    std::vector<BeamBeside> beside;
     std::size_t next = 0;
     for (const OtherBeam& other : others_) {
       if (next == project_->beam_index) ++next;
@@ -98,9 +99,11 @@ class SpatialReader : public FrontEndReader {
       }
       if (body < 0 || !root.problems().empty()) continue;
       const spatial::BeamPlacement placement = read_placement(table, mechanism, body);
-      if (root.problems().empty())
-        give_mass(mechanism.bodies[static_cast<std::size_t>(body)], placement, other.beam);
+      if (!root.problems().empty()) continue;
+      place_beam(root, other.beam, placement, mechanism);
+      beside.push_back({other.on, body, other.beam, placement});
     }
+    return beside;
   }
 
   std::string beam_body_;

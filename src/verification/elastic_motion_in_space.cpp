@@ -105,24 +105,35 @@ Length length_of(const std::vector<LineLoad>& lines) {
 }  // namespace
 
 std::string obstacle_to_modes(const spatial::Mechanism& mechanism,
-                              const spatial::BeamPlacement& placement) {
-  const int own = placement.body;
-  const auto slides = [](const std::string& name) {
-    return fmt::format("joint {} slides along the beam, and modes hold it at one place", name);
+                              const std::vector<spatial::BeamPlacement>& beams) {
+  /// In words, what is on this body; "" where that is no elastic beam.
+  const auto beam_on = [&](int body) -> std::string {
+    if (body == beams.front().body) return "the beam";
+    const bool elastic =
+        std::any_of(beams.begin(), beams.end(),
+                    [&](const spatial::BeamPlacement& of) { return of.body == body; });
+    if (!elastic) return "";
+    return fmt::format("beam {}, which bends with it",
+                       mechanism.bodies[static_cast<std::size_t>(body)].name);
   };
-  for (const spatial::Joint& joint : mechanism.joints)
-    if (joint.parent == own && slides_along(joint.kind)) return slides(joint.name);
+  const auto slides = [](const std::string& name, const std::string& beam) {
+    return fmt::format("joint {} slides along {}, and modes hold it at one place", name, beam);
+  };
+  for (const spatial::Joint& joint : mechanism.joints) {
+    const std::string beam = beam_on(joint.parent);
+    if (!beam.empty() && slides_along(joint.kind)) return slides(joint.name, beam);
+  }
   for (const spatial::ClosingJoint& joint : mechanism.closing) {
-    if (joint.a.body == own && slides_along(joint.kind)) return slides(joint.name);
+    const std::string beam = beam_on(joint.a.body);
+    if (!beam.empty() && slides_along(joint.kind)) return slides(joint.name, beam);
     if (!spatial::has_teeth(joint.kind)) continue;
     for (const spatial::Mesh::Part& part : joint.mesh.parts) {
-      const bool on_beam =
-          static_cast<int>(part.joint) == own || mechanism.joints[part.joint].parent == own;
-      if (on_beam)
+      std::string meshed = beam_on(static_cast<int>(part.joint));
+      if (meshed.empty()) meshed = beam_on(mechanism.joints[part.joint].parent);
+      if (!meshed.empty())
         return fmt::format(
-            "the teeth of {} mesh on the beam, and modes know their couples alone, not where they "
-            "push",
-            joint.name);
+            "the teeth of {} mesh on {}, and modes know their couples alone, not where they push",
+            joint.name, meshed);
     }
   }
   return "";
@@ -137,7 +148,7 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
         "the motion does not repeat, and the beam's vibration is only computed in motions that do; "
         "use --model rigid to have the loads of rigid bodies all the same");
   const StoppedVibration stopped(project, chain, parts);
-  if (const std::string why = obstacle_to_modes(chain.mechanism(), stopped.placement());
+  if (const std::string why = obstacle_to_modes(chain.mechanism(), stopped.placements());
       !why.empty())
     refuse_vibration(why + "; use --model rigid to have the loads of rigid bodies all the same");
 
@@ -171,21 +182,19 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
                       at.modes.size(), count),
           time);
     lowest_ = std::min(lowest_, at.modes.front().frequency);
-    const Eigen::VectorXd cuts = cuts_at(diagram, stopped.beam().stations());
     ModalPosture& posture = postures.emplace_back();
     posture.turn = turn_between(at.shapes, reference, time);
     posture.squares.resize(k);
-    posture.force.resize(k);
     Eigen::MatrixXd numbers;
     for (Eigen::Index j = 0; j < k; ++j) {
       const frame::BeamMode& mode = at.modes[static_cast<std::size_t>(j)];
       posture.squares[j] = std::pow(full_turn * mode.frequency, 2);
-      posture.force[j] = cuts.dot(mode.work);
       const Eigen::RowVectorXd of = numbers_of(mode.loads);
       // What begins to act later stands behind the others.
       if (j == 0) numbers.resize(k, of.size());
       numbers.row(j) = of;
     }
+    posture.force = std::move(at.force);
     posture.damping = std::move(at.damping);
     posture.of_rate = std::move(at.turning.of_rate);
     posture.of_size = std::move(at.turning.of_size);

@@ -10,21 +10,25 @@
 namespace boxbeam {
 namespace {
 
-/// The lowest circular frequency of the beam with all that it could carry [1/s]; infinite of what
-/// has no mass.
+/// The lowest circular frequency of the beams with all that they could carry [1/s]; infinite of
+/// what has no mass.
 double lowest_of(const Project& project, const spatial::Mechanism& mechanism) {
-  double mass = 0.0, least = std::numeric_limits<double>::infinity();
+  double mass = 0.0, length = 0.0, least = std::numeric_limits<double>::infinity();
   for (const spatial::Body& body : mechanism.bodies) mass += body.mass;
-  for (const Segment& segment : project.beam.segments) {
-    double largest = 0.0;
-    for (const Section& section : {segment.from, segment.to}) {
-      const SectionProperties of = properties_of(section);
-      least = std::min({least, of.I_y.value(), of.I_z.value()});
-      largest = std::max(largest, of.area.value());
+  const auto add = [&](const TaperedBeam& beam) {
+    for (const Segment& segment : beam.segments) {
+      double largest = 0.0;
+      for (const Section& section : {segment.from, segment.to}) {
+        const SectionProperties of = properties_of(section);
+        least = std::min({least, of.I_y.value(), of.I_z.value()});
+        largest = std::max(largest, of.area.value());
+      }
+      mass += beam.density.value() * largest * segment.length.value();
     }
-    mass += project.beam.density.value() * largest * segment.length.value();
-  }
-  const double length = project.beam.length().value();
+    length += beam.length().value();
+  };
+  add(project.beam);
+  for (const BeamBeside& other : project.beams_beside) add(other.beam);
   return std::sqrt(3.0 * project.model.youngs_modulus * least / (mass * std::pow(length, 3)));
 }
 

@@ -286,7 +286,7 @@ std::string obstacle_to_modes_in_space(const Project& project,
                                        const std::deque<SituationRun>& rigid) {
   for (const SituationRun& run : rigid) {
     const spatial::Mechanism& mechanism = chain_of(run).mechanism();
-    std::string obstacle = obstacle_to_modes(mechanism, placement_in(project, mechanism));
+    std::string obstacle = obstacle_to_modes(mechanism, elastic_placements(project, mechanism));
     if (!obstacle.empty()) return obstacle;
   }
   return "";
@@ -329,9 +329,9 @@ ModelChoice choose_in_space(const Project& project, const std::deque<SituationRu
   if (!obstacle.empty()) estimate.harmonics.clear();
   choice.frequencies = estimate.frequencies;
   choice.harmonics = estimate.harmonics;
-  const std::string against =
-      against_frequencies(estimate, fmt::format(" ({}, of the mechanism stopped at {:.4g} s)",
-                                                found.shape, found.lowest_at.value()));
+  const std::string against = against_frequencies(
+      estimate, fmt::format(" ({}, of the mechanism stopped at {:.4g} s){}", found.shape,
+                            found.lowest_at.value(), beams_beside_text(project)));
   if (!obstacle.empty()) {
     choose_unvibrated(project, obstacle, choice);
     choice.reason += "; " + against;

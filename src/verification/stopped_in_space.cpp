@@ -12,6 +12,7 @@
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/verification/front_end.hpp"
 #include "even_beam.hpp"
+#include "vibration_in_space.hpp"
 
 namespace boxbeam {
 namespace {
@@ -19,7 +20,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Other bodies and joints beside the beam.
+/// Other bodies and joints beside the beams.
 constexpr double stiffer = 1e4;
 
 /// The frame that a stopped mechanism is, and what presses its members.
@@ -30,25 +31,15 @@ class StoppedFrame {
 
   /// Whether it can be made.
   bool make(const CutForceDiagram& diagram) {
-    const spatial::BeamPlacement placement = placement_in(*project_, *mechanism_);
-    own_ = placement.body;
-    const spatial::BodyMotion& own = state_->bodies[static_cast<std::size_t>(own_)];
-    frame::Member& beam = structure.members.emplace_back();
-    beam.name = "beam";
-    beam.beam = project_->beam;
-    beam.start = own.position + own.R_WB * placement.start;
-    beam.axes = own.R_WB * placement.axes;
-    beam.youngs_modulus = project_->model.youngs_modulus;
-    beam.shear_modulus = project_->model.shear_modulus;
-    loaded.members.emplace_back().cut = diagram;
-    find_stiffness();
     member_of_.assign(mechanism_->bodies.size(), frame::ground);
-    for (std::size_t i = 0; i < mechanism_->bodies.size(); ++i) {
-      if (static_cast<int>(i) == own_)
-        member_of_[i] = 0;
-      else
-        add_body(static_cast<int>(i));
+    add_beam(project_->beam, placement_in(*project_, *mechanism_), diagram);
+    for (const BeamBeside& other : project_->beams_beside) {
+      const spatial::BeamPlacement placement = placement_in(other, *mechanism_);
+      const spatial::BeamBody body = spatial::beam_body_of(other.beam, placement, *mechanism_);
+      add_beam(other.beam, placement, rigid_cut_forces(*chain_, *state_, body));
     }
+    for (std::size_t i = 0; i < mechanism_->bodies.size(); ++i)
+      if (member_of_[i] == frame::ground) add_body(static_cast<int>(i));
     for (std::size_t i = 0; i < mechanism_->joints.size(); ++i)
       if (!add_joint(i)) return false;
     for (std::size_t k = 0; k < mechanism_->closing.size(); ++k) add_closing(k);
@@ -60,10 +51,25 @@ class StoppedFrame {
   frame::Equilibrium loaded;
 
  private:
-  /// Of the stiffest place of the beam, E A/L and E I/L.
-  void find_stiffness() {
-    const double length = project_->beam.length().value();
-    for (const Segment& segment : project_->beam.segments) {
+  void add_beam(const TaperedBeam& of, const spatial::BeamPlacement& placement,
+                const CutForceDiagram& diagram) {
+    const auto body = static_cast<std::size_t>(placement.body);
+    member_of_[body] = static_cast<int>(structure.members.size());
+    frame::Member& beam = structure.members.emplace_back();
+    beam.name = "beam";
+    beam.beam = of;
+    beam.start = spatial::position_of(*state_, {placement.body, placement.start});
+    beam.axes = state_->bodies[body].R_WB * placement.axes;
+    beam.youngs_modulus = project_->model.youngs_modulus;
+    beam.shear_modulus = project_->model.shear_modulus;
+    loaded.members.emplace_back().cut = diagram;
+    add_stiffness(of);
+  }
+
+  /// Of the stiffest place of a beam, E A/L and E I/L.
+  void add_stiffness(const TaperedBeam& beam) {
+    const double length = beam.length().value();
+    for (const Segment& segment : beam.segments) {
       for (const Section& section : {segment.from, segment.to}) {
         const SectionProperties of = properties_of(section);
         const double E = project_->model.youngs_modulus;
@@ -73,7 +79,7 @@ class StoppedFrame {
     }
   }
 
-  /// A bar between two places of the world, so much stiffer than the beam; its index.
+  /// A bar between two places of the world, so much stiffer than the beams; its index.
   int add_bar(const Vector3d& from, const Vector3d& to, double stiffness_along) {
     const double length = (to - from).norm();
     frame::Member& bar = structure.members.emplace_back();
@@ -277,8 +283,7 @@ class StoppedFrame {
   const spatial::Chain* chain_;
   const spatial::Mechanism* mechanism_;
   const spatial::State* state_;
-  int own_ = spatial::ground;
-  double along_ = 0.0, about_ = 0.0;  ///< largest E A/L, E I/L of the beam [N/m, N m]
+  double along_ = 0.0, about_ = 0.0;  ///< largest E A/L, E I/L of the beams [N/m, N m]
   std::vector<int> member_of_;        ///< of each body
   std::deque<EvenBeam> bodies_;
   std::vector<spatial::Wrench> wrenches_;

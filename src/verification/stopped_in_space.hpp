@@ -12,13 +12,13 @@ namespace boxbeam {
 /// at most `most`, beyond which it is not looked; nothing where it cannot be stopped and hold the
 /// beam: where forces move it, at a dead point, or where a body is free to turn.
 ///
-/// The beam is elastic, of exact taper, torsion and shear; other bodies are far stiffer bars along
-/// the line between the farthest two of their places, of even mass, drivers and joints are as
-/// rigid. Friction holds nothing. Springs act as they are, with the force in them; a rod between
-/// two places is a bar. What presses any of them counts (`frame::Statics::critical_factor`): so a
-/// boom that a cylinder holds in the plane in which it luffs buckles across it as a cantilever.
-/// `diagram`: of the beam at that time. Places beside the line of a body follow its turns; the
-/// second order of these levers is left out.
+/// The beams of the case are elastic, of exact taper, torsion and shear; other bodies are far
+/// stiffer bars along the line between the farthest two of their places, of even mass, drivers and
+/// joints are as rigid. Friction holds nothing. Springs act as they are, with the force in them; a
+/// rod between two places is a bar. What presses any of them counts
+/// (`frame::Statics::critical_factor`): so a boom that a cylinder holds in the plane in which it
+/// luffs buckles across it as a cantilever. `diagram`: of the verified beam at that time. Places
+/// beside the line of a body follow its turns; the second order of these levers is left out.
 std::optional<double> critical_factor_in_space(const Project& project, const spatial::Chain& chain,
                                                Time time, const CutForceDiagram& diagram,
                                                double most);

@@ -130,18 +130,6 @@ bool goes_on(const Project& project, const SituationRun& run) {
          planar_motion_of(run).freedom.undriven > 0;
 }
 
-/// Other beams of a case in space, which its elasticity leaves out.
-std::vector<NotJudged> rigid_beside(const Project& project) {
-  std::string names;
-  for (const std::string& name : project.beam_names)
-    if (name != project.beam_name) names += (names.empty() ? "" : ", ") + name;
-  if (names.empty()) return {};
-  return {{Criterion::yield, "vibration of other beams",
-           fmt::format("{} are taken as rigid beside it, which makes its natural frequencies too "
-                       "high; in space one beam bends at a time",
-                       names)}};
-}
-
 /// What of the vibration in a motion that does not repeat is not looked at: before it, where the
 /// motion has a speed at once, and behind what the vibrating model looks at.
 std::vector<NotJudged> vibration_beside_of(const Project& project, const ModelChoice& model,
@@ -257,7 +245,7 @@ std::vector<NotJudged> unestimated_vibration_of(const Project& project, const Mo
   if (!model.bends_rigid_motion && frame == nullptr) return {};
   const bool planar = std::holds_alternative<planar::Mechanism>(project.mechanism);
   const auto* const space = std::get_if<spatial::Mechanism>(&project.mechanism);
-  if (space != nullptr && model.chosen.level == ModelLevel::modal) return rigid_beside(project);
+  if (space != nullptr && model.chosen.level == ModelLevel::modal) return {};
   if (model.chosen.level == ModelLevel::modal) {
     for (const SituationRun& run : runs) {
       std::vector<NotJudged> beside = vibration_beside_of(project, model, run);
@@ -268,7 +256,7 @@ std::vector<NotJudged> unestimated_vibration_of(const Project& project, const Mo
   std::string obstacle = front_end_of(project)->obstacle_to_vibration(runs);
   if (space != nullptr && obstacle.empty() && !model.frequencies.empty()) {
     const double missed = vibration_missed_in_space(project, model);
-    if (missed <= model.tolerance) return rigid_beside(project);
+    if (missed <= model.tolerance) return {};
     return {{Criterion::yield, "vibration",
              fmt::format("estimated to change the governing stress by {}, tolerance {}, and bodies "
                          "are rigid; the lowest natural frequency of the beam in its "

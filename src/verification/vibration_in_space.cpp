@@ -24,19 +24,27 @@ using Eigen::Vector3d;
 
 constexpr std::size_t modes_estimated = 6, postures_estimated = 12;
 
+/// The placement of the beam that this body is; the end where it is none.
+auto beam_on(int body, const std::vector<spatial::BeamPlacement>& beams) {
+  return std::find_if(beams.begin(), beams.end(),
+                      [&](const spatial::BeamPlacement& of) { return of.body == body; });
+}
+
 /// How the bodies of a stopped mechanism are tied to each other, in beam axes.
 class StoppedTies {
  public:
   StoppedTies(const spatial::Mechanism& mechanism, const spatial::State& state,
-              const spatial::BeamPlacement& placement)
-      : mechanism_(&mechanism), state_(&state), own_(placement.body) {
-    const spatial::BodyMotion& own = state.bodies[static_cast<std::size_t>(own_)];
-    start_ = own.position + own.R_WB * placement.start;
-    R_BW_ = (own.R_WB * placement.axes).transpose();
-    int next = 1;
+              const std::vector<spatial::BeamPlacement>& beams)
+      : mechanism_(&mechanism), state_(&state) {
+    const spatial::BeamPlacement& first = beams.front();
+    const spatial::BodyMotion& own = state.bodies[static_cast<std::size_t>(first.body)];
+    start_ = own.position + own.R_WB * first.start;
+    R_BW_ = (own.R_WB * first.axes).transpose();
+    int next = static_cast<int>(beams.size());
     for (std::size_t i = 0; i < mechanism_->bodies.size(); ++i) {
-      if (static_cast<int>(i) == own_) {
-        member_.push_back(0);
+      const auto beam = beam_on(static_cast<int>(i), beams);
+      if (beam != beams.end()) {
+        member_.push_back(static_cast<int>(beam - beams.begin()));
         continue;
       }
       member_.push_back(next++);
@@ -228,7 +236,6 @@ class StoppedTies {
 
   const spatial::Mechanism* mechanism_;
   const spatial::State* state_;
-  int own_;
   Vector3d start_;
   Matrix3d R_BW_;
   std::vector<int> member_;
@@ -325,29 +332,45 @@ Eigen::VectorXd bending_in_space(const LoadHistory& history, const PlaceInSpace&
   return about_y ? y : z;
 }
 
-/// `cuts_at` of every even instant, a row for each.
-Eigen::MatrixXd cuts_over(const LoadHistory& history, const std::vector<Station>& stations) {
-  Eigen::MatrixXd cuts(static_cast<Eigen::Index>(history.even_instants()),
-                       6 * static_cast<Eigen::Index>(stations.size()));
-  for (Eigen::Index i = 0; i < cuts.rows(); ++i)
-    cuts.row(i) = cuts_at(history.even_diagram(static_cast<std::size_t>(i)), stations).transpose();
+/// `cuts_at` of one beam after the other.
+Eigen::VectorXd cuts_of_beams(const std::vector<frame::PosedBeam>& beams) {
+  Eigen::VectorXd cuts(0);
+  for (const frame::PosedBeam& posed : beams) {
+    const Eigen::VectorXd own = cuts_at(posed.rigid, posed.beam->stations());
+    cuts.conservativeResize(cuts.size() + own.size());
+    cuts.tail(own.size()) = own;
+  }
+  return cuts;
+}
+
+/// `StoppedVibration::rigid_cuts` of every even instant, a row for each.
+Eigen::MatrixXd cuts_over(const LoadHistory& history, const StoppedVibration& stopped) {
+  const std::size_t count = history.even_instants();
+  Eigen::MatrixXd cuts;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Time time =
+        history.begin() + history.period() * (static_cast<double>(i) / static_cast<double>(count));
+    const Eigen::VectorXd at = stopped.rigid_cuts(time, history.even_diagram(i));
+    if (i == 0) cuts.resize(static_cast<Eigen::Index>(count), at.size());
+    cuts.row(static_cast<Eigen::Index>(i)) = at.transpose();
+  }
   return cuts;
 }
 
 /// What the first modes of a posture, taken for the whole motion, are estimated to add.
 class SpaceEstimate {
  public:
-  SpaceEstimate(const LoadHistory& history, const frame::VibratingBeam& beam, const TaperedBeam& of)
+  SpaceEstimate(const LoadHistory& history, const StoppedVibration& stopped, const TaperedBeam& of)
       : history_(&history), places_(places_in_space(of)), base_(1.0 / history.period().value()) {
     stresses_ = stresses_over(history, places_);
     peak_ = stresses_.cwiseAbs().maxCoeff();
     range_ = largest_range(stresses_);
-    if (peak_ > 0.0) cuts_ = cuts_over(history, beam.stations());
+    if (peak_ > 0.0 && history.closed()) cuts_ = cuts_over(history, stopped);
   }
 
   bool loaded() const { return peak_ > 0.0; }
 
-  /// With none, one, ... of the modes counted.
+  /// With none, one, ... of the modes counted, of a motion that repeats.
   std::vector<double> missed_by(const std::vector<frame::BeamMode>& modes) const {
     std::vector<double> missed(modes.size() + 1, 0.0);
     Eigen::MatrixXd beside = Eigen::MatrixXd::Zero(stresses_.rows(), stresses_.cols());
@@ -396,43 +419,101 @@ Eigen::VectorXd cuts_at(const CutForceDiagram& diagram, const std::vector<Statio
   return cuts;
 }
 
+std::vector<spatial::BeamPlacement> elastic_placements(const Project& project,
+                                                       const spatial::Mechanism& mechanism) {
+  std::vector<spatial::BeamPlacement> placements{placement_in(project, mechanism)};
+  for (const BeamBeside& other : project.beams_beside)
+    placements.push_back(placement_in(other, mechanism));
+  return placements;
+}
+
 StoppedScene stopped_scene(const spatial::Mechanism& mechanism, const spatial::State& state,
-                           const spatial::BeamPlacement& placement) {
-  StoppedTies of(mechanism, state, placement);
+                           const std::vector<spatial::BeamPlacement>& beams) {
+  StoppedTies of(mechanism, state, beams);
   return {std::move(of.bodies), std::move(of.ties)};
 }
 
+CutForceDiagram rigid_cut_forces(const spatial::Chain& chain, const spatial::State& state,
+                                 const spatial::BeamBody& beam) {
+  const LoadsAt loads =
+      staying_on(*beam.beam, [&](Time) { return spatial::beam_loads_of(chain, state, beam); });
+  return cut_forces_of(loads(si<Time>(state.time)));
+}
+
 StoppedVibration::StoppedVibration(const Project& project, const spatial::Chain& chain, int parts)
-    : chain_(&chain),
-      placement_(placement_in(project, chain.mechanism())),
-      beam_(project.beam, project.model.youngs_modulus, project.model.shear_modulus,
-            stations_held(chain.mechanism(), placement_), parts, project.model.retardation) {}
+    : chain_(&chain), placements_(elastic_placements(project, chain.mechanism())) {
+  const spatial::Mechanism& mechanism = chain.mechanism();
+  const auto add = [&](const TaperedBeam& beam, int pieces) {
+    beams_.emplace_back(beam, project.model.youngs_modulus, project.model.shear_modulus,
+                        stations_held(mechanism, placements_[beams_.size()]), pieces,
+                        project.model.retardation);
+  };
+  add(project.beam, parts);
+  // The cost of modes grows as the cube of all pieces.
+  constexpr int most_beside = 64;
+  const auto others = static_cast<int>(project.beams_beside.size());
+  for (const BeamBeside& other : project.beams_beside) {
+    beside_.push_back(spatial::beam_body_of(other.beam, placements_[beams_.size()], mechanism));
+    add(other.beam, std::clamp(most_beside / others, 1, parts));
+  }
+}
+
+std::vector<frame::PosedBeam> StoppedVibration::beams_in(const spatial::State& state,
+                                                         const CutForceDiagram& rigid) const {
+  std::vector<frame::PosedBeam> posed{{&beams_.front(), rigid}};
+  const auto start_of = [&](const spatial::BeamPlacement& of) {
+    return spatial::position_of(state, {of.body, of.start});
+  };
+  const auto axes_of = [&](const spatial::BeamPlacement& of) -> Matrix3d {
+    return state.bodies[static_cast<std::size_t>(of.body)].R_WB * of.axes;
+  };
+  const Vector3d origin = start_of(placements_.front());
+  const Matrix3d into = axes_of(placements_.front()).transpose();
+  for (std::size_t k = 0; k < beside_.size(); ++k) {
+    const spatial::BeamPlacement& of = placements_[k + 1];
+    posed.push_back({&beams_[k + 1], rigid_cut_forces(*chain_, state, beside_[k]),
+                     into * (start_of(of) - origin), into * axes_of(of)});
+  }
+  return posed;
+}
+
+frame::VibratingScene StoppedVibration::scene_in(const spatial::State& state,
+                                                 const CutForceDiagram& rigid) const {
+  StoppedScene stopped = stopped_scene(chain_->mechanism(), state, placements_);
+  return {beams_in(state, rigid), std::move(stopped.bodies), std::move(stopped.ties)};
+}
 
 std::vector<frame::BeamMode> StoppedVibration::modes(const spatial::State& state,
                                                      const CutForceDiagram& rigid,
                                                      std::size_t count) const {
-  const StoppedScene stopped = stopped_scene(chain_->mechanism(), state, placement_);
-  return beam_.modes(stopped.bodies, stopped.ties, rigid, count);
+  return frame::modes_of(scene_in(state, rigid), count);
+}
+
+Eigen::VectorXd StoppedVibration::rigid_cuts(Time time, const CutForceDiagram& rigid) const {
+  if (beside_.empty()) return cuts_at(rigid, beams_.front().stations());
+  return cuts_of_beams(beams_in(chain_->at(time.value()), rigid));
 }
 
 ModesInMotion StoppedVibration::modes_in_motion(const spatial::State& state,
                                                 const CutForceDiagram& rigid,
                                                 std::size_t count) const {
   const spatial::Mechanism& mechanism = chain_->mechanism();
-  const StoppedScene stopped = stopped_scene(mechanism, state, placement_);
+  const frame::VibratingScene scene = scene_in(state, rigid);
   ModesInMotion result;
-  result.modes = beam_.modes(stopped.bodies, stopped.ties, rigid, count);
-  const Matrix3d R_WB =
-      state.bodies[static_cast<std::size_t>(placement_.body)].R_WB * placement_.axes;
+  result.modes = frame::modes_of(scene, count);
+  const spatial::BeamPlacement& first = placements_.front();
+  const Matrix3d R_WB = state.bodies[static_cast<std::size_t>(first.body)].R_WB * first.axes;
   const auto turning_of = [&](std::size_t body) {
     const spatial::BodyMotion& of = state.bodies[body];
     return frame::Turning{R_WB.transpose() * of.omega, R_WB.transpose() * of.alpha};
   };
-  std::vector<frame::Turning> frames{turning_of(static_cast<std::size_t>(placement_.body))};
-  /// Of the others, in the order of the scene: from beam axes to their own, and roots of inertias.
+  std::vector<frame::Turning> frames;
+  for (const spatial::BeamPlacement& of : placements_)
+    frames.push_back(turning_of(static_cast<std::size_t>(of.body)));
+  /// Of the bodies, in the order of the scene: from its axes to their own, and roots of inertias.
   std::vector<Matrix3d> own, roots;
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
-    if (static_cast<int>(i) == placement_.body) continue;
+    if (beam_on(static_cast<int>(i), placements_) != placements_.end()) continue;
     frames.push_back(turning_of(i));
     own.push_back(state.bodies[i].R_WB.transpose() * R_WB);
     const Eigen::SelfAdjointEigenSolver<Matrix3d> principal(mechanism.bodies[i].inertia);
@@ -440,31 +521,34 @@ ModesInMotion StoppedVibration::modes_in_motion(const spatial::State& state,
                     principal.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
                     principal.eigenvectors().transpose());
   }
-  result.turning = beam_.turning_terms(result.modes, stopped.bodies, frames);
+  result.turning = frame::turning_terms_of(scene, result.modes, frames);
+  const Eigen::VectorXd cuts = cuts_of_beams(scene.beams);
   const auto size = static_cast<Eigen::Index>(result.modes.size());
+  result.force.resize(size);
   result.damping.resize(size, size);
   for (Eigen::Index j = 0; j < size; ++j) {
     const frame::BeamMode& mode = result.modes[static_cast<std::size_t>(j)];
     for (Eigen::Index i = 0; i < size; ++i)
       result.damping(i, j) = result.modes[static_cast<std::size_t>(i)].motion.dot(mode.drag);
-    const Eigen::VectorXd on_beam = beam_.shape_on_beam(mode);
+    result.force[j] = cuts.dot(mode.work);
+    const Eigen::VectorXd on_beams = frame::shape_on_beams(scene, mode);
     const auto others = static_cast<Eigen::Index>(6 * own.size());
-    if (j == 0) result.shapes.resize(on_beam.size() + others, size);
+    if (j == 0) result.shapes.resize(on_beams.size() + others, size);
     Eigen::VectorXd beside = mode.motion.tail(others);
     for (std::size_t b = 0; b < own.size(); ++b) {
       const auto at = static_cast<Eigen::Index>(6 * b);
       beside.segment<3>(at) =
-          std::sqrt(stopped.bodies[b].mass) * (own[b] * beside.segment<3>(at)).eval();
+          std::sqrt(scene.bodies[b].mass) * (own[b] * beside.segment<3>(at)).eval();
       beside.segment<3>(at + 3) = (roots[b] * own[b] * beside.segment<3>(at + 3)).eval();
     }
-    result.shapes.col(j) << on_beam, beside;
+    result.shapes.col(j) << on_beams, beside;
   }
   return result;
 }
 
 std::string shape_of(const frame::BeamMode& mode) {
-  constexpr const char* words[] = {"stretching", "bending about y", "bending about z", "torsion",
-                                   "springs beside the beam"};
+  constexpr const char* words[] = {"stretching", "bending about y",         "bending about z",
+                                   "torsion",    "springs beside the beam", "other beams"};
   return words[std::max_element(mode.energy.begin(), mode.energy.end()) - mode.energy.begin()];
 }
 
@@ -492,7 +576,7 @@ VibrationInSpace estimate_vibration_in_space(const Project& project, const Situa
                                              int parts) {
   const spatial::Chain& chain = chain_of(run);
   const StoppedVibration stopped(project, chain, parts);
-  const SpaceEstimate of_loads(run.loads, stopped.beam(), project.beam);
+  const SpaceEstimate of_loads(run.loads, stopped, project.beam);
   VibrationInSpace result;
   VibrationEstimate& estimate = result.estimate;
   estimate.without_modes = {0.0};
@@ -505,9 +589,8 @@ VibrationInSpace estimate_vibration_in_space(const Project& project, const Situa
     const std::vector<frame::BeamMode> modes =
         stopped.modes(state, run.loads.diagram_at(si<Time>(time)), modes_estimated);
     if (modes.empty()) return std::numeric_limits<double>::infinity();
-    const double omega =
-        state.bodies[static_cast<std::size_t>(stopped.placement().body)].omega.norm();
-    fastest = std::max(fastest, omega);
+    for (const spatial::BeamPlacement& beam : stopped.placements())
+      fastest = std::max(fastest, state.bodies[static_cast<std::size_t>(beam.body)].omega.norm());
     const std::vector<double> missed =
         run.loads.closed() ? of_loads.missed_by(modes) : std::vector<double>{};
     if (estimate.without_modes.size() < missed.size())

@@ -12,15 +12,23 @@
 
 namespace boxbeam {
 
-/// The bodies beside the verified beam of a mechanism in space that is stopped in a state, and how
-/// they and the beam are tied, in beam axes: rods and driven joints rigid, other joints free as
-/// they are, springs elastic.
+/// Where the beams of a case in space lie, the verified one first: all of them are elastic.
+std::vector<spatial::BeamPlacement> elastic_placements(const Project& project,
+                                                       const spatial::Mechanism& mechanism);
+
+/// The rigid bodies beside elastic beams of a mechanism in space that is stopped in a state, and
+/// how they and the beams are tied, in the axes of the first beam: rods and driven joints rigid,
+/// other joints free as they are, springs elastic.
 struct StoppedScene {
-  std::vector<frame::RigidMass> bodies;  ///< in the order of the mechanism, without the beam's
+  std::vector<frame::RigidMass> bodies;  ///< in the order of the mechanism, without the beams'
   std::vector<frame::Tie> ties;
 };
 StoppedScene stopped_scene(const spatial::Mechanism& mechanism, const spatial::State& state,
-                           const spatial::BeamPlacement& placement);
+                           const std::vector<spatial::BeamPlacement>& beams);
+
+/// Of a beam as a rigid body in a state. Throws AnalysisError where a load has left it.
+CutForceDiagram rigid_cut_forces(const spatial::Chain& chain, const spatial::State& state,
+                                 const spatial::BeamBody& beam);
 
 /// The six cut forces at stations, one station after the other.
 Eigen::VectorXd cuts_at(const CutForceDiagram& diagram, const std::vector<Station>& stations);
@@ -28,24 +36,26 @@ Eigen::VectorXd cuts_at(const CutForceDiagram& diagram, const std::vector<Statio
 /// Modes of a posture, with what a motion through it adds to their equations.
 struct ModesInMotion {
   std::vector<frame::BeamMode> modes;
+  Eigen::VectorXd force;    ///< generalised, of the loads on the rigid beams
   Eigen::MatrixXd damping;  ///< phi^T C phi [1/s]
   frame::TurningTerms turning;
-  /// Motion of the beam and of the bodies in their own axes, by roots of masses: a column per mode.
-  /// Tells modes of different postures apart.
+  /// Motion of the beams and of the bodies in their own axes, by roots of masses: a column per
+  /// mode. Tells modes of different postures apart.
   Eigen::MatrixXd shapes;
 };
 
-/// Vibration of the verified beam of a mechanism in space, which is stopped in a posture: the beam
-/// elastic, other bodies, rods and driven joints rigid, other joints free as they are, springs
-/// elastic. Friction holds nothing. The beam's axial force softens or stiffens it; what presses
+/// Vibration of the beams of a mechanism in space, which is stopped in a posture: all beams of the
+/// case elastic, other bodies, rods and driven joints rigid, other joints free as they are, springs
+/// elastic. Friction holds nothing. Its axial force softens or stiffens each beam; what presses
 /// other bodies, springs and rods does not.
 class StoppedVibration {
  public:
-  /// `parts`: about so many pieces of the beam. `project` and `chain` stay.
+  /// `parts`: about so many pieces of the verified beam, and of each other one unless these are so
+  /// many that fewer must do. `project` and `chain` stay.
   StoppedVibration(const Project& project, const spatial::Chain& chain, int parts);
 
-  /// In the posture of a state, under the beam's cut forces then. Throws AnalysisError where the
-  /// stopped mechanism is free to move, or buckles.
+  /// In the posture of a state, `rigid` the verified beam's cut forces then. Throws AnalysisError
+  /// where the stopped mechanism is free to move, or buckles.
   std::vector<frame::BeamMode> modes(const spatial::State& state, const CutForceDiagram& rigid,
                                      std::size_t count) const;
 
@@ -53,17 +63,24 @@ class StoppedVibration {
   ModesInMotion modes_in_motion(const spatial::State& state, const CutForceDiagram& rigid,
                                 std::size_t count) const;
 
-  const frame::VibratingBeam& beam() const { return beam_; }
-  const spatial::BeamPlacement& placement() const { return placement_; }
+  /// Cut forces of all rigid beams where `BeamMode::work` has them; `rigid`: of the verified one.
+  Eigen::VectorXd rigid_cuts(Time time, const CutForceDiagram& rigid) const;
+
+  const std::vector<spatial::BeamPlacement>& placements() const { return placements_; }
 
  private:
+  std::vector<frame::PosedBeam> beams_in(const spatial::State& state,
+                                         const CutForceDiagram& rigid) const;
+  frame::VibratingScene scene_in(const spatial::State& state, const CutForceDiagram& rigid) const;
+
   const spatial::Chain* chain_;
-  spatial::BeamPlacement placement_;
-  frame::VibratingBeam beam_;
+  std::vector<spatial::BeamPlacement> placements_;  ///< the verified beam first
+  std::vector<frame::VibratingBeam> beams_;         ///< likewise
+  std::vector<spatial::BeamBody> beside_;           ///< the others as rigid bodies
 };
 
 /// Largest part of a mode's elastic energy, in words: "bending about y", "bending about z",
-/// "torsion", "stretching", "springs beside the beam".
+/// "torsion", "stretching", "springs beside the beam", "other beams".
 std::string shape_of(const frame::BeamMode& mode);
 
 /// `estimate_vibration` of a beam in space: the modes of its stopped mechanism, stresses of N, M_y

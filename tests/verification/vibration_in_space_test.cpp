@@ -344,7 +344,7 @@ std::size_t opened_by_motion(const Project& project) {
   const spatial::Chain chain(std::get<spatial::Mechanism>(project.mechanism));
   const spatial::BeamPlacement placement = placement_in(project, chain.mechanism());
   const spatial::State state = chain.at(0.13);
-  const StoppedScene scene = stopped_scene(chain.mechanism(), state, placement);
+  const StoppedScene scene = stopped_scene(chain.mechanism(), state, {placement});
   const auto own = static_cast<std::size_t>(placement.body);
   const Matrix3d R_WB = state.bodies[own].R_WB * placement.axes;
   const Vector3d start = state.bodies[own].position + state.bodies[own].R_WB * placement.start;

@@ -221,6 +221,7 @@ struct BeamBeside {
   std::string name;  ///< of its body
   int body = 0;
   TaperedBeam beam;
+  spatial::BeamPlacement placement = {};  ///< in its body; in space only
 };
 
 /// A rod between two points of one body, in the plane or in space.
@@ -462,6 +463,8 @@ inline const recorded::Loads& recorded_in(const Project& project, const Situatio
 
 /// Where the beam lies in the mechanism of a situation, whose bodies may stand in another order.
 spatial::BeamPlacement placement_in(const Project& project, const spatial::Mechanism& mechanism);
+/// Those of other beams.
+spatial::BeamPlacement placement_in(const BeamBeside& other, const spatial::Mechanism& mechanism);
 
 /// The time that a case is looked at.
 const Duration& duration_of(const Project& project);

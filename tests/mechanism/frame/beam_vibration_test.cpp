@@ -61,6 +61,14 @@ CutForceDiagram pulled(double N) {
   return {{piece}};
 }
 
+/// Of one beam among bodies.
+std::vector<frame::BeamMode> modes_of(const frame::VibratingBeam& beam,
+                                      const std::vector<frame::RigidMass>& bodies,
+                                      const std::vector<frame::Tie>& ties,
+                                      const CutForceDiagram& rigid, std::size_t count) {
+  return frame::modes_of({{{&beam, rigid}}, bodies, ties}, count);
+}
+
 /// Those of a kind of energy, in order [1/s].
 std::vector<double> of_kind(const std::vector<frame::BeamMode>& modes, std::size_t kind) {
   std::vector<double> omegas;
@@ -110,7 +118,7 @@ TEST_CASE("a cantilever vibrates in both planes, in torsion and along itself as 
   // Torsion and stretching of elements of linear shape: high by (k h)^2/24.
   const auto high = [](double wave) { return 1.0 + wave * wave / (24.0 * parts * parts); };
   const frame::VibratingBeam slender(beam, E, rigid_in_shear, {}, parts);
-  const auto modes = slender.modes({}, clamped(), {}, 12);
+  const auto modes = modes_of(slender, {}, clamped(), {}, 12);
   const double roots[] = {1.8751040687119612, 4.6940911329741746, 7.8547574382376126};
   const auto about_y = of_kind(modes, 1), about_z = of_kind(modes, 2), along = of_kind(modes, 0);
   REQUIRE(about_y.size() >= 3);
@@ -127,7 +135,7 @@ TEST_CASE("a cantilever vibrates in both planes, in torsion and along itself as 
 
   // Rotary inertia about the axis counts though the beam does not ask for it.
   const frame::VibratingBeam twisted(beam, E, G, {}, parts);
-  const auto torsion = of_kind(twisted.modes({}, clamped(), {}, 30), 3);
+  const auto torsion = of_kind(modes_of(twisted, {}, clamped(), {}, 30), 3);
   REQUIRE(torsion.size() >= 2);
   for (std::size_t k = 0; k < 2; ++k) {
     const double wave = (2.0 * static_cast<double>(k) + 1.0) * pi / 2.0;
@@ -146,7 +154,7 @@ TEST_CASE("a mass at the tip of a cantilever slows it as the closed form says",
     frame::RigidMass tip{m * bar, {L, 0.0, 0.0}, J * bar * L * L * Eigen::Matrix3d::Identity()};
     std::vector<frame::Tie> ties = clamped();
     hold(ties, 0, 1, {L, 0.0, 0.0}, 6);
-    const auto found = of_kind(vibrating.modes({tip}, ties, {}, 6), 1);
+    const auto found = of_kind(modes_of(vibrating, {tip}, ties, {}, 6), 1);
     REQUIRE(!found.empty());
     INFO("m " << m << ", J " << J);
     CHECK(found[0] == Approx(std::pow(first_with_tip(m, J) / L, 2) * std::sqrt(E * I_y / (rho * A)))
@@ -169,7 +177,7 @@ TEST_CASE("between two balls a beam has n half waves, faster where it is pulled"
   ties.push_back(tie(frame::ground, 0, {L, 0.0, 0.0}, 2));
   const double N_cr = pi * pi * E * of.I_z.value() / (L * L);
   for (const double part : {0.0, 0.7, -0.7}) {
-    const auto modes = vibrating.modes({}, ties, pulled(part * N_cr), 6);
+    const auto modes = modes_of(vibrating, {}, ties, pulled(part * N_cr), 6);
     const auto about_z = of_kind(modes, 2);
     REQUIRE(about_z.size() >= 2);
     for (std::size_t n = 1; n <= 2; ++n) {
@@ -179,9 +187,9 @@ TEST_CASE("between two balls a beam has n half waves, faster where it is pulled"
     }
   }
   // Beyond N_cr it does not stand.
-  CHECK_THROWS_AS(vibrating.modes({}, ties, pulled(-1.01 * N_cr), 6), AnalysisError);
+  CHECK_THROWS_AS(modes_of(vibrating, {}, ties, pulled(-1.01 * N_cr), 6), AnalysisError);
   ties.erase(ties.begin() + 3);
-  CHECK_THROWS_AS(vibrating.modes({}, ties, {}, 6), AnalysisError);
+  CHECK_THROWS_AS(modes_of(vibrating, {}, ties, {}, 6), AnalysisError);
 }
 
 // Between rollers Timoshenko's beam has sin waves, k = n pi/L:
@@ -200,7 +208,7 @@ TEST_CASE("shear and rotary inertia slow a stout beam as Timoshenko's solution s
   hold(ties, frame::ground, 0, Vector3d::Zero(), 4);
   ties.push_back(tie(frame::ground, 0, {L, 0.0, 0.0}, 1));
   ties.push_back(tie(frame::ground, 0, {L, 0.0, 0.0}, 2));
-  const auto about_y = of_kind(vibrating.modes({}, ties, {}, 6), 1);
+  const auto about_y = of_kind(modes_of(vibrating, {}, ties, {}, 6), 1);
   REQUIRE(!about_y.empty());
   const double a = rho * of.area.value(), i = rho * of.I_y.value(), EI = E * of.I_y.value(),
                GA = G * shear_areas_of(stout).z.value(), k = pi / L;
@@ -215,7 +223,7 @@ TEST_CASE("the cut forces of a mode are those of its inertia", "[frame][vibratio
   const SectionProperties of = properties_of(box);
   const TaperedBeam beam = even(box);
   const frame::VibratingBeam vibrating(beam, E, rigid_in_shear, {}, 16);
-  for (const frame::BeamMode& mode : vibrating.modes({}, clamped(), {}, 2)) {
+  for (const frame::BeamMode& mode : modes_of(vibrating, {}, clamped(), {}, 2)) {
     const CutForceDiagram& cut = mode.cut;
     const CutForces root = cut.at({Length{}, Side::behind}),
                     tip = cut.at({si<Length>(L), Side::before});
@@ -248,7 +256,7 @@ TEST_CASE("bodies without number that are held stay out of a beam's vibration",
   const TaperedBeam beam = even(box);
   const frame::VibratingBeam vibrating(beam, E, G, {}, 8);
   const CutForceDiagram still = pulled(2e5);
-  const auto expected = vibrating.modes({}, clamped(), still, 5);
+  const auto expected = modes_of(vibrating, {}, clamped(), still, 5);
   for (const int count : {1, 30, 60, 400}) {
     for (const int times : {1, 2}) {
       INFO(count << " bodies held " << times << " times");
@@ -265,7 +273,7 @@ TEST_CASE("bodies without number that are held stay out of a beam's vibration",
                {-0.2 * (count - b) - 0.2, 0.3 * k, 0.1 * k}, 6);
       }
       hold(ties, count, 0, Vector3d::Zero(), 6);
-      const auto modes = vibrating.modes(bodies, ties, still, 5);
+      const auto modes = modes_of(vibrating, bodies, ties, still, 5);
       REQUIRE(modes.size() == expected.size());
       for (std::size_t k = 0; k < modes.size(); ++k) {
         CHECK(modes[k].frequency == Approx(expected[k].frequency).epsilon(1e-8));
@@ -295,7 +303,7 @@ TEST_CASE("a hundred bodies on a beam's end count as their sum", "[frame][vibrat
     std::vector<frame::Tie> ties = clamped();
     for (int b = 1; b <= static_cast<int>(bodies.size()); ++b)
       hold(ties, in_a_row && b > 1 ? b - 1 : 0, b, {L, 0.01 * b, 0.0}, 6);
-    return vibrating.modes(bodies, ties, {}, 4);
+    return modes_of(vibrating, bodies, ties, {}, 4);
   };
   std::vector<frame::RigidMass> bodies;
   frame::RigidMass sum;

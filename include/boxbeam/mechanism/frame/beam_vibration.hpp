@@ -13,19 +13,19 @@
 
 namespace boxbeam::frame {
 
-/// A body that moves as a whole, in the axes of the beam from its start.
+/// A body that moves as a whole, in the axes of a scene.
 struct RigidMass {
   double mass = 0.0;                                  ///< [kg]
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();   ///< of mass [m]
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the centre [kg m^2]
 };
 
-/// One way in which places of the beam, of bodies and of the ground are tied to each other. Its gap
-/// is what the forces and couples `per`, which it puts on its places for a unit of its own force,
-/// work when these move.
+/// One way in which places of beams, of bodies and of the ground are tied to each other. Its gap is
+/// what the forces and couples `per`, which it puts on its places for a unit of its own force, work
+/// when these move.
 struct Tie {
   struct End {
-    /// The beam is member 0, the bodies 1, 2, ...; in the axes of the beam, from its start.
+    /// The beams are members 0, 1, ..., the bodies follow; in the axes of a scene.
     Place at;
     Vector6 per = Vector6::Zero();
   };
@@ -38,26 +38,28 @@ struct Tie {
 /// A free vibration, of modal mass one.
 struct BeamMode {
   double frequency = 0.0;  ///< [Hz]
-  CutForceDiagram cut;     ///< along the beam, per unit of the mode
-  /// What acts on the beam in it, ties and inertia, which is in balance; one point load for every
-  /// name and place of a tie. Its line loads are linear on every piece, with the force and moment
-  /// of the inertia there; what the axial force does to the bent piece is a couple per length, so
-  /// that V stands across the straight axis.
+  CutForceDiagram cut;     ///< along the first beam, per unit of the mode
+  /// What acts on the first beam in it, ties and inertia, which is in balance; one point load for
+  /// every name and place of a tie. Its line loads are linear on every piece, with the force and
+  /// moment of the inertia there; what the axial force does to the bent piece is a couple per
+  /// length, so that V stands across the straight axis.
   BeamLoads loads;
-  /// Work of the cut forces at `VibratingBeam::stations`, six for each, on the strains of the mode:
-  /// their sum is the generalised force of loads that are in balance with the rigid mechanism.
+  /// Work of the cut forces at `VibratingBeam::stations` of one beam after the other, six for each,
+  /// on the strains of the mode: their sum is the generalised force of loads that are in balance
+  /// with the rigid mechanism.
   Eigen::VectorXd work;
   double damping = 0.0;  ///< phi^T C phi [1/s]
-  /// Shifts and turns of the beam's nodes and then of the bodies' centres, six for each, in the
-  /// axes of the beam [per sqrt(kg)]; and C times these.
+  /// Shifts and turns of the beams' nodes and then of the bodies' centres, six for each, in the
+  /// axes of the scene [per sqrt(kg)]; and C times these.
   Eigen::VectorXd motion, drag;
-  double own_mass = 0.0;  ///< the beam's part of the modal mass
-  /// Parts of the elastic energy: stretching, bending about y and about z with shear, torsion, and
-  /// what is in elastic ties. What the axial force adds is beside them.
-  std::array<double, 5> energy{};
+  double own_mass = 0.0;  ///< the first beam's part of the modal mass
+  /// Parts of the elastic energy: stretching, bending about y and about z with shear and torsion of
+  /// the first beam, what is in elastic ties, and in other beams. What the axial force adds is
+  /// beside them.
+  std::array<double, 6> energy{};
 };
 
-/// How a body turns, in the axes of the beam.
+/// How a body turns, in the axes of a scene.
 struct Turning {
   Eigen::Vector3d omega = Eigen::Vector3d::Zero();  ///< [rad/s]
   Eigen::Vector3d alpha = Eigen::Vector3d::Zero();  ///< [rad/s^2]
@@ -80,56 +82,17 @@ struct TurningTerms {
 /// Computer Methods in Applied Mechanics and Engineering 32 (1982), turning vectors.
 TurningTerms turning_terms_of(const Eigen::Matrix3d& inertia, const Turning& frame);
 
-/// An elastic beam among rigid bodies: small free vibrations about a posture.
-///
-/// The beam is cut into pieces whose shapes are those of exact statics under end forces, taper,
+/// An elastic beam cut into pieces whose shapes are those of exact statics under end forces, taper,
 /// shear, torsion and couplings of unsymmetric sections as `FlexibilityProfile` knows them; mass
 /// and rotary inertia are consistent with these shapes:
 ///
 ///     K = A^T F^-1 A,   M = int N^T rho N ds,   F = int B^T f B ds
 ///
-/// Rigid ties are satisfied exactly: what they leave free is the null space of their equations.
-/// Frequencies are upper bounds; of a mode of wave number k and pieces of length h high by about
-/// (k h)^4/1440 and, of the part of its energy that is torsion, stretching or shear, (k h)^2/24:
-/// with eight pieces a cantilever's first in bending by 2e-6, in torsion by 1.6e-3. Left out:
-/// warping of torsion.
-/// Sources: Przemieniecki, Theory of Matrix Structural Analysis (1968), 5.6, 11.3; Rayleigh, The
-/// Theory of Sound (1877), section 88.
+/// Left out: warping of torsion.
+/// Source: Przemieniecki, Theory of Matrix Structural Analysis (1968), 5.6, 11.3.
 class VibratingBeam {
  public:
-  /// Cut at the stations of `held`, and between them so that about `parts` pieces make the beam.
-  /// Rotary inertia about y and z where the beam counts it, about x always. Where the torsion
-  /// constant is not known the beam is as good as rigid in torsion. `beam` stays.
-  /// `retardation`: of the material, whose stress is E (strain + retardation strain') [s].
-  VibratingBeam(const TaperedBeam& beam, double youngs_modulus, double shear_modulus,
-                std::vector<double> held, int parts, double retardation = 0.0);
-
-  /// The lowest modes, ascending; fewer where fewer have mass. `rigid`: cut forces of the beam in
-  /// the posture, whose axial force softens or stiffens it. Throws AnalysisError where something is
-  /// free to move or buckles under that axial force.
-  std::vector<BeamMode> modes(const std::vector<RigidMass>& bodies, const std::vector<Tie>& ties,
-                              const CutForceDiagram& rigid, std::size_t count) const;
-
-  /// What turning adds to the equations of modes that are fixed to the bodies' axes, `frames` those
-  /// of the beam and then of the bodies:
-  ///
-  ///     phi_i . m (2 omega x phi_j' + (alpha~ + omega~^2) phi_j)   and `turning_terms_of`
-  ///
-  /// Source: Shabana, Dynamics of Multibody Systems (2005), chapter 5.
-  TurningTerms turning_terms(const std::vector<BeamMode>& modes,
-                             const std::vector<RigidMass>& bodies,
-                             const std::vector<Turning>& frames) const;
-
-  /// Motion along the beam in a mode by roots of masses, whose scalar products over the beam are
-  /// those of its masses; turns about the axis alone.
-  Eigen::VectorXd shape_on_beam(const BeamMode& mode) const;
-
-  /// Where cut forces are taken for `BeamMode::work`.
-  const std::vector<Station>& stations() const { return stations_; }
-
- private:
   using Matrix12 = Eigen::Matrix<double, 12, 12>;
-  using Vector12 = Eigen::Matrix<double, 12, 1>;
   struct Sample {
     double weight = 0.0;
     Eigen::Matrix<double, 6, 12> cut, strain, motion;   ///< per motion of the ends
@@ -141,12 +104,26 @@ class VibratingBeam {
     Matrix12 stiffness = Matrix12::Zero(), mass = Matrix12::Zero();
     std::vector<Sample> samples;
   };
+
+  /// Cut at the stations of `held`, and between them so that about `parts` pieces make the beam.
+  /// Rotary inertia about y and z where the beam counts it, about x always. Where the torsion
+  /// constant is not known the beam is as good as rigid in torsion. `beam` stays.
+  /// `retardation`: of the material, whose stress is E (strain + retardation strain') [s].
+  VibratingBeam(const TaperedBeam& beam, double youngs_modulus, double shear_modulus,
+                std::vector<double> held, int parts, double retardation = 0.0);
+
+  double length() const { return length_; }            ///< [m]
+  double retardation() const { return retardation_; }  ///< [s]
+  const std::vector<double>& nodes() const { return nodes_; }
+  const std::vector<Piece>& pieces() const { return pieces_; }  ///< one between two nodes
+  std::size_t node_of(double s) const;                          ///< the nearest
+
+  /// Where cut forces are taken for `BeamMode::work`.
+  const std::vector<Station>& stations() const { return stations_; }
+
+ private:
   void add_piece(double from, double to, const FlexibilityProfile& profile,
                  const std::vector<SegmentMass>& masses, bool twisted);
-  std::size_t node_of(double s) const;
-  BeamMode mode_of(const Eigen::VectorXd& motion, double omega, const CutForceDiagram& rigid) const;
-  void add_inertia(const Vector12& forces, const Vector12& by_axial_force, double from, double h,
-                   BeamMode& mode) const;
 
   const TaperedBeam* beam_;
   double length_, retardation_;
@@ -155,5 +132,45 @@ class VibratingBeam {
   std::vector<Piece> pieces_;
   std::vector<Station> stations_;
 };
+
+/// A beam as it lies in a scene.
+struct PosedBeam {
+  const VibratingBeam* beam = nullptr;
+  /// Cut forces of the beam as a rigid body, whose axial force softens or stiffens it.
+  CutForceDiagram rigid = {};
+  Eigen::Vector3d start = Eigen::Vector3d::Zero();     ///< [m]
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns x (along it), y and z
+};
+
+/// Elastic beams and rigid bodies in a posture, tied to each other and to the ground. Its axes are
+/// those of its first beam, whose start is its origin.
+struct VibratingScene {
+  std::vector<PosedBeam> beams;
+  std::vector<RigidMass> bodies = {};
+  std::vector<Tie> ties = {};
+};
+
+/// The lowest small free vibrations of a scene, ascending; fewer where fewer have mass. Throws
+/// AnalysisError where something is free to move or buckles under the axial forces.
+///
+/// Rigid ties are satisfied exactly: what they leave free is the null space of their equations.
+/// Frequencies are upper bounds; of a mode of wave number k and pieces of length h high by about
+/// (k h)^4/1440 and, of the part of its energy that is torsion, stretching or shear, (k h)^2/24:
+/// with eight pieces a cantilever's first in bending by 2e-6, in torsion by 1.6e-3.
+/// Source: Rayleigh, The Theory of Sound (1877), section 88.
+std::vector<BeamMode> modes_of(const VibratingScene& scene, std::size_t count);
+
+/// What turning adds to the equations of modes that are fixed to the axes of beams and bodies,
+/// `frames` those of the beams and then of the bodies:
+///
+///     phi_i . m (2 omega x phi_j' + (alpha~ + omega~^2) phi_j)   and `turning_terms_of` a body
+///
+/// Source: Shabana, Dynamics of Multibody Systems (2005), chapter 5.
+TurningTerms turning_terms_of(const VibratingScene& scene, const std::vector<BeamMode>& modes,
+                              const std::vector<Turning>& frames);
+
+/// Motion along the beams in a mode, in the axes of each, by roots of masses, so that scalar
+/// products are those of the beams' masses; turns about their axes alone.
+Eigen::VectorXd shape_on_beams(const VibratingScene& scene, const BeamMode& mode);
 
 }  // namespace boxbeam::frame

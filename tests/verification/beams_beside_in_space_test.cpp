@@ -1,0 +1,786 @@
+// Several elastic beams of one case in space: an arm cut in two beams that are joined rigidly is
+// the whole arm, whichever half is verified; an L of two beams against finite elements that share
+// nothing with the program; a case of the plane written in space.
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <string>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/section/shear_area.hpp"
+#include "boxbeam/verification/elastic_motion.hpp"
+#include "boxbeam/verification/second_order_estimate.hpp"
+#include "boxbeam/verification/situation_run.hpp"
+#include "boxbeam/verification/verify.hpp"
+#include "catch.hpp"
+#include "src/verification/elastic_motion_in_space.hpp"
+#include "src/verification/vibration_in_space.hpp"
+#include "support/space_elements.hpp"
+
+namespace beams_beside_in_space_test {
+
+using namespace boxbeam;
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double pi = std::numbers::pi, E = 210e9, G = 81e9;
+
+const std::string sections = R"(
+[sections.root]
+kind = "box"
+width = "120 mm"
+height = "160 mm"
+flange = "8 mm"
+web = "6 mm"
+[sections.thin]
+kind = "box"
+width = "100 mm"
+height = "120 mm"
+flange = "6 mm"
+web = "5 mm"
+)";
+
+const std::string demands = R"(
+[material]
+steel = "S355"
+[strength]
+required = 1.0
+)";
+
+std::string body(const char* name, double length) {
+  return fmt::format(
+      "[bodies.{}]\npoints = {{ A = [\"0 m\", \"0 m\", \"0 m\"], B = [\"{} m\", \"0 m\", \"0 m\"] "
+      "}}\n",
+      name, length);
+}
+
+std::string segment(double length, const char* section) {
+  return fmt::format("[[beam.segments]]\nlength = \"{} m\"\nsection = \"{}\"\n", length, section);
+}
+
+std::string beam(const char* name, const std::string& segments) {
+  return fmt::format(
+             "[[beam]]\nname = \"{0}\"\nbody = \"{0}\"\nstart = \"A\"\naxis = \"x\"\nz = \"z\"\n"
+             "density = \"7850 kg/m^3\"\nrotary_inertia = true\n",
+             name) +
+         segments;
+}
+
+std::string mechanism(double gravity) {
+  return fmt::format(
+      "[case]\nname = \"arm\"\nkind = \"spatial\"\n[mechanism]\n"
+      "gravity = [\"0 m/s^2\", \"0 m/s^2\", \"-{} m/s^2\"]\n",
+      gravity);
+}
+
+std::string hinge(const Vector3d& axis, double amplitude, double frequency) {
+  return fmt::format(R"(
+[joints.heel]
+kind = "revolute"
+connect = ["ground", "inner.A"]
+at = ["0 m", "0 m", "0 m"]
+axis = [{:.15g}, {:.15g}, {:.15g}]
+[drivers.turning]
+joint = "heel"
+kind = "harmonic"
+mean = "0 rad"
+amplitude = "{:.15g} rad"
+frequency = "{:.15g} Hz"
+)",
+                     axis.x(), axis.y(), axis.z(), amplitude, frequency);
+}
+
+const std::string clamp = R"(
+[joints.heel]
+kind = "fixed"
+connect = ["ground", "inner.A"]
+at = ["0 m", "0 m", "0 m"]
+)";
+
+/// A body beside the tip, in axes of its own.
+std::string load_at(const char* tip) {
+  return fmt::format(R"(
+[bodies.load]
+mass = "80 kg"
+centre = ["0.1 m", "0.6 m", "-0.3 m"]
+inertia = [["9 kg m^2", "1 kg m^2", "-2 kg m^2"], ["1 kg m^2", "6 kg m^2", "0.5 kg m^2"], ["-2 kg m^2", "0.5 kg m^2", "11 kg m^2"]]
+points = {{ c = ["0 m", "0 m", "0 m"] }}
+[joints.tip]
+kind = "fixed"
+connect = ["{}", "load.c"]
+turn = [["z", "40 deg"]]
+)",
+                     tip);
+}
+
+std::string push_at(const char* tip, const char* direction, double mean, double amplitude) {
+  return fmt::format(R"(
+[forces.push]
+kind = "force"
+point = "{}"
+direction = {}
+law = {{ kind = "harmonic", mean = "{:.15g} N", amplitude = "{:.15g} N", frequency = "1 Hz" }}
+)",
+                     tip, direction, mean, amplitude);
+}
+
+const char* tip_of(bool cut) { return cut ? "outer.B" : "inner.B"; }
+
+/// An arm of 4 m along x, of `root` to its middle and `thin` beyond, as one beam or as two that are
+/// joined rigidly, with what else is said.
+std::string arm(bool cut, const std::string& around, const char* inner = "root",
+                const char* outer = "thin", const std::string& more = "", double gravity = 9.81) {
+  std::string text = mechanism(gravity) + body("inner", cut ? 2.0 : 4.0);
+  if (cut) {
+    text += body("outer", 2.0) +
+            "[joints.cut]\nkind = \"fixed\"\nconnect = [\"inner.B\", \"outer.A\"]\n";
+  }
+  text += around + sections;
+  text += cut ? beam("inner", segment(2.0, inner)) + beam("outer", segment(2.0, outer))
+              : beam("inner", segment(2.0, inner) + segment(2.0, outer));
+  return text + demands + more;
+}
+
+/// A case whose rigid bodies have moved.
+struct Moved {
+  explicit Moved(Project of) : project(std::move(of)), runs(run_situations(project)) {}
+
+  const LoadHistory& rigid() const { return runs.front().loads; }
+  const spatial::Chain& chain() const { return chain_of(runs.front()); }
+  ElasticMotionInSpace by(std::size_t modes, int parts) const {
+    return {project, chain(), rigid().span(), [this](Time time) { return rigid().loads_at(time); },
+            modes,   parts};
+  }
+  std::vector<frame::BeamMode> modes(int parts, std::size_t count) const {
+    const StoppedVibration stopped(project, chain(), parts);
+    const double begin = rigid().begin().value();
+    return stopped.modes(chain().at(begin), rigid().diagram_at(si<Time>(begin)), count);
+  }
+  Time at(double part) const { return rigid().begin() + part * rigid().period(); }
+
+  Project project;
+  std::deque<SituationRun> runs;
+};
+
+Moved moved(const std::string& text, std::size_t beam = 0) {
+  return Moved(parse_beams("arm.toml", text)[beam]);
+}
+
+/// The other beams count as rigid bodies.
+Moved alone(const std::string& text, std::size_t beam = 0) {
+  Project project = parse_beams("arm.toml", text)[beam];
+  project.beams_beside.clear();
+  return Moved(std::move(project));
+}
+
+using Cuts = Eigen::Matrix<double, 6, 1>;
+
+Cuts cuts_of(const BeamLoads& loads, double s, Side side = Side::behind) {
+  return cuts_at(cut_forces_of(loads), {{si<Length>(s), side}});
+}
+
+/// Forces, then moments, of the same size.
+void check_alike(const Cuts& found, const Cuts& expected, const Cuts& size, double within) {
+  const double force = size.head<3>().norm(), moment = size.tail<3>().norm();
+  INFO("found " << found.transpose() << "\nexpected " << expected.transpose());
+  CHECK((found - expected).head<3>().norm() < within * force);
+  CHECK((found - expected).tail<3>().norm() < within * moment);
+}
+
+}  // namespace
+
+// Invariant: both are cut into the same pieces, so that modes, work and turning terms are the same.
+TEST_CASE("an arm in two beams joined rigidly vibrates as one", "[beams_beside]") {
+  const auto text = [](bool cut) {
+    return arm(cut, hinge({0.48, -0.6, 0.64}, 0.3, 1.0) + load_at(tip_of(cut)), "root", "thin",
+               "[model]\ndamping = { ratio = 0.02, at = \"4 Hz\" }\n");
+  };
+  const Moved whole = moved(text(false));
+  const std::vector<frame::BeamMode> modes = whole.modes(16, 6);
+  const ElasticMotionInSpace expected = whole.by(5, 16);
+  REQUIRE(modes.size() == 6);
+  for (const std::size_t half : {std::size_t{0}, std::size_t{1}}) {
+    CAPTURE(half);
+    const Moved of = moved(text(true), half);
+    REQUIRE(of.project.beams_beside.size() == 1);
+    const std::vector<frame::BeamMode> found = of.modes(8, 6);
+    REQUIRE(found.size() == 6);
+    for (std::size_t k = 0; k < 6; ++k) {
+      CHECK(found[k].frequency == Approx(modes[k].frequency).epsilon(1e-8));
+      CHECK(found[k].damping == Approx(modes[k].damping).epsilon(1e-7));
+    }
+    const ElasticMotionInSpace elastic = of.by(5, 8);
+    REQUIRE(elastic.coordinates().cols() == expected.coordinates().cols());
+    const double from = half == 0 ? 0.0 : 2.0;
+    for (const double part : {0.0, 0.13, 0.5, 0.81}) {
+      for (const double s : {0.0, 0.3, 1.1, 1.9}) {
+        const Cuts by_whole = cuts_of(expected.loads_at(whole.at(part)), from + s);
+        check_alike(cuts_of(elastic.loads_at(of.at(part)), s), by_whole, by_whole, 1e-6);
+      }
+    }
+    // With the other half rigid it is stiffer.
+    CHECK(alone(text(true), half).modes(8, 1).front().frequency > 1.02 * modes.front().frequency);
+  }
+}
+
+TEST_CASE("what rigid bodies miss of an arm in two beams is what they miss of the whole",
+          "[beams_beside]") {
+  const auto text = [](bool cut) {
+    return arm(cut, hinge({0.48, -0.6, 0.64}, 0.05, 1.0) + load_at(tip_of(cut)));
+  };
+  const Moved whole = moved(text(false)), inner = moved(text(true)), rigid = alone(text(true));
+  const auto estimated = [](const Moved& of, int parts) {
+    return estimate_vibration_in_space(of.project, of.runs.front(), parts).estimate;
+  };
+  const VibrationEstimate expected = estimated(whole, 16), found = estimated(inner, 8);
+  REQUIRE(found.frequencies.size() == 6);
+  for (std::size_t k = 0; k < 6; ++k)
+    CHECK(found.frequencies[k] == Approx(expected.frequencies[k]).epsilon(1e-7));
+  // The largest stress and range are at the heel.
+  CHECK(found.without_modes.front() == Approx(expected.without_modes.front()).epsilon(1e-5));
+  CHECK(expected.without_modes.front() > 0.01);
+  CHECK(estimated(rigid, 8).without_modes.front() < 0.98 * found.without_modes.front());
+}
+
+// Invariant: the axial force of each beam softens that beam, as it does both halves of the whole.
+// Of the whole f^2 falls by N/N_cr, nearly: the modes of vibration and of buckling are alike.
+TEST_CASE("a column in two beams is softened by what presses both", "[beams_beside]") {
+  const Project project = parse_beams("arm.toml", arm(false, clamp, "thin", "thin"))[0];
+  const double I_z = properties_of(project.beam.segments.front().from).I_z.value();
+  const double N_cr = pi * pi * E * I_z / (4.0 * 4.0 * 4.0);
+  const auto text = [&](bool cut, double part) {
+    return arm(cut, clamp + push_at(tip_of(cut), "[-1, 0, 0]", part * N_cr, 1.0), "thin", "thin",
+               "", 0.0);
+  };
+  const auto first = [](const Moved& of, int parts) {
+    return of.modes(parts, 1).front().frequency;
+  };
+  const double free = first(moved(text(false, 0.0)), 16),
+               pressed = first(moved(text(false, 0.5)), 16);
+  CHECK(std::pow(pressed / free, 2) == Approx(0.5).epsilon(0.02));
+  for (const std::size_t half : {std::size_t{0}, std::size_t{1}})
+    CHECK(first(moved(text(true, 0.5), half), 8) == Approx(pressed).epsilon(1e-8));
+  // Beyond N_cr it does not stand.
+  CHECK_THROWS_AS(moved(text(true, 1.02)).modes(8, 1), AnalysisError);
+}
+
+// Euler's cantilever, less what shear gives: N_cr/(1 + N_cr/(G A_y)). The bisection is within 1e-3.
+TEST_CASE("a column in two beams buckles as the whole, whichever is verified", "[beams_beside]") {
+  const double P = 20e3;
+  const auto text = [&](bool cut) {
+    return arm(cut, clamp + push_at(tip_of(cut), "[-1, 0, 0]", P, 1.0), "thin", "thin", "", 0.0);
+  };
+  const Moved whole = moved(text(false));
+  const Section& section = whole.project.beam.segments.front().from;
+  const double Euler = pi * pi * E * properties_of(section).I_z.value() / (4.0 * 4.0 * 4.0),
+               N_cr = Euler / (1.0 + Euler / (G * shear_areas_of(section).y.value()));
+  const auto critical = [](const Moved& of) {
+    return of.runs.front().motion->critical_factor_at(of.rigid().time_of(0), of.rigid().diagram(0),
+                                                      1e4);
+  };
+  const double largest = P + 1.0;
+  const double part_of_whole = estimate_second_order(whole.project, whole.runs).across.value().part;
+  CHECK(part_of_whole == Approx(largest / N_cr).epsilon(2e-3));
+  for (const std::size_t half : {std::size_t{0}, std::size_t{1}}) {
+    CAPTURE(half);
+    const Moved of = moved(text(true), half);
+    const auto factor = critical(of);
+    REQUIRE(factor);
+    CHECK(*factor * P == Approx(N_cr).epsilon(2e-3));
+    const SecondOrderEstimate estimate = estimate_second_order(of.project, of.runs);
+    CHECK(estimate.across.value().part == Approx(part_of_whole).epsilon(3e-3));
+    // A frame that sways.
+    CHECK(estimate.sway == Approx(1.0 / (N_cr / largest - 1.0)).epsilon(4e-3));
+    const auto stiff = critical(alone(text(true), half));
+    REQUIRE(stiff);
+    CHECK(*stiff > 1.1 * *factor);
+  }
+}
+
+namespace {
+
+constexpr double first_length = 4.0, second_length = 3.0;
+
+/// An L: the second beam leaves the tip of the first, turned out of all planes.
+std::string bent_arm(const std::string& around, const std::string& more = "") {
+  return mechanism(0.0) + body("inner", first_length) + body("outer", second_length) + around + R"(
+[joints.knee]
+kind = "fixed"
+connect = ["inner.B", "outer.A"]
+turn = [["z", "70 deg"], ["x", "35 deg"]]
+)" + sections +
+         beam("inner", segment(first_length, "root")) +
+         beam("outer", segment(second_length, "thin")) + demands + more;
+}
+
+/// The axes of the second beam in those of the first.
+Matrix3d second_axes(const Moved& of) {
+  const spatial::State state = of.chain().at(of.rigid().begin().value());
+  const auto axes = [&](const char* name) -> Matrix3d {
+    return state.bodies[static_cast<std::size_t>(body_index(of.chain().mechanism(), name))].R_WB;
+  };
+  return axes("inner").transpose() * axes("outer");
+}
+
+/// The L by sixty even elements a beam, in the axes of the first beam, six freedoms for each node
+/// from its start; of the second beam alone as well. Rotary inertia across the axes at the nodes.
+struct FiniteElements {
+  static constexpr Eigen::Index n = 60;
+  MatrixXd K = MatrixXd::Zero(12 * n + 6, 12 * n + 6), M = K, K_second = K, M_second = K;
+  std::vector<Vector3d> nodes;
+
+  FiniteElements(const Section& first, const Section& second, const Matrix3d& axes) {
+    add(first, Matrix3d::Identity(), first_length, Vector3d::Zero(), 0, K, M);
+    add(second, axes, second_length, Vector3d(first_length, 0.0, 0.0), n, K_second, M_second);
+    K += K_second;
+    M += M_second;
+  }
+
+  /// The first frequencies with its start clamped [Hz].
+  std::vector<double> frequencies(std::size_t count) const {
+    const Eigen::Index free = K.rows() - 6;
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(
+        M.bottomRightCorner(free, free), K.bottomRightCorner(free, free), Eigen::EigenvaluesOnly);
+    std::vector<double> found;
+    for (std::size_t k = 0; k < count; ++k)
+      found.push_back(
+          1.0 /
+          (2.0 * pi * std::sqrt(modes.eigenvalues()[free - 1 - static_cast<Eigen::Index>(k)])));
+    return found;
+  }
+
+ private:
+  void add(const Section& section, const Matrix3d& axes, double length, const Vector3d& start,
+           Eigen::Index at, MatrixXd& k, MatrixXd& m) {
+    const double h = length / n, rho = 7850.0;
+    const test::space_elements::Element element = test::space_elements::element(section, h, rho);
+    Eigen::Matrix<double, 12, 12> into = Eigen::Matrix<double, 12, 12>::Zero();
+    for (Eigen::Index i = 0; i < 12; i += 3) into.block<3, 3>(i, i) = axes.transpose();
+    const SectionProperties of = properties_of(section);
+    const Matrix3d rotary = axes *
+                            Vector3d(0.0, rho * of.I_y.value(), rho * of.I_z.value()).asDiagonal() *
+                            axes.transpose();
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Eigen::Index row = 6 * (at + i);
+      k.block<12, 12>(row, row) += into.transpose() * element.K * into;
+      m.block<12, 12>(row, row) += into.transpose() * element.M * into;
+      for (const Eigen::Index end : {row, row + 6})
+        m.block<3, 3>(end + 3, end + 3) += 0.5 * h * rotary;
+    }
+    if (nodes.empty()) nodes.push_back(start);
+    for (Eigen::Index i = 1; i <= n; ++i)
+      nodes.push_back(start + h * static_cast<double>(i) * axes.col(0));
+  }
+};
+
+}  // namespace
+
+TEST_CASE("an L of two beams has the frequencies of a model of finite elements", "[beams_beside]") {
+  const std::string text = bent_arm(hinge({0.48, -0.6, 0.64}, 1e-6, 2.0));
+  const Moved inner = moved(text), outer = moved(text, 1);
+  const FiniteElements elements(inner.project.beam.segments.front().from,
+                                outer.project.beam.segments.front().from, second_axes(inner));
+  const std::vector<double> expected = elements.frequencies(6);
+  for (const Moved* of : {&inner, &outer}) {
+    const std::vector<frame::BeamMode> found = of->modes(32, 6);
+    REQUIRE(found.size() == 6);
+    // Torsion and stretching of linear shapes: (k h)^2/24 of their part.
+    for (std::size_t k = 0; k < 6; ++k)
+      CHECK(found[k].frequency == Approx(expected[k]).epsilon(k < 4 ? 5e-5 : 3e-4));
+    // One beam alone, the other rigid, is far from it.
+    Project stiff = of->project;
+    stiff.beams_beside.clear();
+    CHECK(Moved(std::move(stiff)).modes(32, 1).front().frequency > 1.05 * expected.front());
+  }
+}
+
+// A hinge that swings by a small angle: (K - omega^2 M) u = omega^2 M R, and what the start of each
+// beam bears of u and of R together.
+TEST_CASE("an L of two beams on a swinging hinge vibrates as a model of finite elements",
+          "[beams_beside]") {
+  const double small = 1e-6;
+  for (const auto& [axis, frequency] :
+       {std::pair{Vector3d(0.48, -0.6, 0.64), 3.0}, {Vector3d(1.0, 0.0, 0.0), 1.5}}) {
+    const std::string text = bent_arm(hinge(axis, small, frequency));
+    const Moved inner = moved(text), outer = moved(text, 1);
+    const Matrix3d axes = second_axes(inner);
+    const FiniteElements elements(inner.project.beam.segments.front().from,
+                                  outer.project.beam.segments.front().from, axes);
+    const Eigen::Index size = elements.K.rows(), free = size - 6;
+    VectorXd R(size);
+    for (std::size_t i = 0; i < elements.nodes.size(); ++i) {
+      R.segment<3>(6 * static_cast<Eigen::Index>(i)) = axis.cross(elements.nodes[i]);
+      R.segment<3>(6 * static_cast<Eigen::Index>(i) + 3) = axis;
+    }
+    const double square = std::pow(2.0 * pi * frequency, 2);
+    VectorXd u = VectorXd::Zero(size);
+    const MatrixXd dynamic = elements.K - square * elements.M;
+    u.tail(free) =
+        dynamic.bottomRightCorner(free, free).lu().solve(square * (elements.M * R).tail(free));
+    const Cuts heel = -(dynamic * u - square * elements.M * R).head<6>();
+    const Cuts knee =
+        -((elements.K_second - square * elements.M_second) * u - square * elements.M_second * R)
+             .segment<6>(6 * FiniteElements::n);
+    Cuts in_second;
+    in_second << axes.transpose() * knee.head<3>(), axes.transpose() * knee.tail<3>();
+    const ElasticMotionInSpace of_inner = inner.by(8, 16), of_outer = outer.by(8, 16);
+    INFO("axis " << axis.transpose() << ", " << frequency << " Hz against "
+                 << of_inner.lowest_frequency());
+    for (const double part : {0.2, 0.55}) {
+      const double turn = small * std::sin(2.0 * pi * part);
+      check_alike(cuts_of(of_inner.loads_at(inner.at(part)), 0.0), turn * heel, turn * heel, 5e-4);
+      check_alike(cuts_of(of_outer.loads_at(outer.at(part)), 0.0), turn * in_second,
+                  turn * in_second, 5e-4);
+      // The rigid L is far from it.
+      const Cuts rigid = cuts_of(outer.rigid().loads_at(outer.at(part)), 0.0);
+      CHECK((rigid - turn * in_second).tail<3>().norm() >
+            0.01 * std::abs(turn) * in_second.tail<3>().norm());
+    }
+  }
+}
+
+namespace {
+
+/// Two beams, the second driven about a hinge at the tip of the first, on a ground that is turned.
+std::string elbow(const std::string& ground_turn) {
+  return mechanism(0.0) + body("inner", 2.5) + body("outer", 2.0) +
+         "[bodies.base]\npoints = { o = [\"0 m\", \"0 m\", \"0 m\"] }\n"
+         "[joints.base]\nkind = \"fixed\"\nconnect = [\"ground\", \"base.o\"]\n"
+         "at = [\"1 m\", \"-2 m\", \"3 m\"]\n" +
+         ground_turn + R"(
+[joints.heel]
+kind = "revolute"
+connect = ["base.o", "inner.A"]
+axis = [0.48, -0.6, 0.64]
+[drivers.heel]
+joint = "heel"
+kind = "harmonic"
+mean = "0 rad"
+amplitude = "0.5 rad"
+frequency = "0.7 Hz"
+[joints.elbow]
+kind = "revolute"
+connect = ["inner.B", "outer.A"]
+axis = [0, 0.8, 0.6]
+[drivers.elbow]
+joint = "elbow"
+kind = "harmonic"
+mean = "0.4 rad"
+amplitude = "0.6 rad"
+frequency = "0.7 Hz"
+phase = "1 rad"
+)" + load_at("outer.B") +
+         sections + beam("inner", segment(2.5, "root")) + beam("outer", segment(2.0, "thin")) +
+         demands + "[model]\ndamping = { ratio = 0.02, at = \"6 Hz\" }\n";
+}
+
+}  // namespace
+
+// Invariants: the scene turned as a whole; and what the elbow does to one beam is the opposite of
+// what it does to the other, though each is verified by itself.
+TEST_CASE("two beams on an elbow move alike however they lie, and bear what each does to the other",
+          "[beams_beside]") {
+  const std::string turn =
+      "turn = [[\"x\", \"70 deg\"], [\"z\", \"-130 deg\"], [\"y\", \"15 deg\"]]\n";
+  const Moved inner = moved(elbow("")), outer = moved(elbow(""), 1), turned = moved(elbow(turn));
+  const ElasticMotionInSpace of_inner = inner.by(6, 8), of_outer = outer.by(6, 8),
+                             of_turned = turned.by(6, 8);
+  REQUIRE(of_inner.coordinates().cols() == of_outer.coordinates().cols());
+  for (const double part : {0.0, 0.123, 0.4, 0.81}) {
+    for (const double s : {0.0, 1.3, 2.2}) {
+      const Cuts expected = cuts_of(of_inner.loads_at(inner.at(part)), s),
+                 rigid = cuts_of(inner.rigid().loads_at(inner.at(part)), s);
+      check_alike(cuts_of(of_turned.loads_at(turned.at(part)), s), expected, expected, 1e-7);
+      CHECK((expected - rigid).norm() > 1e-4 * rigid.norm());
+    }
+    const spatial::State state = inner.chain().at(inner.at(part).value());
+    const auto axes = [&](const char* name) -> const Matrix3d& {
+      const int of = body_index(inner.chain().mechanism(), name);
+      return state.bodies[static_cast<std::size_t>(of)].R_WB;
+    };
+    const Matrix3d into = axes("inner").transpose() * axes("outer");
+    const Cuts before = cuts_of(of_inner.loads_at(inner.at(part)), 2.5, Side::before),
+               behind = cuts_of(of_outer.loads_at(outer.at(part)), 0.0);
+    Cuts carried;
+    carried << into * behind.head<3>(), into * behind.tail<3>();
+    check_alike(before, carried, carried, 1e-6);
+  }
+}
+
+// Energy over a period: what the drive does beyond moving rigid bodies is what the material of both
+// beams takes, retardation times the sum of omega_j^2 integral of eta_j'^2; by sums over the even
+// instants, exact for few harmonics.
+TEST_CASE("what the drive does beyond rigid bodies both beams dissipate", "[beams_beside]") {
+  const Vector3d axis(0.48, -0.6, 0.64);
+  const double small = 1e-4, frequency = 3.0, omega = 2.0 * pi * frequency;
+  const Moved of = moved(bent_arm(hinge(axis, small, frequency),
+                                  "[model]\ndamping = { ratio = 0.05, at = \"6 Hz\" }\n"));
+  const ElasticMotionInSpace elastic = of.by(6, 8);
+  const MatrixXd& eta = elastic.coordinates();
+  const std::vector<frame::BeamMode> modes = of.modes(8, static_cast<std::size_t>(eta.cols()));
+  const Eigen::Index n = eta.rows();
+  double done = 0.0;
+  Eigen::MatrixXcd first = Eigen::MatrixXcd::Zero(1, eta.cols());
+  const double period = of.rigid().period().value(), step = period / static_cast<double>(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(n);
+    const double rate = small * omega * std::cos(2.0 * pi * part);
+    const Cuts extra = cuts_of(elastic.loads_at(of.at(part)), 0.0) -
+                       cuts_of(of.rigid().loads_at(of.at(part)), 0.0);
+    // The cut behind the heel is what it does, reversed.
+    done += -extra.tail<3>().dot(axis) * rate * step;
+    first += std::exp(std::complex<double>(0.0, -2.0 * pi * part)) * eta.row(i) *
+             (2.0 / static_cast<double>(n));
+  }
+  const double retardation = 0.05 / (pi * 6.0);
+  double dissipated = 0.0;
+  for (Eigen::Index j = 0; j < eta.cols(); ++j) {
+    const double natural = 2.0 * pi * modes[static_cast<std::size_t>(j)].frequency;
+    dissipated +=
+        retardation * natural * natural * 0.5 * std::norm(first(0, j)) * omega * omega * period;
+  }
+  REQUIRE(dissipated > 0.0);
+  CHECK(done == Approx(dissipated).epsilon(1e-5));
+}
+
+// The limit: so much stiffer, the other beam is a rigid body of its mass; what is left falls as its
+// flexibility.
+TEST_CASE("a beam that is far stiffer is a rigid body beside the other", "[beams_beside]") {
+  const std::string text = bent_arm(clamp);
+  const Project project = parse_beams("arm.toml", text)[0];
+  const TaperedBeam& other = project.beams_beside.front().beam;
+  const MassProperties mass = mass_properties_of(other);
+  const Vector3d corner(first_length, 0.0, 0.0);
+  const Matrix3d axes = (Eigen::AngleAxisd(1.1, Vector3d(0.48, -0.6, 0.64))).toRotationMatrix();
+  const auto tie = [](int a, int b, const Vector3d& at, Eigen::Index way) {
+    frame::Tie of;
+    const frame::Vector6 per = frame::Vector6::Unit(way);
+    of.ends = {{{a, at}, -per}, {{b, at}, per}};
+    return of;
+  };
+  std::vector<frame::Tie> ties;
+  for (Eigen::Index way = 0; way < 6; ++way) {
+    ties.push_back(tie(frame::ground, 0, Vector3d::Zero(), way));
+    ties.push_back(tie(0, 1, corner, way));
+  }
+  const frame::VibratingBeam first(project.beam, E, G, {}, 8);
+  const auto frequencies = [](const frame::VibratingScene& scene) {
+    std::vector<double> found;
+    for (const frame::BeamMode& mode : frame::modes_of(scene, 5)) found.push_back(mode.frequency);
+    return found;
+  };
+  const frame::RigidMass rigid{mass.mass.value(), corner + mass.centre.value() * axes.col(0),
+                               axes * mass.tensor * axes.transpose()};
+  const std::vector<double> expected = frequencies({{{&first}}, {rigid}, ties});
+  const auto apart = [&](double times) {
+    const frame::VibratingBeam second(other, times * E, times * G, {}, 8);
+    const std::vector<double> found =
+        frequencies({{{&first}, {&second, {}, corner, axes}}, {}, ties});
+    REQUIRE(found.size() == 5);
+    double largest = 0.0;
+    for (std::size_t k = 0; k < 5; ++k)
+      largest = std::max(largest, std::abs(found[k] / expected[k] - 1.0));
+    return largest;
+  };
+  const double once = apart(1.0), thousand = apart(1e3), ten_thousand = apart(1e4);
+  CHECK(once > 0.02);
+  CHECK(thousand < 1e-2);
+  CHECK(ten_thousand == Approx(0.1 * thousand).epsilon(0.05));
+}
+
+namespace {
+
+/// An arm of two beams that its pivot swings, in the plane and written in space; with a hinge that
+/// is driven between them, or joined rigidly.
+std::string in_plane(double amplitude, double elbow) {
+  const auto body = [](const char* name, const char* at) {
+    return fmt::format(
+        "[bodies.{}]\npoints = {{ A = [\"0 m\", \"0 m\"], B = [\"2 m\", \"0 m\"] }}\n"
+        "sketch = {{ at = [\"{} m\", \"0 m\"], angle = \"0 rad\" }}\n",
+        name, at);
+  };
+  const auto beam = [](const char* name, const char* section) {
+    return fmt::format(
+        "[[beam]]\nname = \"{0}\"\nbody = \"{0}\"\ndensity = \"7850 kg/m^3\"\n"
+        "[[beam.segments]]\nlength = \"2 m\"\nsection = \"{1}\"\n",
+        name, section);
+  };
+  std::string text =
+      "[case]\nname = \"swung\"\nkind = \"planar\"\n[mechanism]\n"
+      "gravity = [\"0 m/s^2\", \"0 m/s^2\"]\n" +
+      body("inner", "0") + body("outer", "2") +
+      "[joints.pivot]\nkind = \"pin\"\nconnect = [\"inner.A\", \"ground\"]\n"
+      "at = [\"0 m\", \"0 m\"]\n" +
+      fmt::format(
+          "[drivers.swing]\ncoordinate = \"angle\"\npoint = \"inner.A\"\n"
+          "kind = \"harmonic\"\nmean = \"0 rad\"\namplitude = \"{} rad\"\n"
+          "frequency = \"1 Hz\"\n",
+          amplitude);
+  if (elbow == 0.0)
+    text += "[joints.cut]\nkind = \"rigid\"\nconnect = [\"inner.B\", \"outer.A\"]\n";
+  else
+    text += fmt::format(
+        "[joints.cut]\nkind = \"pin\"\nconnect = [\"inner.B\", \"outer.A\"]\n"
+        "[drivers.elbow]\ncoordinate = \"relative angle\"\npoints = [\"inner.B\", \"outer.A\"]\n"
+        "kind = \"harmonic\"\nmean = \"0 rad\"\namplitude = \"{} rad\"\nfrequency = \"1 Hz\"\n"
+        "phase = \"0.8 rad\"\n",
+        elbow);
+  return text + sections + beam("inner", "root") + beam("outer", "thin") + demands;
+}
+
+std::string in_space(double amplitude, double elbow) {
+  std::string text = arm(true, hinge({0.0, -1.0, 0.0}, amplitude, 1.0), "root", "thin", "", 0.0);
+  // The plane counts no rotary inertia of slices unless asked to.
+  const std::string rotary = "rotary_inertia = true\n";
+  for (std::size_t at = 0; (at = text.find(rotary)) != std::string::npos;)
+    text.erase(at, rotary.size());
+  if (elbow == 0.0) return text;
+  const std::string fixed = "kind = \"fixed\"\nconnect = [\"inner.B\", \"outer.A\"]\n";
+  text.replace(text.find(fixed), fixed.size(),
+               fmt::format("kind = \"revolute\"\nconnect = [\"inner.B\", \"outer.A\"]\n"
+                           "axis = \"-y\"\n[drivers.elbow]\njoint = \"cut\"\n"
+                           "kind = \"harmonic\"\nmean = \"0 rad\"\namplitude = \"{} rad\"\n"
+                           "frequency = \"1 Hz\"\nphase = \"0.8 rad\"\n",
+                           elbow));
+  return text;
+}
+
+RigidMotion planar_motion(const Project& project, const SituationRun& run) {
+  return {&planar_in(project, *run.situation), &planar_motion_of(run), &project.beam,
+          [&run](Time time) { return run.loads.loads_at(time); }};
+}
+
+}  // namespace
+
+// The same beams as chains of rigid finite elements of the plane and by their pieces in space.
+TEST_CASE("two beams of the plane written in space have its frequencies and its estimate",
+          "[beams_beside]") {
+  const Project plane = parse_beams("plane.toml", in_plane(1e-4, 0.0))[0];
+  const std::deque<SituationRun> runs = run_situations(plane);
+  const VibrationEstimate expected = estimate_vibration(
+      planar_motion(plane, runs.front()), elastic_body_of(plane, 192), runs.front().loads);
+  const Moved of = moved(in_space(1e-4, 0.0));
+  std::vector<double> found;
+  for (const frame::BeamMode& mode : of.modes(32, 12))
+    if (mode.energy[1] > 0.1) found.push_back(mode.frequency);
+  REQUIRE(found.size() >= 2);
+  REQUIRE(expected.frequencies.size() >= 2);
+  for (std::size_t k = 0; k < 2; ++k)
+    CHECK(found[k] == Approx(expected.frequencies[k]).epsilon(k == 0 ? 1e-6 : 2e-5));
+  const VibrationInSpace estimate = estimate_vibration_in_space(of.project, of.runs.front(), 32);
+  REQUIRE(estimate.obstacle.empty());
+  REQUIRE(expected.without_modes.front() > 0.01);
+  CHECK(estimate.estimate.without_modes.front() ==
+        Approx(expected.without_modes.front()).epsilon(1e-6));
+}
+
+namespace {
+
+bool says(const Verification& of, const std::string& what) {
+  return std::any_of(of.not_judged.begin(), of.not_judged.end(), [&](const NotJudged& said) {
+    return said.what.find(what) != std::string::npos;
+  });
+}
+
+}  // namespace
+
+// Equations, loads and basis are the plane's where each beam turns as it does.
+TEST_CASE("two beams on a driven elbow in the plane vibrate alike written in space",
+          "[beams_beside]") {
+  const double amplitude = 0.3, angle = 0.4;
+  for (const std::size_t verified : {std::size_t{0}, std::size_t{1}}) {
+    CAPTURE(verified);
+    const Project plane = parse_beams("plane.toml", in_plane(amplitude, angle))[verified];
+    const std::deque<SituationRun> runs = run_situations(plane);
+    const RigidMotion rigid = planar_motion(plane, runs.front());
+    const ElasticBody elastic = elastic_body_of(plane, 96);
+    const ElasticMotion vibrating(rigid, elastic, 3);
+    const LoadsAt bent = bent_statically(rigid, elastic);
+    const Moved of = moved(in_space(amplitude, angle), verified);
+    // The first of the plane are among these.
+    const ElasticMotionInSpace coarse = of.by(7, 12), fine = of.by(7, 24);
+    const auto beyond_rigid = [&](const ElasticMotionInSpace& by, Time time, double s) -> Cuts {
+      return cuts_of(by.loads_at(time), s) - cuts_of(of.rigid().loads_at(time), s);
+    };
+    for (const double s : {0.0, 1.2}) {
+      double moment = 0.0, vibrating_moment = 0.0, apart = 0.0, across = 0.0;
+      for (int i = 0; i < 24; ++i) {
+        const Time time = of.at(i / 24.0);
+        const Cuts expected = cuts_of(vibrating.loads_at(time), s) - cuts_of(bent(time), s);
+        // Axial forces stand in the middles of pieces: the error falls with the square of these.
+        const Cuts found =
+            (4.0 * beyond_rigid(fine, time, s) - beyond_rigid(coarse, time, s)) / 3.0;
+        apart = std::max(apart, std::abs(found[4] - expected[4]));
+        across = std::max({across, std::abs(found[3]), std::abs(found[5])});
+        moment = std::max(moment, std::abs(cuts_of(of.rigid().loads_at(time), s)[4]));
+        vibrating_moment = std::max(vibrating_moment, std::abs(expected[4]));
+      }
+      INFO("s = " << s << ": " << apart / moment << ", of what vibrates "
+                  << apart / vibrating_moment);
+      CHECK(vibrating_moment > 0.005 * moment);
+      CHECK(apart < 1e-5 * moment);
+      // In the plane of the others nothing moves it.
+      CHECK(across < 1e-9 * moment);
+    }
+  }
+}
+
+TEST_CASE("of a case with two beams in space both are elastic in each other's model",
+          "[beams_beside]") {
+  const std::string text = arm(true, hinge({0.0, 0.0, 1.0}, 0.02, 1.2) + load_at("outer.B"));
+  const std::string one = arm(false, hinge({0.0, 0.0, 1.0}, 0.02, 1.2) + load_at("inner.B"));
+  const ModelledRuns expected = run_by_chosen_model(parse_beams("arm.toml", one)[0]);
+  for (const Project& project : parse_beams("arm.toml", text)) {
+    CAPTURE(project.beam_name);
+    const ModelledRuns found = run_by_chosen_model(project);
+    CHECK(found.model.frequencies.front() ==
+          Approx(expected.model.frequencies.front()).epsilon(1e-5));
+    const std::string other = project.beam_name == "inner" ? "outer" : "inner";
+    CHECK_THAT(found.model.reason, Catch::Contains("(" + other + " elastic as well)"));
+    CHECK_FALSE(says(verify(project), "vibration of other beams"));
+  }
+}
+
+TEST_CASE("what slides along another elastic beam is an obstacle to modes", "[beams_beside]") {
+  const std::string text = arm(true, hinge({0.0, 0.0, 1.0}, 0.3, 1.2) + R"(
+[bodies.trolley]
+mass = "80 kg"
+points = { c = ["0 m", "0 m", "0 m"] }
+[joints.trolley]
+kind = "prismatic"
+connect = ["outer.A", "trolley.c"]
+axis = "x"
+[drivers.travelling]
+joint = "trolley"
+kind = "harmonic"
+mean = "1 m"
+amplitude = "0.8 m"
+frequency = "1.2 Hz"
+)");
+  const Moved of = moved(text);
+  CHECK_THAT(obstacle_to_modes(of.chain().mechanism(),
+                               elastic_placements(of.project, of.chain().mechanism())),
+             Catch::Contains("trolley slides along beam outer, which bends with it"));
+  CHECK_THROWS_AS(of.by(2, 8), AnalysisError);
+}
+
+// What is found of one beam is found of all: bad input of another one is answered at once.
+TEST_CASE("a joint beyond the end of another beam is refused with its place", "[beams_beside]") {
+  std::string text = arm(true, hinge({0.0, 0.0, 1.0}, 0.3, 1.2) + load_at("outer.B"));
+  const std::string right = "B = [\"2 m\"";
+  text.replace(text.rfind(right), right.size(), "B = [\"2.5 m\"");
+  CHECK_THROWS_WITH(parse_beams("arm.toml", text),
+                    Catch::Contains("\"tip\" acts beyond the end of the beam, at s = 2.5 m"));
+}
+
+}  // namespace beams_beside_in_space_test
