@@ -125,19 +125,21 @@ TEST_CASE("starts and stops of the plane written in space vibrate as the plane's
     plane.mechanism.duration.length = T;
     plane.solve(32);
     const ElasticBody elastic{
-        0, centre, L, link_stretches_of(plane.beam, test::slender::E, test::slender::G), 0.0, 256};
+        0, centre, L, link_stretches_of(plane.beam, test::slender::E, test::slender::G), 0.0, 384};
     const ElasticMotion vibrating(plane.rigid(), elastic, 2);
     const LoadsAt bent = bent_statically(plane.rigid(), elastic);
     const Moved of(lasting(slender({0.0, -1.0, 0.0}, once.space, 60, 50, 81.0), T));
     // Two of them in the plane.
-    const ElasticMotionInSpace coarse = of.by(4, 16, 32), fine = of.by(4, 32, 32);
+    const ElasticMotionInSpace coarse = of.by(4, 32, 32), fine = of.by(4, 64, 32);
     REQUIRE(vibrating.transient() != nullptr);
     REQUIRE(fine.transient() != nullptr);
+    // In space at least as long: there is a slower mode across the plane.
     const double last = vibrating.transient()->times().back();
-    CHECK(fine.transient()->times().back() == Approx(last).epsilon(1e-4));
+    CHECK(fine.transient()->times().back() > 0.999 * last);
     const auto beyond_rigid = [&](const ElasticMotionInSpace& by, Time time, double s) -> Cuts {
       return cuts_of(by.loads_at(time), s) - cuts_of(of.rigid().loads_at(time), s);
     };
+    double largest = 0.0;  // at the root
     for (const double s : {0.0, 4.0, 9.0}) {
       double moment = 0.0, vibrating_moment = 0.0, apart = 0.0, across = 0.0;
       for (int i = 0; i < 60; ++i) {
@@ -153,8 +155,10 @@ TEST_CASE("starts and stops of the plane written in space vibrate as the plane's
       }
       INFO(once.name << ", s = " << s << ": " << apart / moment << ", of what vibrates "
                      << apart / vibrating_moment << ", which is " << vibrating_moment / moment);
+      largest = std::max(largest, moment);
       CHECK(vibrating_moment > 0.01 * moment);
-      CHECK(apart < 1e-6 * moment);
+      CHECK(apart < 1e-6 * largest);
+      CHECK(apart < 3e-6 * moment);
       // In the plane of the others nothing moves it.
       CHECK(across < 1e-9 * moment);
     }
@@ -173,7 +177,7 @@ TEST_CASE("however a scene lies in the world its beam starts alike", "[elastic_s
   REQUIRE(one.transient() != nullptr);
   const double last = one.transient()->times().back();
   CHECK(last > 0.8 + 2.9 / one.lowest_frequency());
-  for (const double part : {0.0, 0.05, 0.21, 0.4, 0.55, 0.83, 0.99}) {
+  for (const double part : {0.05, 0.21, 0.4, 0.55, 0.83, 0.99}) {
     const Time time = si<Time>(part * last);
     CHECK(imbalance(one.loads_at(time), 4.0) < 1e-9);
     for (const double s : {0.0, 1.3, 3.1}) {
@@ -363,10 +367,8 @@ TEST_CASE("a start in space dies away to the vibration that repeats", "[elastic_
       const Cuts found = cuts_of(once.loads_at(si<Time>((turns + part) * period)), 0.0);
       return (found - expected).tail<3>().norm();
     };
-    if (part < 0.5) {
-      INFO("part " << part << ": " << apart_in(6.0) / size);
-      CHECK(apart_in(6.0 - (part > 0.3 ? 1.0 : 0.0)) < 1e-4 * size);
-    }
+    INFO("part " << part << ": " << apart_in(5.0) / size);
+    CHECK(apart_in(5.0) < 1e-4 * size);
     at_begin = std::max(at_begin, apart_in(0.0));
   }
   CHECK(at_begin > 0.01 * size);
@@ -490,10 +492,10 @@ TEST_CASE("a start in space is estimated, climbed to and looked at with what fol
   CHECK(unestimated_vibration_of(project, fast.model, fast.runs).empty());
   CHECK(unseen_time_of(project, fast.runs).empty());
   // What the slope of the acceleration leaves at the ends of a slow step: 2 10.4/(omega T).
-  const ModelledRuns slow = choice_of(60.0);
+  const ModelledRuns slow = choice_of(120.0);
   INFO(slow.model.reason);
   CHECK(slow.model.chosen.level == ModelLevel::rigid);
-  CHECK(slow.runs.front().loads.period().value() == Approx(60.0));
+  CHECK(slow.runs.front().loads.period().value() == Approx(120.0));
 
   // Under way at once, and demanded.
   Project begun = parse_project(
@@ -600,8 +602,6 @@ TEST_CASE("random starts in space are as near to many modes as the tolerance say
     INFO("seed " << seed << ": " << chosen.model.reason);
     const SituationRun& run = chosen.runs.front();
     const ElasticMotionInSpace best = of.by(12, 32);
-    const LoadHistory better(best.span_of(of.rigid().span()),
-                             [&](Time time) { return best.loads_at(time); });
     for (int i = 0; i < 7; ++i) CHECK(imbalance(run.loads.loads_at(of.at(0.3 * i)), 4.0) < 1e-9);
     const bool by_rigid = chosen.model.chosen.level == ModelLevel::rigid;
     if (by_rigid && vibration_missed_in_space(of.project, chosen.model) > 0.02) {
@@ -609,6 +609,12 @@ TEST_CASE("random starts in space are as near to many modes as the tolerance say
       continue;
     }
     ++(by_rigid ? rigid : modal);
+    // Up to where both look.
+    const double begin = run.loads.begin().value();
+    double last = best.transient()->times().back();
+    if (!by_rigid) last = std::min(last, begin + run.loads.period().value());
+    const LoadHistory better({run.loads.begin(), si<Time>(last - begin), 2000, false},
+                             [&](Time time) { return best.loads_at(time); });
     const MatrixXd of_better = stress_history_in_space(better, of.project.beam);
     const MatrixXd difference =
         stress_history_in_space(run.loads, of.project.beam, better.span()) - of_better;
