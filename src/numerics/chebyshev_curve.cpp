@@ -75,7 +75,7 @@ ChebyshevCurve::ChebyshevCurve(const Function& f, const Division& division,
   }
 }
 
-Eigen::VectorXd ChebyshevCurve::at(double x) const {
+Eigen::VectorXd ChebyshevCurve::at(double x, Eigen::Index components) const {
   const auto behind =
       std::upper_bound(pieces_.begin() + 1, pieces_.end(), x,
                        [](double value, const Piece& piece) { return value < piece.from; });
@@ -85,10 +85,10 @@ Eigen::VectorXd ChebyshevCurve::at(double x) const {
   Eigen::VectorXd shares(curve_points);
   for (Eigen::Index k = 0; k < curve_points; ++k) {
     const double distance = u - curve_point(k);
-    if (distance == 0.0) return piece.values.col(k);
+    if (distance == 0.0) return piece.values.col(k).head(components);
     shares[k] = (k % 2 == 0 ? 1.0 : -1.0) * std::sin(curve_angle(k)) / distance;
   }
-  return piece.values * (shares / shares.sum());
+  return piece.values.topRows(components) * (shares / shares.sum());
 }
 
 double ChebyshevCurve::shortest_piece() const {

@@ -12,10 +12,9 @@
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
-#include "boxbeam/numerics/chebyshev_curve.hpp"
 #include "boxbeam/project/link_profile.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
-#include "modal_motion.hpp"
+#include "modal_transient.hpp"
 
 namespace boxbeam {
 namespace {
@@ -79,17 +78,6 @@ Eigen::VectorXd squares_of(const PostureModes& modes) {
   return squares;
 }
 
-/// Equations of k modes as one column, and back.
-Eigen::VectorXd packed(const ModalEquations& of) {
-  Eigen::VectorXd all(of.damping.size() + of.stiffness.size() + of.force.size());
-  all << of.damping.reshaped(), of.stiffness.reshaped(), of.force;
-  return all;
-}
-
-ModalEquations unpacked(const Eigen::VectorXd& all, Eigen::Index k) {
-  return {all.head(k * k).reshaped(k, k), all.segment(k * k, k * k).reshaped(k, k), all.tail(k)};
-}
-
 /// Of K a part of its largest entry, of C of what that damps critically, of every force of its own
 /// largest value, or of all where it hardly counts beside the others.
 Eigen::VectorXd allowed_of(const Eigen::VectorXd& largest, Eigen::Index k) {
@@ -104,24 +92,6 @@ Eigen::VectorXd allowed_of(const Eigen::VectorXd& largest, Eigen::Index k) {
 }
 
 }  // namespace
-
-double step_of_rates(const planar::Motion& motion) {
-  constexpr double part = 1.0 / 64.0;
-  return part * motion.period / static_cast<double>(motion.states.size());
-}
-
-std::vector<double> borders_of(const RigidMotion& rigid) {
-  const planar::Motion& motion = *rigid.motion;
-  const double begin = motion.begin, end = begin + motion.period;
-  constexpr double same = 1e-9;
-  std::vector<double> borders{begin};
-  for (const Break& at : breaks_of(planar::functions_of(*rigid.mechanism), begin, end)) {
-    if (at.at > borders.back() + same * motion.period && at.at < end - same * motion.period)
-      borders.push_back(at.at);
-  }
-  borders.push_back(end);
-  return borders;
-}
 
 ElasticBody elastic_body_of(const Project& project, int parts) {
   const auto body_of = [&](const TaperedBeam& beam, int body) {
@@ -178,7 +148,7 @@ ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t
   if (motion.closed)
     solve_periodic();
   else
-    solve_from_rest();
+    solve_once();
 }
 
 ModalPosture ElasticMotion::passed_at(const planar::State& state, const BeamLoads& rigid,
@@ -196,11 +166,6 @@ ModalPosture ElasticMotion::passed_at(const planar::State& state, const BeamLoad
   return posture;
 }
 
-void ElasticMotion::note_frequencies(const ModalPosture& posture) {
-  lowest_ = std::min(lowest_, std::sqrt(posture.squares[0]) / full_turn);
-  fastest_ = std::max(fastest_, std::sqrt(posture.squares.tail<1>()[0]) / full_turn);
-}
-
 void ElasticMotion::solve_periodic() {
   const planar::Motion& motion = *rigid_.motion;
   const auto stride = static_cast<std::size_t>(stride_of(motion.states.size(), count_));
@@ -208,125 +173,48 @@ void ElasticMotion::solve_periodic() {
   for (std::size_t i = 0; i < motion.states.size() / stride; ++i) {
     const planar::State& state = motion.states[i * stride];
     postures.push_back(passed_at(state, rigid_.loads(si<Time>(state.time)), state.time));
-    note_frequencies(postures.back());
+    lowest_ = std::min(lowest_, std::sqrt(postures.back().squares[0]) / full_turn);
   }
   ModalMotion solved = solve_modal_motion(postures, motion.period);
   eta_ = std::move(solved.eta);
   dynamic_ = std::move(solved.dynamic);
 }
 
-void ElasticMotion::respond(std::vector<double> borders, double longest_piece) {
+void ElasticMotion::solve_once() {
+  const planar::Motion& motion = *rigid_.motion;
   const auto k = static_cast<Eigen::Index>(count_);
-  const double end = rigid_.motion->begin + rigid_.motion->period;
-  const double step = rigid_.motion->period / static_cast<double>(rigid_.motion->states.size());
-  const auto ask = [&](double time) {
-    const ModalPosture at = passed_at(states_->at(time), rigid_.loads(si<Time>(time)), time);
-    note_frequencies(at);
-    return packed(aligned(at));
+  PassedOnce passed;
+  passed.posture_at = [this](double time) -> PassedPosture {
+    return {passed_at(states_->at(time), rigid_.loads(si<Time>(time)), time), {}};
   };
-  // Behind the end only a vibrating axial force changes anything: no faster than modes do.
-  const double shortest = transient_ ? 0.5 / fastest_ : step;
-  const ChebyshevCurve curve(
-      ask, {borders, longest_piece, std::min(shortest, longest_piece)},
-      [k](const Eigen::VectorXd& largest) { return allowed_of(largest, k); });
-  constexpr double steps_to_a_period = 20.0, steps_to_a_piece = 2.0;
-  double longest_step = 1.0 / (steps_to_a_period * fastest_);
-  if (borders.front() < end)
-    longest_step = std::min(longest_step, curve.shortest_piece() / steps_to_a_piece);
-  const auto equations = [&](double time) { return unpacked(curve.at(time), k); };
-  if (transient_) {
-    transient_->go_on(equations, borders, longest_step);
-    return;
-  }
-  transient_.emplace(equations, borders, state_at_beginning(), longest_step);
-}
-
-ModalState ElasticMotion::state_at_beginning() const {
-  const planar::Motion& motion = *rigid_.motion;
-  const auto balance_at = [&](double time) {
-    return resting(aligned(passed_at(states_->at(time), rigid_.loads(si<Time>(time)), time)));
+  passed.accuracy = [k](const Eigen::VectorXd& largest) { return allowed_of(largest, k); };
+  passed.resting = [&]() -> RestingModes {
+    const double behind = motion.begin + motion.period + motion.period;
+    const planar::State state = states_->at(behind);
+    const BeamLoads loads = rigid_.loads(si<Time>(behind));
+    const PostureModes modes = modes_in_posture(posture_at(state, loads, behind), count_);
+    const std::vector<ComparedPlace> places = compared_places_of(*rigid_.beam);
+    Eigen::VectorXd stresses(k);
+    for (Eigen::Index j = 0; j < k; ++j) {
+      stresses[j] =
+          fibre_stresses(modes.diagrams[static_cast<std::size_t>(j)], places).abs().maxCoeff();
+    }
+    return {passed_at(state, loads, behind), Eigen::VectorXd::Map(modes.frequencies.data(), k),
+            std::move(stresses)};
   };
-  if (planar::is_at_rest(motion, motion.states.front()))
-    return balance_at(motion.begin - motion.period);
-  const double h = step_of_rates(motion);
-  return moving_with({balance_at(motion.begin).eta, balance_at(motion.begin + h).eta,
-                      balance_at(motion.begin + 2.0 * h).eta},
-                     h);
-}
-
-void ElasticMotion::solve_from_rest() {
-  const planar::Motion& motion = *rigid_.motion;
-  constexpr double instants_to_a_piece = 8.0;
-  respond(borders_of(rigid_),
-          instants_to_a_piece * motion.period / static_cast<double>(motion.states.size()));
-  if (!planar::is_at_rest(motion, motion.end)) return;
-  const double end = motion.begin + motion.period;
-  const double watched = length_watched();
   // Constant, but for a vibrating axial force.
-  respond({end, end + watched}, axial_ ? 0.5 / lowest_ : watched);
+  passed.vibrates_behind = static_cast<bool>(axial_);
+  transient_ =
+      std::make_shared<const ModalTransient>(open_motion_of(*rigid_.mechanism, motion), passed);
+  lowest_ = transient_->lowest_frequency();
 }
 
-/// How long the free vibration behind the end is looked at.
-double ElasticMotion::length_watched() const {
-  constexpr double least_periods = 1.5, periods_undamped = 3.0, gone = 0.05;
-  const planar::Motion& motion = *rigid_.motion;
-  const double end = motion.begin + motion.period;
-  const Moment rest = moment_at(end + motion.period);
-  const Eigen::MatrixXd& turn = rest.aligned.turn;
-  const PostureModes& modes = rest.aligned.modes;
-  const std::vector<ComparedPlace> places = compared_places_of(*rigid_.beam);
-  const auto k = static_cast<Eigen::Index>(count_);
-  Eigen::VectorXd stress(k), largest = Eigen::VectorXd::Zero(k);
-  for (Eigen::Index j = 0; j < k; ++j) {
-    stress[j] =
-        fibre_stresses(modes.diagrams[static_cast<std::size_t>(j)], places).abs().maxCoeff();
-  }
-  for (const ModalState& state : transient_->states())
-    largest = largest.cwiseMax((turn * state.eta).cwiseAbs());
-  const double level = gone * stress.cwiseProduct(largest).maxCoeff();
-  const ModalState& last = transient_->states().back();
-  const Eigen::VectorXd beside = turn * last.eta - rest.statically, speed = turn * last.speed;
-  double dies_out = 0.0;
-  for (Eigen::Index j = 0; j < k; ++j) {
-    const double omega = full_turn * modes.frequencies[static_cast<std::size_t>(j)];
-    const double amplitude = stress[j] * std::hypot(beside[j], speed[j] / omega);
-    if (amplitude <= level) continue;
-    const double decay = 0.5 * modes.damping(j, j);
-    dies_out = std::max(dies_out, decay > 0.0 ? std::log(amplitude / level) / decay : 1e300);
-  }
-  const double period = 1.0 / modes.frequencies.front();
-  // As many steps to a second as the motion has, or else as the fastest mode wants.
-  const double resolved = static_cast<double>(motion.states.size()) / motion.period;
-  const double least = instants_to_a_period * fastest_;
-  const auto most_at = [&](double rate) {
-    constexpr double rounding = 0.999;
-    return rounding * most_vibrating_instants / rate - motion.period;
-  };
-  double most = most_at(std::max(resolved, least));
-  if (most < periods_undamped * period) most = most_at(least);
-  if (dies_out > most) dies_out = std::max(periods_undamped * period, std::min(dies_out, most));
-  if (modes.damping(0, 0) <= 0.0) dies_out = std::min(dies_out, periods_undamped * period);
-  return std::max(least_periods * period, dies_out);
+const TransientResponse* ElasticMotion::transient() const {
+  return transient_ ? &transient_->response() : nullptr;
 }
 
 LoadSpan ElasticMotion::span_of(const LoadSpan& rigid) const {
-  if (!transient_) return rigid;
-  LoadSpan span = rigid;
-  const Time until = si<Time>(transient_->times().back());
-  span.period = until - span.begin;
-  const double share = (span.period / rigid.period).value();
-  if (share > 1.0) span.breaks.push_back(rigid.begin + rigid.period);
-  const double least = instants_to_a_period * fastest_ * span.period.value();
-  if (least > most_vibrating_instants) {
-    refuse_vibration(fmt::format(
-        "the {:.4g} s looked at hold {:.0f} periods of its mode at {:.4g} Hz, more than {:.0f} "
-        "instants resolve; look at a shorter time, or use --model rigid to have the loads of rigid "
-        "bodies",
-        span.period.value(), fastest_ * span.period.value(), fastest_, most_vibrating_instants));
-  }
-  const double wanted = std::max(static_cast<double>(rigid.instants) * share, least);
-  span.instants = static_cast<std::size_t>(std::ceil(std::min(wanted, most_vibrating_instants)));
-  return span;
+  return transient_ ? transient_->span_of(rigid) : rigid;
 }
 
 LoadedPosture ElasticMotion::posture_at(const planar::State& state, const BeamLoads& rigid,
@@ -368,7 +256,7 @@ BeamLoads ElasticMotion::loads_at(Time time) const {
   const auto& [at, turn] = now.aligned;
   Eigen::VectorXd sizes;
   if (transient_) {
-    const ModalState state = transient_->at(time.value());
+    const ModalState state = transient_->response().at(time.value());
     const Eigen::VectorXd viscous = at.damping * (turn * state.speed);
     sizes = turn * state.eta + viscous.cwiseQuotient(squares_of(at)) - now.statically;
   } else {

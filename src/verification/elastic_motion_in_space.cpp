@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "boxbeam/core/angle.hpp"
-#include "modal_motion.hpp"
+#include "boxbeam/mechanism/spatial/rest.hpp"
 
 namespace boxbeam {
 namespace {
@@ -102,6 +102,33 @@ Length length_of(const std::vector<LineLoad>& lines) {
   return lines.back().start + lines.back().length;
 }
 
+/// Which of the springs act in a state.
+std::vector<bool> acting_springs(const spatial::Mechanism& mechanism, const spatial::State& state) {
+  std::vector<bool> acting;
+  for (const spatial::Spring& spring : mechanism.springs)
+    acting.push_back(spatial::acts(spring, state));
+  return acting;
+}
+
+/// What is known of the modes in a posture beside their equations, of k modes:
+/// eta + K^-1 C eta' - K^-1 p times their loads.
+struct LoadsOfModes {
+  Eigen::MatrixXd viscous;     ///< K^-1 C
+  Eigen::VectorXd statically;  ///< K^-1 p
+  Eigen::MatrixXd loads;       ///< a row for each mode
+
+  Eigen::VectorXd packed() const {
+    Eigen::VectorXd all(viscous.size() + statically.size() + loads.size());
+    all << viscous.reshaped(), statically, loads.reshaped();
+    return all;
+  }
+  static LoadsOfModes unpacked(const Eigen::VectorXd& all, Eigen::Index k) {
+    const Eigen::Index numbers = all.size() / k - k - 1;
+    return {all.head(k * k).reshaped(k, k), all.segment(k * k, k),
+            all.tail(k * numbers).reshaped(k, numbers)};
+  }
+};
+
 }  // namespace
 
 std::string obstacle_to_modes(const spatial::Mechanism& mechanism,
@@ -143,71 +170,155 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
                                            const LoadSpan& span, LoadsAt rigid, std::size_t modes,
                                            int parts)
     : rigid_(std::move(rigid)), begin_(span.begin.value()), period_(span.period.value()) {
-  if (!span.closed)
+  const std::string otherwise =
+      "; use --model rigid to have the loads of rigid bodies all the same";
+  if (!span.closed && chain.forced() != nullptr)
     refuse_vibration(
-        "the motion does not repeat, and the beam's vibration is only computed in motions that do; "
-        "use --model rigid to have the loads of rigid bodies all the same");
+        "forces decide the motion, and the beam's vibration is only computed in motions that "
+        "drivers fix" +
+        otherwise);
   const StoppedVibration stopped(project, chain, parts);
   if (const std::string why = obstacle_to_modes(chain.mechanism(), stopped.placements());
       !why.empty())
-    refuse_vibration(why + "; use --model rigid to have the loads of rigid bodies all the same");
+    refuse_vibration(why + otherwise);
 
+  const spatial::StatesAround states(chain, {begin_, period_, span.closed, span.instants});
+  const auto diagram_at = [&](double time) { return cut_forces_of(rigid_(si<Time>(time))); };
   Eigen::MatrixXd reference;
   std::size_t count = 0;
-  const auto diagram_at = [&](double time) { return cut_forces_of(rigid_(si<Time>(time))); };
+  std::vector<bool> acting;
   /// Modes beyond those asked for, one of which may be alike.
   constexpr std::size_t more = 3;
   {
-    const spatial::State state = chain.at(begin_);
+    const spatial::State state = states.at(begin_);
+    acting = acting_springs(chain.mechanism(), state);
     ModesInMotion first = stopped.modes_in_motion(state, diagram_at(begin_), modes + more);
     count = whole_groups(first.modes, modes);
     if (count == 0) refuse_vibration("without mass nothing vibrates; use --model rigid", begin_);
     reference = first.shapes.leftCols(static_cast<Eigen::Index>(count));
   }
-  const Eigen::Index stride = stride_of(span.instants, count);
-  const auto n = static_cast<Eigen::Index>(span.instants) / stride;
   const auto k = static_cast<Eigen::Index>(count);
-  std::vector<ModalPosture> postures;
-  std::vector<Eigen::MatrixXd> mode_loads;  // of the turned modes at the instants, a row for each
-  lowest_ = 1e300;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double time = begin_ + period_ * static_cast<double>(i) / static_cast<double>(n);
-    const spatial::State state = chain.at(time);
-    const CutForceDiagram diagram = diagram_at(time);
+  const auto modes_at = [&](double time, const CutForceDiagram& diagram) {
+    const spatial::State state = states.at(time);
+    if (!span.closed && acting_springs(chain.mechanism(), state) != acting)
+      refuse_vibration(
+          "a stop or a cable begins or ends to act, and the modes of the beam change at once" +
+              otherwise,
+          time);
     ModesInMotion at = stopped.modes_in_motion(state, diagram, count);
     if (at.modes.size() < count)
-      refuse_vibration(
-          fmt::format("the beam has {} modes here and {} at the begin of its motion; use --model "
-                      "rigid to have the loads of rigid bodies all the same",
-                      at.modes.size(), count),
-          time);
-    lowest_ = std::min(lowest_, at.modes.front().frequency);
-    ModalPosture& posture = postures.emplace_back();
-    posture.turn = turn_between(at.shapes, reference, time);
-    posture.squares.resize(k);
+      refuse_vibration(fmt::format("the beam has {} modes here and {} at the begin of its motion",
+                                   at.modes.size(), count) +
+                           otherwise,
+                       time);
+    return at;
+  };
+  const auto posture_at = [&](double time) {
+    const CutForceDiagram diagram = diagram_at(time);
+    ModesInMotion at = modes_at(time, diagram);
+    Posture posture;
+    ModalPosture& modal = posture.modal;
+    modal.turn = turn_between(at.shapes, reference, time);
+    modal.squares.resize(k);
     Eigen::MatrixXd numbers;
     for (Eigen::Index j = 0; j < k; ++j) {
       const frame::BeamMode& mode = at.modes[static_cast<std::size_t>(j)];
-      posture.squares[j] = std::pow(full_turn * mode.frequency, 2);
+      modal.squares[j] = std::pow(full_turn * mode.frequency, 2);
       const Eigen::RowVectorXd of = numbers_of(mode.loads);
       // What begins to act later stands behind the others.
       if (j == 0) numbers.resize(k, of.size());
       numbers.row(j) = of;
     }
-    posture.force = std::move(at.force);
-    posture.damping = std::move(at.damping);
-    posture.of_rate = std::move(at.turning.of_rate);
-    posture.of_size = std::move(at.turning.of_size);
-    mode_loads.push_back(posture.turn.transpose() * numbers);
+    modal.force = std::move(at.force);
+    modal.damping = std::move(at.damping);
+    modal.of_rate = std::move(at.turning.of_rate);
+    modal.of_size = std::move(at.turning.of_size);
+    posture.loads = modal.turn.transpose() * numbers;
+    return posture;
+  };
+  if (span.closed) {
+    const Eigen::Index stride = stride_of(span.instants, count);
+    solve_periodic(posture_at, static_cast<Eigen::Index>(span.instants) / stride);
+    return;
+  }
+  OpenMotion motion = open_motion_of(chain, span);
+  const double behind = motion.behind();
+  solve_once(posture_at, std::move(motion), [&]() -> RestingModes {
+    const ModesInMotion at = modes_at(behind, diagram_at(behind));
+    Eigen::VectorXd frequencies(k);
+    for (Eigen::Index j = 0; j < k; ++j)
+      frequencies[j] = at.modes[static_cast<std::size_t>(j)].frequency;
+    return {posture_at(behind).modal, std::move(frequencies),
+            largest_stresses_in_space(at.modes, project.beam)};
+  });
+}
+
+void ElasticMotionInSpace::solve_periodic(const PostureAt& posture_at, Eigen::Index instants) {
+  std::vector<ModalPosture> postures;
+  std::vector<Eigen::MatrixXd> mode_loads;
+  for (Eigen::Index i = 0; i < instants; ++i) {
+    Posture at =
+        posture_at(begin_ + period_ * static_cast<double>(i) / static_cast<double>(instants));
+    lowest_ = std::min(lowest_, std::sqrt(at.modal.squares[0]) / full_turn);
+    postures.push_back(std::move(at.modal));
+    mode_loads.push_back(std::move(at.loads));
   }
   ModalMotion solved = solve_modal_motion(postures, period_);
   eta_ = std::move(solved.eta);
   dynamic_ = std::move(solved.dynamic);
-  loads_ = Eigen::MatrixXd::Zero(n, numbers_of(places_).size());
-  for (Eigen::Index i = 0; i < n; ++i) {
+  loads_ = Eigen::MatrixXd::Zero(instants, arms_of_numbers().size());
+  for (Eigen::Index i = 0; i < instants; ++i) {
     const Eigen::MatrixXd& of = mode_loads[static_cast<std::size_t>(i)];
     loads_.row(i).head(of.cols()) = dynamic_.row(i) * of;
   }
+}
+
+void ElasticMotionInSpace::solve_once(const PostureAt& posture_at, OpenMotion motion,
+                                      const std::function<RestingModes()>& resting) {
+  Eigen::Index k = 0;
+  PassedOnce passed;
+  passed.posture_at = [&](double time) {
+    Posture at = posture_at(time);
+    const ModalPosture& modal = at.modal;
+    k = modal.squares.size();
+    const Eigen::MatrixXd& turn = modal.turn;
+    const LoadsOfModes beside{
+        turn.transpose() * modal.squares.cwiseInverse().asDiagonal() * modal.damping * turn,
+        turn.transpose() * modal.force.cwiseQuotient(modal.squares), std::move(at.loads)};
+    return PassedPosture{std::move(at.modal), beside.packed()};
+  };
+  passed.accuracy = [&](const Eigen::VectorXd& largest) { return allowed_of(largest, k); };
+  passed.resting = resting;
+  once_ = std::make_shared<const ModalTransient>(std::move(motion), passed);
+  lowest_ = once_->lowest_frequency();
+}
+
+/// Of K between two modes a part of the mean of their own, of C of what that damps critically, of p
+/// and its deflection of their largest value, or of all where it hardly counts beside the others;
+/// of what a mode does to the beam a part of the largest moment that it can make.
+Eigen::VectorXd ElasticMotionInSpace::allowed_of(const Eigen::VectorXd& largest,
+                                                 Eigen::Index k) const {
+  constexpr double part = 1e-4, hardly = 1e-2;
+  const Eigen::VectorXd stiffness = largest.segment(k * k, k * k).reshaped(k, k).diagonal();
+  const Eigen::VectorXd omega = stiffness.cwiseSqrt(), root = omega.cwiseSqrt();
+  const auto valued = [&](const Eigen::VectorXd& of) -> Eigen::VectorXd {
+    return part * of.cwiseMax(hardly * of.maxCoeff());
+  };
+  const LoadsOfModes beside =
+      LoadsOfModes::unpacked(largest.tail(largest.size() - 2 * k * k - k), k);
+  const Eigen::VectorXd arms = arms_of_numbers();
+  LoadsOfModes of_beside{Eigen::MatrixXd::Constant(k, k, part * beside.viscous.maxCoeff()),
+                         valued(beside.statically), Eigen::MatrixXd(k, arms.size())};
+  for (Eigen::Index j = 0; j < k; ++j) {
+    const double most = beside.loads.row(j).transpose().cwiseProduct(arms).maxCoeff();
+    of_beside.loads.row(j) = (part * most * arms.cwiseInverse()).transpose();
+  }
+  const Eigen::VectorXd of_forces = valued(largest.segment(2 * k * k, k));
+  const Eigen::MatrixXd of_damping = part * root * root.transpose(),
+                        of_stiffness = part * omega * omega.transpose();
+  Eigen::VectorXd allowed(largest.size());
+  allowed << of_damping.reshaped(), of_stiffness.reshaped(), of_forces, of_beside.packed();
+  return allowed;
 }
 
 Eigen::RowVectorXd ElasticMotionInSpace::numbers_of(const BeamLoads& loads) {
@@ -262,9 +373,43 @@ BeamLoads ElasticMotionInSpace::loads_of(const Eigen::VectorXd& numbers) const {
   return loads;
 }
 
+Eigen::VectorXd ElasticMotionInSpace::arms_of_numbers() const {
+  const double length = length_of(places_.lines).value();
+  const auto pieces = static_cast<Eigen::Index>(places_.lines.size()),
+             points = static_cast<Eigen::Index>(places_.points.size());
+  Eigen::VectorXd arms(numbers_of_piece * pieces + numbers_of_point * points);
+  Eigen::Index at = 0;
+  for (const LineLoad& line : places_.lines) {
+    const double h = line.length.value(), force = h * length;
+    for (const double arm : {force, force, force * h, force, force * h, h, h, h}) arms[at++] = arm;
+  }
+  for (Eigen::Index i = 0; i < points; ++i) {
+    arms.segment<3>(at).setConstant(length);
+    arms.segment<3>(at + 3).setOnes();
+    at += numbers_of_point;
+  }
+  return arms;
+}
+
+const TransientResponse* ElasticMotionInSpace::transient() const {
+  return once_ ? &once_->response() : nullptr;
+}
+
+LoadSpan ElasticMotionInSpace::span_of(const LoadSpan& rigid) const {
+  return once_ ? once_->span_of(rigid) : rigid;
+}
+
+/// The numbers of what the modes' inertia does to the beam.
+Eigen::VectorXd ElasticMotionInSpace::vibrating_at(double time) const {
+  if (!once_) return trigonometric_at(loads_, (time - begin_) / period_);
+  const ModalState state = once_->response().at(time);
+  const LoadsOfModes of = LoadsOfModes::unpacked(once_->beside_at(time), state.eta.size());
+  return of.loads.transpose() * (state.eta + of.viscous * state.speed - of.statically);
+}
+
 BeamLoads ElasticMotionInSpace::loads_at(Time time) const {
   BeamLoads loads = rigid_(time);
-  const BeamLoads vibrating = loads_of(trigonometric_at(loads_, (time.value() - begin_) / period_));
+  const BeamLoads vibrating = loads_of(vibrating_at(time.value()));
   const Length beam = length_of(vibrating.lines);
   for (const PointLoad& load : vibrating.points) {
     if (load.force.isZero(0.0) && load.moment.isZero(0.0)) continue;
@@ -276,19 +421,19 @@ BeamLoads ElasticMotionInSpace::loads_at(Time time) const {
   return loads;
 }
 
-LoadsAt elastic_loads_in_space(const Project& project, const spatial::Chain& chain,
-                               const LoadSpan& span, const ElasticModel& model, LoadsAt rigid) {
+LoadHistory elastic_loads_in_space(const Project& project, const spatial::Chain& chain,
+                                   const LoadSpan& span, const ElasticModel& model, LoadsAt rigid) {
   switch (model.level) {
     // Statically bent the rigid beam bears what it bears straight.
     case ModelLevel::rigid:
-    case ModelLevel::quasi_static: return rigid;
+    case ModelLevel::quasi_static: return {span, std::move(rigid)};
     case ModelLevel::modal:
     case ModelLevel::flexible: break;
   }
   require_few_instants(span.instants);
   auto of = std::make_shared<const ElasticMotionInSpace>(
       project, chain, span, std::move(rigid), static_cast<std::size_t>(model.modes), model.parts);
-  return [of](Time time) { return of->loads_at(time); };
+  return {of->span_of(span), [of](Time time) { return of->loads_at(time); }};
 }
 
 }  // namespace boxbeam

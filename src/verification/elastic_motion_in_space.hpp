@@ -1,17 +1,20 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "boxbeam/verification/load_history.hpp"
 #include "boxbeam/verification/model_choice.hpp"
+#include "modal_transient.hpp"
 #include "vibration_in_space.hpp"
 
 namespace boxbeam {
 
-/// Elastic vibration of the verified beam in a large periodic motion of its mechanism in space, the
-/// other beams of the case elastic as well: bending about both axes, torsion and stretching.
+/// Elastic vibration of the verified beam in a large motion of its mechanism in space, the other
+/// beams of the case elastic as well: bending about both axes, torsion and stretching.
 ///
 /// In every posture, under the beam's axial force there, the stopped mechanism has modes
 /// (`StoppedVibration`), whose basis is turned so that it is nearest to the one at the beginning.
@@ -20,12 +23,16 @@ namespace boxbeam {
 ///     eta'' + (C + F') eta' + (K + F) eta = p(t),   p_j = work of the rigid cut forces
 ///     (`BeamMode`)
 ///
-/// periodic (`solve_modal_motion`); F', F of all bodies and beams, whose modes are fixed to their
-/// axes (`turning_terms_of`). To the loads of the rigid beam come those of the modes' inertia
+/// F', F of all bodies and beams, whose modes are fixed to their axes (`turning_terms_of`): in a
+/// motion that repeats the periodic solution (`solve_modal_motion`), in one that does not the one
+/// from its beginning, at rest or under way, with the free vibration behind its end
+/// (`ModalTransient`, as `ElasticMotion`). To the loads of the rigid beam come those of the modes'
+/// inertia
 ///
 ///     sum over modes of (eta + K^-1 C eta' - K^-1 p)_j times (tie forces and inertia of mode j)
 ///
-/// which are in balance. Between the instants they are trigonometric polynomials in time, each
+/// which are in balance. Between the instants they are trigonometric polynomials in time, in a
+/// motion that does not repeat the modes' forces polynomials on pieces (`ChebyshevCurve`), each
 /// number of them for itself, on the beam, where ties and pieces keep their places: what is in
 /// balance at the instants is so between them. Modes whose frequencies are alike come together.
 /// Left out: the change of the modes with the posture, of the order of (omega_rotation/omega_1)^2
@@ -35,35 +42,60 @@ namespace boxbeam {
 /// Sources: Shabana, Dynamics of Multibody Systems (2005), chapter 5; as `ElasticMotion`.
 class ElasticMotionInSpace {
  public:
-  /// `rigid`: loads on the rigid beam over a closed span. `modes`: at least so many, where there
-  /// are; `parts`: of the beam. `project` and `chain` stay for the time of the call, the names of
-  /// joints longer. Throws AnalysisError where the motion does not repeat, a joint slides along an
-  /// elastic beam or teeth mesh with it, the stopped mechanism is free to move or buckles, a
-  /// harmonic meets a natural frequency of an undamped beam, or modes change beyond recognition.
+  /// `rigid`: loads on the rigid beam, before and behind a span that does not repeat those of the
+  /// mechanism held there. `modes`: at least so many, where there are; `parts`: of the beam.
+  /// `project` and `chain` stay for the time of the call, the names of joints longer. Throws
+  /// AnalysisError where a joint slides along an elastic beam or teeth mesh with it, the stopped
+  /// mechanism is free to move or buckles, a harmonic of a motion that repeats meets a natural
+  /// frequency of an undamped beam, modes change beyond recognition, or, in a motion that does not
+  /// repeat, forces decide it or a stop or a cable begins or ends to act.
   ElasticMotionInSpace(const Project& project, const spatial::Chain& chain, const LoadSpan& span,
                        LoadsAt rigid, std::size_t modes, int parts);
 
-  /// Loads on the beam at any time.
+  /// Loads on the beam at any time; of a motion that does not repeat between its beginning and the
+  /// end of `span_of`.
   BeamLoads loads_at(Time time) const;
 
-  /// Modal coordinates at the instants, a row for each [sqrt(kg) m].
+  /// The time of the loads: of a motion that does not repeat with the free vibration behind it.
+  /// Throws AnalysisError where it holds too many periods.
+  LoadSpan span_of(const LoadSpan& rigid) const;
+
+  /// Modal coordinates at the instants of a motion that repeats, a row for each [sqrt(kg) m].
   const Eigen::MatrixXd& coordinates() const { return eta_; }
   /// The same with their viscous part, less their static one.
   const Eigen::MatrixXd& dynamic_part() const { return dynamic_; }
+  /// Modal coordinates over a motion that does not repeat; nothing of others.
+  const TransientResponse* transient() const;
   double lowest_frequency() const { return lowest_; }  ///< over the motion [Hz]
 
  private:
+  /// Modes of a posture, and the numbers of the loads of the turned ones, a row for each.
+  struct Posture {
+    ModalPosture modal;
+    Eigen::MatrixXd loads;
+  };
+  using PostureAt = std::function<Posture(double time)>;
+
+  void solve_periodic(const PostureAt& posture_at, Eigen::Index instants);
+  void solve_once(const PostureAt& posture_at, OpenMotion motion,
+                  const std::function<RestingModes()>& resting);
+  Eigen::VectorXd allowed_of(const Eigen::VectorXd& largest, Eigen::Index modes) const;
+
   /// The numbers of loads on the beam: coefficients of the line loads of every piece, then force
   /// and moment of every point; new points become places.
   Eigen::RowVectorXd numbers_of(const BeamLoads& loads);
   BeamLoads loads_of(const Eigen::VectorXd& numbers) const;
+  /// What makes moments of these numbers, of their size [m, ...].
+  Eigen::VectorXd arms_of_numbers() const;
+  Eigen::VectorXd vibrating_at(double time) const;
 
   LoadsAt rigid_;
   double begin_, period_;
   BeamLoads places_;       ///< points and pieces where modes load the beam, without loads
-  Eigen::MatrixXd loads_;  ///< of the modes, a row for each instant
+  Eigen::MatrixXd loads_;  ///< of the modes, a row for each instant of a motion that repeats
   Eigen::MatrixXd eta_, dynamic_;
-  double lowest_ = 0.0;
+  std::shared_ptr<const ModalTransient> once_;
+  double lowest_ = 1e300;
 };
 
 /// Why modes of the beams do not hold in their motion: a joint that slides along one, or teeth; ""
@@ -72,7 +104,8 @@ std::string obstacle_to_modes(const spatial::Mechanism& mechanism,
                               const std::vector<spatial::BeamPlacement>& beams);
 
 /// Loads on the beam of a case in space by a model of it: those of rigid bodies, or with vibration.
-LoadsAt elastic_loads_in_space(const Project& project, const spatial::Chain& chain,
-                               const LoadSpan& span, const ElasticModel& model, LoadsAt rigid);
+/// `span`: of the rigid bodies' loads.
+LoadHistory elastic_loads_in_space(const Project& project, const spatial::Chain& chain,
+                                   const LoadSpan& span, const ElasticModel& model, LoadsAt rigid);
 
 }  // namespace boxbeam

@@ -25,4 +25,7 @@ void add_sample(DriverLine& line, double time, const DriverState& motion,
 std::vector<Time> break_times_in(const std::vector<DriverUse>& functions, double begin,
                                  double length);
 
+/// The time of the motion of a mechanism in space, however long its loads are looked at.
+LoadSpan span_of_motion_in_space(const SituationRun& run);
+
 }  // namespace boxbeam

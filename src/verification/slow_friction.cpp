@@ -11,6 +11,7 @@
 #include "boxbeam/mechanism/planar/motion.hpp"
 #include "boxbeam/mechanism/spatial/chain.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
+#include "front_ends.hpp"
 
 namespace boxbeam {
 namespace {
@@ -63,7 +64,7 @@ Courses courses_of(const planar::Mechanism& mechanism, const SituationRun& run) 
 /// Without contacts whose friction a drive takes: of them the beam feels nothing.
 Courses courses_of(const spatial::Mechanism& mechanism, const SituationRun& run) {
   const spatial::Chain& chain = chain_of(run);
-  const LoadSpan& span = run.loads.span();
+  const LoadSpan span = span_of_motion_in_space(run);
   Courses courses{{}, chain.forced() != nullptr, span.closed};
   std::vector<spatial::FrictionContact> contacts;
   for (const spatial::FrictionContact& contact : chain.contacts()) {

@@ -8,6 +8,7 @@
 #include "boxbeam/mechanism/spatial/beam_loads.hpp"
 #include "boxbeam/mechanism/spatial/chain.hpp"
 #include "boxbeam/mechanism/spatial/motion.hpp"
+#include "boxbeam/mechanism/spatial/rest.hpp"
 #include "boxbeam/verification/animation.hpp"
 #include "boxbeam/verification/chain_motion_result.hpp"
 #include "elastic_motion_in_space.hpp"
@@ -102,13 +103,14 @@ PostureFigure posture_figure(const Project& project, const spatial::Mechanism& m
 }
 
 /// The joints that move.
-std::vector<DriverLine> driver_lines_of(const spatial::Chain& chain, const LoadHistory& loads) {
+std::vector<DriverLine> driver_lines_of(const spatial::Chain& chain,
+                                        const spatial::Motion& motion) {
   constexpr int steps = 192;
   const spatial::Mechanism& mechanism = chain.mechanism();
   const std::size_t carrying = mechanism.joints.size();
   std::vector<DriverLine> lines(carrying + mechanism.closing.size());
   for (int k = 0; k <= steps; ++k) {
-    const double time = (loads.begin() + loads.period() * (static_cast<double>(k) / steps)).value();
+    const double time = motion.begin + motion.period * (static_cast<double>(k) / steps);
     const spatial::State state = chain.at(time);
     const std::vector<spatial::Wrench> wrenches = chain.joint_wrenches(state);
     for (std::size_t i = 0; i < carrying; ++i) {
@@ -178,30 +180,37 @@ class SpatialMotion : public SolvedMotion {
             index_of(project, situation),
             [&] { return spatial::Chain(spatial_in(project, situation)); })),
         motion_(*shared.once<spatial::Motion>(index_of(project, situation),
-                                              [&] { return spatial::motion_of(*chain_); })) {
+                                              [&] { return spatial::motion_of(*chain_); })),
+        states_(std::make_shared<const spatial::StatesAround>(*chain_, motion_)) {
     check_unique_loads(*chain_, placement_in(project, chain_->mechanism()).body);
   }
 
   LoadHistory loads() const override {
-    const spatial::Mechanism& mechanism = chain_->mechanism();
+    const LoadSpan time = span();
+    auto body = spatial::beam_body_of(project_->beam, placement_in(*project_, chain_->mechanism()),
+                                      chain_->mechanism());
+    LoadsAt rigid = staying_on(project_->beam, [chain = chain_, states = states_, body](Time time) {
+      return spatial::beam_loads_of(*chain, states->at(time.value()), body);
+    });
+    return elastic_loads_in_space(*project_, *chain_, time, model_, std::move(rigid));
+  }
+
+  /// The time of the motion.
+  LoadSpan span() const {
     LoadSpan span{si<Time>(motion_.begin), si<Time>(motion_.period), motion_.instants,
                   motion_.closed};
-    span.breaks = break_times_in(spatial::functions_of(mechanism), motion_.begin, motion_.period);
+    span.breaks =
+        break_times_in(spatial::functions_of(chain_->mechanism()), motion_.begin, motion_.period);
     for (const double at : motion_.changes) span.breaks.push_back(si<Time>(at));
     std::sort(span.breaks.begin(), span.breaks.end());
-    auto body =
-        spatial::beam_body_of(project_->beam, placement_in(*project_, mechanism), mechanism);
-    LoadsAt rigid = staying_on(project_->beam, [chain = chain_, body](Time time) {
-      return spatial::beam_loads_of(*chain, chain->at(time.value()), body);
-    });
-    return {span, elastic_loads_in_space(*project_, *chain_, span, model_, std::move(rigid))};
+    return span;
   }
 
   double gravity() const override { return chain_->mechanism().gravity.norm(); }
 
   PostureAt postures(const LoadHistory& loads) const override {
     return [this, &loads](Time time, const std::string& why) {
-      const spatial::State state = chain_->at(time.value());
+      const spatial::State state = states_->at(time.value());
       PostureFigure posture = posture_figure(*project_, chain_->mechanism(), state, why);
       posture.loads = load_rows(*project_, chain_->mechanism(), loads.loads_at(time), state);
       return posture;
@@ -210,12 +219,12 @@ class SpatialMotion : public SolvedMotion {
 
   std::optional<Animation> scene(std::optional<Time> also) const override {
     AnimatedSpan span{motion_.begin, motion_.period, motion_.instants, {}};
-    if (also) span.also = also->value();
+    if (also) span.also = within(also->value());
     return scene_of(*project_, *chain_, span);
   }
 
-  std::vector<DriverLine> driver_lines(const LoadHistory& loads) const override {
-    return driver_lines_of(*chain_, loads);
+  std::vector<DriverLine> driver_lines(const LoadHistory&) const override {
+    return driver_lines_of(*chain_, motion_);
   }
 
   /// The joint that carries the beam's body, which clamps it where nothing else holds it: loops do.
@@ -232,16 +241,22 @@ class SpatialMotion : public SolvedMotion {
 
   std::optional<double> critical_factor_at(Time time, const CutForceDiagram& diagram,
                                            double most) const override {
-    return critical_factor_in_space(*project_, *chain_, time, diagram, most);
+    return critical_factor_in_space(*project_, *chain_, states_->at(time.value()), diagram, most);
   }
 
   const spatial::Chain& chain() const { return *chain_; }
 
  private:
+  /// Behind the end of a motion that does not repeat bodies stand where it ends.
+  double within(double time) const {
+    return motion_.closed ? time : std::clamp(time, motion_.begin, motion_.begin + motion_.period);
+  }
+
   const Project* project_;
   ElasticModel model_;
   std::shared_ptr<const spatial::Chain> chain_;
   spatial::Motion motion_;
+  std::shared_ptr<const spatial::StatesAround> states_;
 };
 
 class SpatialFrontEnd : public FrontEnd {
@@ -277,6 +292,10 @@ std::unique_ptr<const FrontEnd> front_end_for(const spatial::Mechanism&, const P
 
 const spatial::Chain& chain_of(const SituationRun& run) {
   return dynamic_cast<const SpatialMotion&>(*run.motion).chain();
+}
+
+LoadSpan span_of_motion_in_space(const SituationRun& run) {
+  return dynamic_cast<const SpatialMotion&>(*run.motion).span();
 }
 
 }  // namespace boxbeam

@@ -9,6 +9,7 @@
 #include "boxbeam/beam/cut_force_diagram.hpp"
 #include "boxbeam/mechanism/spatial/beam_loads.hpp"
 #include "boxbeam/mechanism/spatial/chain.hpp"
+#include "boxbeam/mechanism/spatial/rest.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "even_beam.hpp"
 #include "front_ends.hpp"
@@ -36,7 +37,10 @@ struct RodBeam : EvenBeam {
 class SpatialNeighbours : public NeighbourLoads {
  public:
   SpatialNeighbours(const Project& project, const SituationRun& run)
-      : NeighbourLoads(run), chain_(&chain_of(run)), mechanism_(&chain_->mechanism()) {
+      : NeighbourLoads(run),
+        chain_(&chain_of(run)),
+        mechanism_(&chain_->mechanism()),
+        states_(states_around(run)) {
     static_cast<void>(project);
   }
 
@@ -249,13 +253,19 @@ class SpatialNeighbours : public NeighbourLoads {
   void look_at(double time) {
     const double at = within(time);
     if (looked_at_ == at) return;
-    chain_->at(at, state_);
+    state_ = states_.at(at);
     chain_->joint_wrenches(state_, wrenches_);
     looked_at_ = at;
   }
 
   const spatial::Chain* chain_;
+  static spatial::StatesAround states_around(const SituationRun& run) {
+    const LoadSpan span = span_of_motion_in_space(run);
+    return {chain_of(run), {span.begin.value(), span.period.value(), span.closed, span.instants}};
+  }
+
   const spatial::Mechanism* mechanism_;
+  spatial::StatesAround states_;
   std::optional<double> looked_at_;  ///< the time of the state [s]
   spatial::State state_;
   std::vector<spatial::Wrench> wrenches_;

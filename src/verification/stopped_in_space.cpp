@@ -292,12 +292,11 @@ class StoppedFrame {
 }  // namespace
 
 std::optional<double> critical_factor_in_space(const Project& project, const spatial::Chain& chain,
-                                               Time time, const CutForceDiagram& diagram,
-                                               double most) {
+                                               const spatial::State& state,
+                                               const CutForceDiagram& diagram, double most) {
   constexpr int parts =
       4;  // of each stretch: N_cr is 0.8 % high of one fixed at both ends, else 0.05 %
   try {
-    const spatial::State state = chain.at(time.value());
     StoppedFrame frame(project, chain, state);
     if (!frame.make(diagram)) return {};
     const frame::Statics statics(frame.structure, parts);

@@ -8,7 +8,7 @@
 
 namespace boxbeam {
 
-/// At so many times its loads a mechanism in space that is stopped at a time buckles elastically,
+/// At so many times its loads a mechanism in space that is stopped in a state buckles elastically,
 /// at most `most`, beyond which it is not looked; nothing where it cannot be stopped and hold the
 /// beam: where forces move it, at a dead point, or where a body is free to turn.
 ///
@@ -17,10 +17,10 @@ namespace boxbeam {
 /// joints are as rigid. Friction holds nothing. Springs act as they are, with the force in them; a
 /// rod between two places is a bar. What presses any of them counts
 /// (`frame::Statics::critical_factor`): so a boom that a cylinder holds in the plane in which it
-/// luffs buckles across it as a cantilever. `diagram`: of the verified beam at that time. Places
+/// luffs buckles across it as a cantilever. `diagram`: of the verified beam then. Places
 /// beside the line of a body follow its turns; the second order of these levers is left out.
 std::optional<double> critical_factor_in_space(const Project& project, const spatial::Chain& chain,
-                                               Time time, const CutForceDiagram& diagram,
-                                               double most);
+                                               const spatial::State& state,
+                                               const CutForceDiagram& diagram, double most);
 
 }  // namespace boxbeam

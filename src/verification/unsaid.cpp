@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "boxbeam/fatigue/size_effect.hpp"
 #include "boxbeam/project/attachment_welds.hpp"
@@ -13,6 +14,7 @@
 #include "boxbeam/verification/unseen_time.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
 #include "fast_loads.hpp"
+#include "open_motion.hpp"
 #include "plate_steps.hpp"
 #include "vibration_in_space.hpp"
 
@@ -134,22 +136,24 @@ bool goes_on(const Project& project, const SituationRun& run) {
 /// motion has a speed at once, and behind what the vibrating model looks at.
 std::vector<NotJudged> vibration_beside_of(const Project& project, const ModelChoice& model,
                                            const SituationRun& run) {
-  const planar::Motion& motion = planar_motion_of(run);
-  if (motion.closed) return {};
+  const std::optional<OpenMotion> motion = open_motion_of(project, run);
+  if (!motion) return {};
   std::vector<NotJudged> beside;
-  if (!planar::is_at_rest(motion, motion.states.front())) {
+  if (!motion->rests_before) {
     beside.push_back(
         {Criterion::yield, "vibration at the beginning",
          fmt::format("at {:.6g} s bodies move already: the beam follows its loads without a free "
                      "vibration then, and what a blow or a motion before leaves in it is not "
                      "looked at; let drivers begin with a step or a table from rest",
-                     motion.begin)});
+                     motion->begin)});
   }
-  const Time end = si<Time>(motion.begin + motion.period);
+  const Time end = si<Time>(motion->end());
   const Time last = run.loads.begin() + run.loads.period();
   if (!project.fatigue.asked || !(last > end) || model.frequencies.empty()) return beside;
-  const std::vector<ComparedPlace> places = compared_places_of(project.beam);
-  const Eigen::MatrixXd stresses = stress_history(run.loads, places);
+  const bool in_space = std::holds_alternative<spatial::Mechanism>(project.mechanism);
+  const Eigen::MatrixXd stresses =
+      in_space ? stress_history_in_space(run.loads, project.beam)
+               : stress_history(run.loads, compared_places_of(project.beam));
   const double step = run.loads.period().value() / static_cast<double>(run.loads.span().instants);
   const auto rows = static_cast<Eigen::Index>(std::ceil(1.0 / (model.frequencies.front() * step)));
   constexpr double gone = 0.1;
@@ -166,6 +170,19 @@ std::vector<NotJudged> vibration_beside_of(const Project& project, const ModelCh
                                         "out")});
   }
   return beside;
+}
+
+/// The same of the first of the runs of which there is something to say, of those that are looked
+/// at.
+std::vector<NotJudged> vibration_beside_of(const Project& project, const ModelChoice& model,
+                                           const std::deque<SituationRun>& runs,
+                                           const std::function<bool(const SituationRun&)>& looked) {
+  for (const SituationRun& run : runs) {
+    if (!looked(run)) continue;
+    std::vector<NotJudged> beside = vibration_beside_of(project, model, run);
+    if (!beside.empty()) return beside;
+  }
+  return {};
 }
 
 bool has_functions_of_time(const frame::Structure& structure) {
@@ -245,25 +262,8 @@ std::vector<NotJudged> unestimated_vibration_of(const Project& project, const Mo
   if (!model.bends_rigid_motion && frame == nullptr) return {};
   const bool planar = std::holds_alternative<planar::Mechanism>(project.mechanism);
   const auto* const space = std::get_if<spatial::Mechanism>(&project.mechanism);
-  if (space != nullptr && model.chosen.level == ModelLevel::modal) return {};
-  if (model.chosen.level == ModelLevel::modal) {
-    for (const SituationRun& run : runs) {
-      std::vector<NotJudged> beside = vibration_beside_of(project, model, run);
-      if (!beside.empty()) return beside;
-    }
-    return {};
-  }
-  std::string obstacle = front_end_of(project)->obstacle_to_vibration(runs);
-  if (space != nullptr && obstacle.empty() && !model.frequencies.empty()) {
-    const double missed = vibration_missed_in_space(project, model);
-    if (missed <= model.tolerance) return {};
-    return {{Criterion::yield, "vibration",
-             fmt::format("estimated to change the governing stress by {}, tolerance {}, and bodies "
-                         "are rigid; the lowest natural frequency of the beam in its "
-                         "mechanism is {:.4g} Hz",
-                         percent_text(missed), percent_text(model.tolerance),
-                         model.frequencies.front())}};
-  }
+  if (model.chosen.level == ModelLevel::modal)
+    return vibration_beside_of(project, model, runs, [](const SituationRun&) { return true; });
   const auto changes = [&](const SituationRun& run) {
     if (run.motion->stands_still()) return false;
     if (frame != nullptr && !has_functions_of_time(frame_in(project, *run.situation))) return false;
@@ -271,14 +271,18 @@ std::vector<NotJudged> unestimated_vibration_of(const Project& project, const Mo
     const Eigen::MatrixXd stresses = stress_history(run.loads, compared_places_of(project.beam));
     return largest_range(stresses) > model.tolerance * stresses.cwiseAbs().maxCoeff();
   };
-  if (planar && obstacle.empty()) {
-    for (const SituationRun& run : runs) {
-      if (!changes(run)) continue;
-      std::vector<NotJudged> beside = vibration_beside_of(project, model, run);
-      if (!beside.empty()) return beside;
-    }
-    return {};
+  std::string obstacle = front_end_of(project)->obstacle_to_vibration(runs);
+  if (space != nullptr && obstacle.empty() && !model.frequencies.empty()) {
+    const double missed = vibration_missed_in_space(project, model);
+    if (missed <= model.tolerance) return vibration_beside_of(project, model, runs, changes);
+    return {{Criterion::yield, "vibration",
+             fmt::format("estimated to change the governing stress by {}, tolerance {}, and bodies "
+                         "are rigid; the lowest natural frequency of the beam in its "
+                         "mechanism is {:.4g} Hz",
+                         percent_text(missed), percent_text(model.tolerance),
+                         model.frequencies.front())}};
   }
+  if (planar && obstacle.empty()) return vibration_beside_of(project, model, runs, changes);
   if (std::none_of(runs.begin(), runs.end(), changes)) return {};
   if (obstacle.empty() && space != nullptr)
     obstacle = "the stopped mechanism does not hold the beam";

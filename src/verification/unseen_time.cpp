@@ -10,6 +10,7 @@
 
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/verification/front_end.hpp"
+#include "front_ends.hpp"
 
 namespace boxbeam {
 namespace {
@@ -107,6 +108,8 @@ bool only_repeats(const Project& project, const SituationRun& run,
 double length_of_motion(const Project& project, const SituationRun& run) {
   if (std::holds_alternative<planar::Mechanism>(project.mechanism))
     return planar_motion_of(run).period;
+  if (std::holds_alternative<spatial::Mechanism>(project.mechanism))
+    return span_of_motion_in_space(run).period.value();
   return run.loads.period().value();
 }
 

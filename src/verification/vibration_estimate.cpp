@@ -5,14 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <optional>
 #include <unsupported/Eigen/FFT>
 
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
 #include "boxbeam/mechanism/planar/forces.hpp"
-#include "boxbeam/numerics/chebyshev_curve.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
+#include "strained_once.hpp"
 
 namespace boxbeam {
 namespace {
@@ -119,85 +120,16 @@ class StrainingCuts {
   planar::StatesAround states_;
 };
 
-/// What strains bodies at the beginning of a motion that does not repeat, and its rate: at rest, or
-/// as it moves already.
-ModalState column_at_beginning(const RigidMotion& rigid, StrainingCuts& cuts,
-                               const DividedBodies& divided) {
-  const planar::Motion& motion = *rigid.motion;
-  if (planar::is_at_rest(motion, motion.states.front())) {
-    Eigen::VectorXd column = cuts.at(motion.begin - motion.period, divided);
-    Eigen::VectorXd rate = Eigen::VectorXd::Zero(column.size());
-    return {std::move(column), std::move(rate)};
+/// Of every kind of cut force a part of its largest value.
+Eigen::VectorXd allowed_in_cuts(const Eigen::VectorXd& largest) {
+  constexpr double part = 1e-4;
+  Eigen::VectorXd allowed(largest.size());
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const auto every = Eigen::seqN(k, largest.size() / 3, 3);
+    allowed(every).setConstant(part * largest(every).maxCoeff());
   }
-  const double h = step_of_rates(motion);
-  return moving_with({cuts.at(motion.begin, divided), cuts.at(motion.begin + h, divided),
-                      cuts.at(motion.begin + 2.0 * h, divided)},
-                     h);
+  return allowed;
 }
-
-/// The response of modes from rest in a motion that does not repeat.
-class StrainingOnce {
- public:
-  StrainingOnce(const RigidMotion& rigid, StrainingCuts& cuts, const DividedBodies& divided)
-      : borders_(borders_of(rigid)),
-        curve_([&](double time) { return cuts.at(time, divided); },
-               {borders_, 8.0 * step_of(rigid), step_of(rigid)},
-               [](const Eigen::VectorXd& largest) {
-                 constexpr double part = 1e-4;
-                 Eigen::VectorXd allowed(largest.size());
-                 for (Eigen::Index k = 0; k < 3; ++k) {
-                   const auto every = Eigen::seqN(k, largest.size() / 3, 3);
-                   allowed(every).setConstant(part * largest(every).maxCoeff());
-                 }
-                 return allowed;
-               }),
-        before_(column_at_beginning(rigid, cuts, divided)) {
-    if (planar::is_at_rest(*rigid.motion, rigid.motion->end))
-      behind_ = cuts.at(borders_.back() + rigid.motion->period, divided);
-  }
-
-  /// The dynamic part of each mode at the ends of steps, a column each. `work`: what the column of
-  /// cut forces does on the modes, a row each.
-  Eigen::MatrixXd dynamic_parts(const Eigen::MatrixXd& work, const Eigen::VectorXd& frequencies,
-                                const Eigen::VectorXd& damping) const {
-    constexpr double steps_to_a_period = 20.0, most_steps = 4000.0, watched_periods = 1.5;
-    const Eigen::VectorXd squares = (full_turn * frequencies).array().square();
-    const Eigen::MatrixXd stiffness = squares.asDiagonal(), viscous = damping.asDiagonal();
-    const auto force_at = [&](double time) -> Eigen::VectorXd {
-      return work * (time <= borders_.back() ? curve_.at(time) : *behind_);
-    };
-    const auto equations = [&](double time) -> ModalEquations {
-      return {viscous, stiffness, force_at(time)};
-    };
-    std::vector<double> borders = borders_;
-    if (behind_) borders.push_back(borders.back() + watched_periods / frequencies.minCoeff());
-    const double length = borders.back() - borders.front();
-    const double step =
-        std::max(1.0 / (steps_to_a_period * frequencies.maxCoeff()), length / most_steps);
-    const TransientResponse response(equations, borders,
-                                     ModalState{(work * before_.eta).cwiseQuotient(squares),
-                                                (work * before_.speed).cwiseQuotient(squares)},
-                                     step);
-    const std::vector<double>& times = response.times();
-    Eigen::MatrixXd parts(static_cast<Eigen::Index>(times.size()), work.rows());
-    for (std::size_t i = 0; i < times.size(); ++i) {
-      const ModalState& at = response.states()[i];
-      const Eigen::VectorXd beyond = viscous * at.speed - force_at(times[i]);
-      parts.row(static_cast<Eigen::Index>(i)) =
-          (at.eta + beyond.cwiseQuotient(squares)).transpose();
-    }
-    return parts;
-  }
-
- private:
-  static double step_of(const RigidMotion& rigid) {
-    return rigid.motion->period / static_cast<double>(rigid.motion->states.size());
-  }
-  std::vector<double> borders_;
-  ChebyshevCurve curve_;
-  ModalState before_;  ///< the column and its rate, which modes follow statically
-  std::optional<Eigen::VectorXd> behind_;  ///< where the motion ends at rest
-};
 
 /// The work of what strains the elastic bodies, a column of `StrainingCuts`, on modes, a row each.
 Eigen::MatrixXd work_on(const PostureModes& modes) {
@@ -272,12 +204,14 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
   // In most postures bodies are divided alike.
   DividedBodies divided;
   Eigen::MatrixXd straining;  // a row for each even instant
-  std::optional<StrainingOnce> once;
+  std::optional<StrainedOnce> once;
   const auto divide = [&](DividedBodies anew) {
     if (divided_alike(divided, anew)) return;
     divided = std::move(anew);
     if (!motion.closed) {
-      once.emplace(rigid, cuts, divided);
+      once.emplace(
+          open_motion_of(*rigid.mechanism, motion),
+          [&](double time) { return cuts.at(time, divided); }, allowed_in_cuts);
       return;
     }
     const double step = motion.period / static_cast<double>(history.even_instants());

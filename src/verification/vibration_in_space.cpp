@@ -11,10 +11,12 @@
 
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/spatial/rest.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/section/torsion.hpp"
 #include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
+#include "strained_once.hpp"
 
 namespace boxbeam {
 namespace {
@@ -344,40 +346,72 @@ Eigen::VectorXd cuts_of_beams(const std::vector<frame::PosedBeam>& beams) {
 }
 
 /// `StoppedVibration::rigid_cuts` of every even instant, a row for each.
-Eigen::MatrixXd cuts_over(const LoadHistory& history, const StoppedVibration& stopped) {
+Eigen::MatrixXd cuts_over(const LoadHistory& history, const spatial::Chain& chain,
+                          const StoppedVibration& stopped) {
   const std::size_t count = history.even_instants();
   Eigen::MatrixXd cuts;
   for (std::size_t i = 0; i < count; ++i) {
     const Time time =
         history.begin() + history.period() * (static_cast<double>(i) / static_cast<double>(count));
-    const Eigen::VectorXd at = stopped.rigid_cuts(time, history.even_diagram(i));
+    const Eigen::VectorXd at = stopped.rigid_cuts(chain.at(time.value()), history.even_diagram(i));
     if (i == 0) cuts.resize(static_cast<Eigen::Index>(count), at.size());
     cuts.row(static_cast<Eigen::Index>(i)) = at.transpose();
   }
   return cuts;
 }
 
+/// Of every cut force a part of its largest value, or of all forces or moments where it hardly
+/// counts beside these.
+Eigen::VectorXd allowed_in_cuts_of_space(const Eigen::VectorXd& largest) {
+  constexpr double part = 1e-4, hardly = 1e-2;
+  constexpr Eigen::Index kinds = 6;
+  const auto every = [&](Eigen::Index kind) {
+    return Eigen::seqN(kind, largest.size() / kinds, kinds);
+  };
+  Eigen::VectorXd of_kinds(kinds), allowed(largest.size());
+  for (Eigen::Index k = 0; k < kinds; ++k) of_kinds[k] = largest(every(k)).maxCoeff();
+  const double force = of_kinds.head<3>().maxCoeff(), moment = of_kinds.tail<3>().maxCoeff();
+  for (Eigen::Index k = 0; k < kinds; ++k)
+    allowed(every(k)).setConstant(part * std::max(of_kinds[k], hardly * (k < 3 ? force : moment)));
+  return allowed;
+}
+
 /// What the first modes of a posture, taken for the whole motion, are estimated to add.
 class SpaceEstimate {
  public:
-  SpaceEstimate(const LoadHistory& history, const StoppedVibration& stopped, const TaperedBeam& of)
+  SpaceEstimate(const LoadHistory& history, const spatial::Chain& chain,
+                const StoppedVibration& stopped, const TaperedBeam& of)
       : history_(&history), places_(places_in_space(of)), base_(1.0 / history.period().value()) {
     stresses_ = stresses_over(history, places_);
     peak_ = stresses_.cwiseAbs().maxCoeff();
     range_ = largest_range(stresses_);
-    if (peak_ > 0.0 && history.closed()) cuts_ = cuts_over(history, stopped);
+    const bool steeper = spatial::time_span_of(chain.mechanism()).steeper;
+    if (peak_ == 0.0 || steeper) return;
+    if (history.closed()) {
+      cuts_ = cuts_over(history, chain, stopped);
+      return;
+    }
+    const LoadSpan& span = history.span();
+    const spatial::StatesAround states(
+        chain, {span.begin.value(), span.period.value(), span.closed, span.instants});
+    const auto cuts = [&](double time) {
+      return stopped.rigid_cuts(states.at(time), history.diagram_at(si<Time>(time)));
+    };
+    once_.emplace(open_motion_of(chain, history.span()), cuts, allowed_in_cuts_of_space);
   }
+
+  /// Whether what modes add is estimated.
+  bool estimates() const { return cuts_.size() > 0 || once_; }
 
   bool loaded() const { return peak_ > 0.0; }
 
   /// With none, one, ... of the modes counted, of a motion that repeats.
   std::vector<double> missed_by(const std::vector<frame::BeamMode>& modes) const {
     std::vector<double> missed(modes.size() + 1, 0.0);
-    Eigen::MatrixXd beside = Eigen::MatrixXd::Zero(stresses_.rows(), stresses_.cols());
+    const Eigen::MatrixXd parts = once_ ? parts_once(modes) : parts_over_period(modes);
+    Eigen::MatrixXd beside = Eigen::MatrixXd::Zero(parts.rows(), stresses_.cols());
     for (std::size_t j = modes.size(); j-- > 0;) {
-      const frame::BeamMode& mode = modes[j];
-      beside += dynamic_part(cuts_ * mode.work, mode.frequency, mode.damping, base_) *
-                stresses_at(mode.cut, places_);
+      beside += parts.col(static_cast<Eigen::Index>(j)) * stresses_at(modes[j].cut, places_);
       const double of_range = range_ > 0.0 ? largest_range(beside) / range_ : 0.0;
       missed[j] = std::max(beside.cwiseAbs().maxCoeff() / peak_, of_range);
       // A harmonic that meets a frequency without damping has no bound.
@@ -395,16 +429,58 @@ class SpaceEstimate {
   }
 
  private:
+  Eigen::MatrixXd parts_over_period(const std::vector<frame::BeamMode>& modes) const {
+    Eigen::MatrixXd parts(cuts_.rows(), static_cast<Eigen::Index>(modes.size()));
+    Eigen::Index j = 0;
+    for (const frame::BeamMode& mode : modes)
+      parts.col(j++) = dynamic_part(cuts_ * mode.work, mode.frequency, mode.damping, base_);
+    return parts;
+  }
+  Eigen::MatrixXd parts_once(const std::vector<frame::BeamMode>& modes) const {
+    const auto count = static_cast<Eigen::Index>(modes.size());
+    Eigen::MatrixXd work(count, modes.front().work.size());
+    Eigen::VectorXd frequencies(count), damping(count);
+    for (Eigen::Index j = 0; j < count; ++j) {
+      const frame::BeamMode& mode = modes[static_cast<std::size_t>(j)];
+      work.row(j) = mode.work.transpose();
+      frequencies[j] = mode.frequency;
+      damping[j] = mode.damping;
+    }
+    return once_->dynamic_parts(work, frequencies, damping);
+  }
+
   const LoadHistory* history_;
   std::vector<PlaceInSpace> places_;
   double base_, peak_ = 0.0, range_ = 0.0;
   Eigen::MatrixXd stresses_, cuts_;
+  std::optional<StrainedOnce> once_;  ///< of a motion that does not repeat
 };
 
 }  // namespace
 
 Eigen::MatrixXd stress_history_in_space(const LoadHistory& history, const TaperedBeam& beam) {
   return stresses_over(history, places_in_space(beam));
+}
+
+Eigen::MatrixXd stress_history_in_space(const LoadHistory& history, const TaperedBeam& beam,
+                                        const LoadSpan& span) {
+  const std::vector<PlaceInSpace> places = places_in_space(beam);
+  const auto rows = static_cast<Eigen::Index>(span.instants + (span.closed ? 0 : 1));
+  Eigen::MatrixXd stresses(rows, stresses_of_place * static_cast<Eigen::Index>(places.size()));
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(span.instants);
+    stresses.row(i) = stresses_at(history.diagram_at(span.begin + part * span.period), places);
+  }
+  return stresses;
+}
+
+Eigen::VectorXd largest_stresses_in_space(const std::vector<frame::BeamMode>& modes,
+                                          const TaperedBeam& beam) {
+  const std::vector<PlaceInSpace> places = places_in_space(beam);
+  Eigen::VectorXd largest(static_cast<Eigen::Index>(modes.size()));
+  for (Eigen::Index j = 0; j < largest.size(); ++j)
+    largest[j] = stresses_at(modes[static_cast<std::size_t>(j)].cut, places).cwiseAbs().maxCoeff();
+  return largest;
 }
 
 Eigen::VectorXd cuts_at(const CutForceDiagram& diagram, const std::vector<Station>& stations) {
@@ -489,9 +565,9 @@ std::vector<frame::BeamMode> StoppedVibration::modes(const spatial::State& state
   return frame::modes_of(scene_in(state, rigid), count);
 }
 
-Eigen::VectorXd StoppedVibration::rigid_cuts(Time time, const CutForceDiagram& rigid) const {
-  if (beside_.empty()) return cuts_at(rigid, beams_.front().stations());
-  return cuts_of_beams(beams_in(chain_->at(time.value()), rigid));
+Eigen::VectorXd StoppedVibration::rigid_cuts(const spatial::State& state,
+                                             const CutForceDiagram& rigid) const {
+  return cuts_of_beams(beams_in(state, rigid));
 }
 
 ModesInMotion StoppedVibration::modes_in_motion(const spatial::State& state,
@@ -558,7 +634,6 @@ std::string obstacle_to_vibration_in_space(const std::deque<SituationRun>& rigid
     if (std::any_of(mechanism.joints.begin(), mechanism.joints.end(),
                     [](const spatial::Joint& joint) { return spatial::is_forced(joint); }))
       return "forces decide the motion: with its drivers held the mechanism is free to move";
-    if (!run.loads.closed()) return "the motion does not repeat";
     if (spatial::time_span_of(mechanism).steeper)
       return "the edges of a table of forces are steeper than the instants looked at";
   }
@@ -569,14 +644,16 @@ double vibration_missed_in_space(const Project& project, const ModelChoice& mode
   if (!std::holds_alternative<spatial::Mechanism>(project.mechanism)) return 0.0;
   if (model.chosen.level == ModelLevel::modal) return 0.0;
   // Else there stands second order, which in space is weighed where there is none.
-  return model.weighed.empty() ? 0.0 : model.weighed.front().error;
+  if (model.weighed.empty()) return 0.0;
+  const ModelEstimate& by_rigid = model.weighed.front();
+  return std::max(by_rigid.error, by_rigid.found.value_or(0.0));
 }
 
 VibrationInSpace estimate_vibration_in_space(const Project& project, const SituationRun& run,
                                              int parts) {
   const spatial::Chain& chain = chain_of(run);
   const StoppedVibration stopped(project, chain, parts);
-  const SpaceEstimate of_loads(run.loads, stopped, project.beam);
+  const SpaceEstimate of_loads(run.loads, chain, stopped, project.beam);
   VibrationInSpace result;
   VibrationEstimate& estimate = result.estimate;
   estimate.without_modes = {0.0};
@@ -592,7 +669,7 @@ VibrationInSpace estimate_vibration_in_space(const Project& project, const Situa
     for (const spatial::BeamPlacement& beam : stopped.placements())
       fastest = std::max(fastest, state.bodies[static_cast<std::size_t>(beam.body)].omega.norm());
     const std::vector<double> missed =
-        run.loads.closed() ? of_loads.missed_by(modes) : std::vector<double>{};
+        of_loads.estimates() ? of_loads.missed_by(modes) : std::vector<double>{};
     if (estimate.without_modes.size() < missed.size())
       estimate.without_modes.resize(missed.size(), 0.0);
     for (std::size_t k = 0; k < missed.size(); ++k)
@@ -635,7 +712,7 @@ VibrationInSpace estimate_vibration_in_space(const Project& project, const Situa
     result.obstacle = fmt::format("stopped at {:.4g} s, {}", now, error.failure().what);
     return result;
   }
-  if (estimate.frequencies.empty() || !run.loads.closed()) return result;
+  if (estimate.frequencies.empty() || !of_loads.estimates()) return result;
   const double turning = std::pow(fastest / (full_turn * estimate.frequencies.front()), 2);
   // Bodies beside the beam turn with axes of their own, against which modes change.
   const double coupled = turning * beside;
@@ -645,7 +722,7 @@ VibrationInSpace estimate_vibration_in_space(const Project& project, const Situa
   const double rubbed = friction_in(chain.mechanism()) * estimate.without_modes.front();
   for (double& error : estimate.without_modes) error += rubbed;
   estimate.left_out = coupled + rubbed;
-  estimate.harmonics = of_loads.harmonics();
+  if (run.loads.closed()) estimate.harmonics = of_loads.harmonics();
   return result;
 }
 

@@ -64,7 +64,7 @@ class StoppedVibration {
                                 std::size_t count) const;
 
   /// Cut forces of all rigid beams where `BeamMode::work` has them; `rigid`: of the verified one.
-  Eigen::VectorXd rigid_cuts(Time time, const CutForceDiagram& rigid) const;
+  Eigen::VectorXd rigid_cuts(const spatial::State& state, const CutForceDiagram& rigid) const;
 
   const std::vector<spatial::BeamPlacement>& placements() const { return placements_; }
 
@@ -95,6 +95,13 @@ struct VibrationInSpace {
 
 /// These stresses along a beam at the even instants of its loads, a row for each.
 Eigen::MatrixXd stress_history_in_space(const LoadHistory& history, const TaperedBeam& beam);
+/// The same at the even instants of another time.
+Eigen::MatrixXd stress_history_in_space(const LoadHistory& history, const TaperedBeam& beam,
+                                        const LoadSpan& span);
+
+/// The largest of these stresses that a unit of each mode makes.
+Eigen::VectorXd largest_stresses_in_space(const std::vector<frame::BeamMode>& modes,
+                                          const TaperedBeam& beam);
 
 /// Why nothing is estimated in any of the situations that run; "" where the motion lets it.
 std::string obstacle_to_vibration_in_space(const std::deque<SituationRun>& rigid);
@@ -103,8 +110,8 @@ std::string obstacle_to_vibration_in_space(const std::deque<SituationRun>& rigid
 /// was not estimated, and in the plane, where it decides on the model.
 double vibration_missed_in_space(const Project& project, const ModelChoice& model);
 
-/// At instants evenly spread over a run and about the lowest first frequency. Of a motion that does
-/// not repeat the frequencies alone. Precondition: forces move nothing.
+/// At instants evenly spread over a run and about the lowest first frequency. Of loads whose edges
+/// are steeper than the instants the frequencies alone. Precondition: forces move nothing.
 VibrationInSpace estimate_vibration_in_space(const Project& project, const SituationRun& run,
                                              int parts = 8);
 

@@ -21,6 +21,7 @@
 #include "boxbeam/verification/vibrating_stress.hpp"
 #include "catch.hpp"
 #include "support/slender_beam.hpp"
+#include "support/space_arm.hpp"
 #include "support/space_elements.hpp"
 
 namespace elastic_motion_in_space_test {
@@ -30,123 +31,11 @@ using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
+using namespace test::space_arm;
 
 namespace {
 
 constexpr double pi = std::numbers::pi, E = 210e9, G = 81e9;
-
-/// An arm of 4 m along x, a box, with what `joints` say around it.
-std::string arm(const std::string& joints, const std::string& beam, const std::string& model = "") {
-  return R"([case]
-name = "arm"
-kind = "spatial"
-[mechanism]
-gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
-[bodies.arm]
-points = { heel = ["0 m", "0 m", "0 m"], mid = ["1.5 m", "0 m", "0 m"], tip = ["4 m", "0 m", "0 m"] }
-)" + joints +
-         R"(
-[sections.arm]
-kind = "box"
-width = "120 mm"
-height = "160 mm"
-flange = "8 mm"
-web = "6 mm"
-[beam]
-body = "arm"
-start = "heel"
-axis = "x"
-z = "z"
-)" + beam +
-         R"(
-[[beam.segments]]
-length = "4 m"
-section = "arm"
-[material]
-steel = "S355"
-[strength]
-required = 1.0
-)" + model;
-}
-
-const std::string steel = "density = \"7850 kg/m^3\"\nrotary_inertia = true\n";
-const std::string light = "density = \"1e-3 kg/m^3\"\n";
-
-/// A body beside the tip: with the arm it makes an L that leans.
-const std::string beside = R"(
-[bodies.load]
-mass = "120 kg"
-centre = ["0.1 m", "1.2 m", "-0.4 m"]
-inertia = [["9 kg m^2", "1 kg m^2", "-2 kg m^2"], ["1 kg m^2", "6 kg m^2", "0.5 kg m^2"], ["-2 kg m^2", "0.5 kg m^2", "11 kg m^2"]]
-points = { c = ["0 m", "0 m", "0 m"] }
-[joints.tip]
-kind = "fixed"
-connect = ["arm.tip", "load.c"]
-)";
-
-std::string hinge(const Vector3d& axis, double amplitude, double frequency) {
-  return fmt::format(R"(
-[joints.heel]
-kind = "revolute"
-connect = ["ground", "arm.heel"]
-at = ["0 m", "0 m", "0 m"]
-axis = [{:.15g}, {:.15g}, {:.15g}]
-[drivers.turning]
-joint = "heel"
-kind = "harmonic"
-mean = "0 rad"
-amplitude = "{:.15g} rad"
-frequency = "{:.15g} Hz"
-)",
-                     axis.x(), axis.y(), axis.z(), amplitude, frequency);
-}
-
-/// A case whose rigid bodies have moved.
-struct Moved {
-  explicit Moved(const std::string& text)
-      : project(parse_project("arm.toml", text)), runs(run_situations(project)) {}
-
-  const LoadHistory& rigid() const { return runs.front().loads; }
-  const spatial::Chain& chain() const { return chain_of(runs.front()); }
-  ElasticMotionInSpace by(std::size_t modes, int parts, std::size_t instants = 0) const {
-    LoadSpan span = rigid().span();
-    if (instants > 0) span.instants = instants;
-    return {project, chain(), span, [this](Time time) { return rigid().loads_at(time); },
-            modes,   parts};
-  }
-  std::vector<frame::BeamMode> modes(int parts, std::size_t count) const {
-    const StoppedVibration stopped(project, chain(), parts);
-    const double begin = rigid().begin().value();
-    return stopped.modes(chain().at(begin), rigid().diagram_at(si<Time>(begin)), count);
-  }
-  Time at(double part) const { return rigid().begin() + part * rigid().period(); }
-
-  Project project;
-  std::deque<SituationRun> runs;
-};
-
-using Cuts = Eigen::Matrix<double, 6, 1>;
-
-Cuts cuts_of(const BeamLoads& loads, double s) {
-  return cuts_at(cut_forces_of(loads), {{si<Length>(s), Side::behind}});
-}
-
-/// What is left over beside the largest loads, forces times the beam's length.
-double imbalance(const BeamLoads& loads, double length) {
-  double largest = 0.0;
-  for (const PointLoad& load : loads.points)
-    largest = std::max({largest, load.force.norm() * length, load.moment.norm()});
-  const Imbalance of = imbalance_of(loads);
-  return std::max(of.force.norm() * length, of.moment.norm()) / largest;
-}
-
-/// Forces, then moments, of the same size.
-void check_alike(const Cuts& found, const Cuts& expected, const Cuts& size, double within) {
-  const double force = size.head<3>().norm(), moment = size.tail<3>().norm();
-  INFO("found " << found.transpose() << "\nexpected " << expected.transpose());
-  CHECK((found - expected).head<3>().norm() < within * force);
-  CHECK((found - expected).tail<3>().norm() < within * moment);
-}
 
 }  // namespace
 
@@ -202,59 +91,6 @@ TEST_CASE("what turning adds is the virtual work of a body's masses", "[elastic_
   }
 }
 
-namespace {
-
-const char* slender_text = R"([case]
-name = "shaken"
-kind = "spatial"
-[mechanism]
-gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
-[bodies.arm]
-points = {{ heel = ["0 m", "0 m", "0 m"] }}
-[joints.base]
-kind = "revolute"
-connect = ["ground", "arm.heel"]
-at = ["0 m", "0 m", "0 m"]
-axis = [{:.15g}, {:.15g}, {:.15g}]
-[drivers.turning]
-joint = "base"
-kind = "harmonic"
-mean = "0 rad"
-amplitude = "{:.15g} rad"
-frequency = "{:.15g} Hz"
-[sections.root]
-kind = "box"
-width = "80 mm"
-height = "100 mm"
-flange = "5 mm"
-web = "5 mm"
-[sections.tip]
-kind = "box"
-width = "{} mm"
-height = "{} mm"
-flange = "5 mm"
-web = "5 mm"
-[beam]
-body = "arm"
-start = "heel"
-axis = "x"
-z = "z"
-density = "7850 kg/m^3"
-[[beam.segments]]
-length = "12 m"
-from = "root"
-to = "tip"
-[material]
-steel = "S355"
-[strength]
-required = 1.0
-[model]
-youngs_modulus = "210 GPa"
-shear_modulus = "{} GPa"
-)";
-
-}  // namespace
-
 // The same beam as a chain of rigid finite elements of the plane and by its pieces in space, in a
 // motion whose turning counts: equations, loads and basis are the plane's.
 TEST_CASE("a motion of the plane written in space has the plane's vibration", "[elastic_motion]") {
@@ -288,8 +124,7 @@ TEST_CASE("a motion of the plane written in space has the plane's vibration", "[
       0, centre, L, link_stretches_of(plane.beam, test::slender::E, test::slender::G), 0.0, 384};
   const ElasticMotion vibrating(plane.rigid(), elastic, 2);
   const LoadsAt bent = bent_statically(plane.rigid(), elastic);
-  const Moved of(
-      fmt::format(fmt::runtime(slender_text), 0.0, -1.0, 0.0, amplitude, frequency, 60, 50, 81));
+  const Moved of(slender({0.0, -1.0, 0.0}, swinging(amplitude, frequency), 60, 50, 81.0));
   // Two of them in the plane.
   const ElasticMotionInSpace coarse = of.by(4, 48, 48), fine = of.by(4, 96, 48);
   REQUIRE(fine.dynamic_part().cols() == 4);
@@ -343,8 +178,7 @@ TEST_CASE("a beam on a hinge that swings about any axis vibrates as the closed s
   for (const double r : {0.2, 0.6, 1.3}) {
     const double frequency = r * test::slender::first_frequency(), small = 1e-4;
     const Vector3d axis(0.0, 0.6, 0.8);
-    const Moved of(fmt::format(fmt::runtime(slender_text), axis.x(), axis.y(), axis.z(), small,
-                               frequency, 80, 100, 1e6));
+    const Moved of(slender(axis, swinging(small, frequency), 80, 100, 1e6));
     const ElasticMotionInSpace elastic = of.by(6, 16);
     const Section& section = of.project.beam.segments.front().from;
     const SectionProperties properties = properties_of(section);
@@ -450,50 +284,13 @@ TEST_CASE("an L on a swinging hinge vibrates as a model of finite elements", "[e
   }
 }
 
-namespace {
-
-/// A column that swings about an axis that lies as it will, on a ground that is turned.
-std::string slewing(const std::string& ground_turn, double amplitude = 0.7) {
-  return fmt::format(R"(
-[bodies.base]
-points = {{ o = ["0 m", "0 m", "0 m"] }}
-[bodies.column]
-mass = "50 kg"
-centre = ["0 m", "0 m", "0.5 m"]
-inertia = ["4 kg m^2", "4 kg m^2", "1 kg m^2"]
-points = {{ a = ["0 m", "0 m", "0 m"], b = ["0 m", "0 m", "1 m"] }}
-[joints.base]
-kind = "fixed"
-connect = ["ground", "base.o"]
-at = ["1 m", "-2 m", "3 m"]
-{}
-[joints.slew]
-kind = "revolute"
-connect = ["base.o", "column.a"]
-axis = [0.48, -0.6, 0.64]
-[joints.root]
-kind = "fixed"
-connect = ["column.b", "arm.heel"]
-turn = [["y", "-20 deg"], ["x", "30 deg"]]
-[drivers.slewing]
-joint = "slew"
-kind = "harmonic"
-mean = "0.2 rad"
-amplitude = "{} rad"
-frequency = "0.6 Hz"
-)",
-                     ground_turn, amplitude);
-}
-
-}  // namespace
-
 // Invariant: the scene turned as a whole.
 TEST_CASE("however a scene lies in the world its beam moves alike", "[elastic_motion]") {
-  const Moved straight(arm(slewing("") + beside, steel)),
-      turned(
-          arm(slewing("turn = [[\"x\", \"70 deg\"], [\"z\", \"-130 deg\"], [\"y\", \"15 deg\"]]") +
-                  beside,
-              steel));
+  const Moved straight(arm(slewing("", swinging(0.7, 0.6, 0.2)) + beside, steel)),
+      turned(arm(slewing("turn = [[\"x\", \"70 deg\"], [\"z\", \"-130 deg\"], [\"y\", \"15 deg\"]]",
+                         swinging(0.7, 0.6, 0.2)) +
+                     beside,
+                 steel));
   const ElasticMotionInSpace one = straight.by(4, 8), other = turned.by(4, 8);
   for (const double part : {0.0, 0.123, 0.4, 0.81}) {
     for (const double s : {0.0, 1.3, 3.1}) {
@@ -536,66 +333,6 @@ rate = "2 rad/s"
     check_alike(cuts_of(bent.loads_at(leaning.at(part)), 0.0), first, first, 1e-7);
 }
 
-namespace {
-
-/// A point mass at the tip of an arm without mass, rigid in shear, that swings far about an axis
-/// through its heel, in its own axes:
-///
-///     m (u'' + 2 w x u' + w' x u + w x (w x u)) + K u + d K_0 u' = -m (w' x r + w x (w x r))
-///
-/// K = diag(EA/L, k_z, k_y), k = N/(L (1 - tanh(x)/x)), x = L (N/EI)^(1/2), in compression of tan,
-/// of the pull N of the rigid motion; periodic from the start that repeats, by Runge and Kutta.
-/// Sources: Goldstein, Classical Mechanics (1980), 4-10; Timoshenko, Gere, Theory of Elastic
-/// Stability (1961), 1.
-struct SwungMass {
-  using State = Eigen::Matrix<double, 6, 1>;
-  double m, L, EA, EI_y, EI_z, delay;
-  Vector3d axis;
-  double amplitude, omega;
-  static constexpr int steps = 9600;
-
-  double stiffness(double EI, double N) const {
-    const double x = L * std::sqrt(std::abs(N) / EI);
-    if (x < 1e-4) return 3.0 * EI / (L * L * L) + 1.2 * N / L;
-    return N / (L * (1.0 - (N > 0.0 ? std::tanh(x) : std::tan(x)) / x));
-  }
-  State rate(double t, const State& y, double load) const {
-    const Vector3d w = axis * amplitude * omega * std::cos(omega * t),
-                   change = -axis * amplitude * omega * omega * std::sin(omega * t), r(L, 0.0, 0.0),
-                   u = y.head<3>(), v = y.tail<3>();
-    const Vector3d rigid = change.cross(r) + w.cross(w.cross(r));
-    const double N = -m * rigid.x();
-    const Vector3d K(EA / L, stiffness(EI_z, N), stiffness(EI_y, N)),
-        K_0(EA / L, 3.0 * EI_z / (L * L * L), 3.0 * EI_y / (L * L * L));
-    State of;
-    of.head<3>() = v;
-    of.tail<3>() = -load * rigid - 2.0 * w.cross(v) - change.cross(u) - w.cross(w.cross(u)) -
-                   (K.cwiseProduct(u) + delay * K_0.cwiseProduct(v)) / m;
-    return of;
-  }
-  std::vector<State> path(const State& start, double load) const {
-    std::vector<State> states{start};
-    const double h = 2.0 * pi / omega / steps;
-    for (int i = 0; i < steps; ++i) {
-      const double t = h * i;
-      const State y = states.back(), a = rate(t, y, load),
-                  b = rate(t + 0.5 * h, y + 0.5 * h * a, load),
-                  c = rate(t + 0.5 * h, y + 0.5 * h * b, load), d = rate(t + h, y + h * c, load);
-      states.push_back(y + h / 6.0 * (a + 2.0 * b + 2.0 * c + d));
-    }
-    return states;
-  }
-  std::vector<State> periodic() const {
-    Eigen::Matrix<double, 6, 6> free;
-    for (int i = 0; i < 6; ++i) free.col(i) = path(State::Unit(i), 0.0).back();
-    const State forced = path(State::Zero(), 1.0).back();
-    const Eigen::Matrix<double, 6, 6> open = Eigen::Matrix<double, 6, 6>::Identity() - free;
-    return path(open.lu().solve(forced), 1.0);
-  }
-};
-
-}  // namespace
-
 TEST_CASE("a mass on an arm that swings far moves as integration over time says",
           "[elastic_motion]") {
   const Vector3d axis(0.48, -0.6, 0.64);
@@ -627,9 +364,8 @@ connect = ["arm.tip", "load.c"]
                         E * section.I_z.value(),
                         0.03 / (pi * 4.0),
                         axis,
-                        amplitude,
-                        2.0 * pi * frequency};
-  const auto path = swung.periodic();
+                        HarmonicDriver{0.0, amplitude, 2.0 * pi * frequency, 0.0}};
+  const auto path = swung.periodic(1.0 / frequency);
   double largest = 0.0, apart = 0.0;
   for (Eigen::Index i = 0; i < eta.rows(); ++i) {
     const auto at = static_cast<std::size_t>(i * SwungMass::steps / eta.rows());
@@ -692,15 +428,7 @@ TEST_CASE("what modes do not hold is refused with its reason", "[elastic_motion]
       CHECK_THAT(error.failure().what, Catch::Contains(why));
     }
   };
-  std::string once = arm(hinge({0, 0, 1}, 0.1, 1.0) + beside, steel);
-  const std::string harmonic = once.substr(
-      once.find("kind = \"harmonic\""), once.find("frequency") - once.find("kind = \"harmonic\""));
-  std::string open = once;
-  open.replace(open.find(harmonic), harmonic.size(),
-               "kind = \"smooth step\"\nfrom = \"0 rad\"\nto = \"0.3 rad\"\nend = \"1 s\"\n");
-  open.erase(open.find("frequency"),
-             open.find('\n', open.find("frequency")) - open.find("frequency"));
-  refused(open, "does not repeat");
+  const std::string once = arm(hinge({0, 0, 1}, 0.1, 1.0) + beside, steel);
   // Without damping, in the first frequency to seven digits.
   const double first = Moved(once).modes(8, 1).front().frequency;
   refused(arm(hinge({0, 0, 1}, 1e-6, first) + beside, steel), "without damping");

@@ -27,7 +27,9 @@ class ChebyshevCurve {
   ChebyshevCurve(const Function& f, const Division& division, const Accuracy& accuracy);
 
   /// At a border the value behind it; outside the ends the polynomial of the end goes on.
-  Eigen::VectorXd at(double x) const;
+  Eigen::VectorXd at(double x) const { return at(x, pieces_.front().values.rows()); }
+  /// Of so many components, the first ones, alone.
+  Eigen::VectorXd at(double x, Eigen::Index components) const;
 
   /// The largest size of each component at the points.
   const Eigen::VectorXd& largest() const { return largest_; }

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <optional>
 
 #include "boxbeam/mechanism/planar/rest.hpp"
 #include "boxbeam/verification/load_history.hpp"
@@ -12,6 +11,7 @@
 
 namespace boxbeam {
 
+class ModalTransient;
 struct ModalPosture;
 
 /// The elastic body that the verified beam of a planar case is, with those of its other beams.
@@ -44,8 +44,7 @@ LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic, Lo
 ///
 /// F', F of the turning bodies (`frame_terms`): in a motion that repeats the periodic solution at N
 /// instants by Fourier collocation, in one that does not the solution from its beginning
-/// (`TransientResponse`), K, C, F', F and p by polynomials between the ends of steps and points of
-/// tables (`ChebyshevCurve`, within 1e-4).
+/// (`ModalTransient`), K, C, F', F and p by polynomials within 1e-4.
 ///
 /// Such a motion begins with the beam at rest in static balance under what acts on the mechanism
 /// held where it begins: where accelerations are there at once, what they load the beam with is a
@@ -76,9 +75,8 @@ class ElasticMotion {
   /// Loads on the beam at any time.
   BeamLoads loads_at(Time time) const;
 
-  /// The time of the loads: of a motion that does not repeat with the free vibration behind it, in
-  /// at least eight instants to a period of the fastest mode and, as far as their number allows, as
-  /// many to a second as the motion has. Throws AnalysisError where it holds too many periods.
+  /// The time of the loads: of a motion that does not repeat with the free vibration behind it
+  /// (`ModalTransient`). Throws AnalysisError where it holds too many periods.
   LoadSpan span_of(const LoadSpan& rigid) const;
 
   /// Modal coordinates with their viscous part, less their static one, at the instants of a motion
@@ -86,8 +84,8 @@ class ElasticMotion {
   const Eigen::MatrixXd& dynamic_part() const { return dynamic_; }
   /// Modal coordinates at these instants [sqrt(kg) m].
   const Eigen::MatrixXd& coordinates() const { return eta_; }
-  /// The same over a motion that does not repeat.
-  const std::optional<TransientResponse>& transient() const { return transient_; }
+  /// The same over a motion that does not repeat; nothing of others.
+  const TransientResponse* transient() const;
   double lowest_frequency() const { return lowest_; }  ///< over the motion [Hz]
 
  private:
@@ -105,14 +103,10 @@ class ElasticMotion {
   LoadedPosture posture_at(const planar::State& state, const BeamLoads& rigid, double time) const;
   Aligned aligned_at(const LoadedPosture& posture, double time) const;
   ModalPosture passed_at(const planar::State& state, const BeamLoads& rigid, double time) const;
-  void note_frequencies(const ModalPosture& posture);
   Moment moment_at(double time) const;
   Eigen::VectorXd dynamic_at(double time) const;
-  ModalState state_at_beginning() const;
   void solve_periodic();
-  void solve_from_rest();
-  void respond(std::vector<double> borders, double longest_piece);
-  double length_watched() const;
+  void solve_once();
 
   RigidMotion rigid_;
   std::shared_ptr<planar::StatesAround> states_;
@@ -121,22 +115,10 @@ class ElasticMotion {
   LoadsAt axial_;
   Eigen::MatrixXd reference_;  ///< shapes at the beginning
   Eigen::MatrixXd eta_, dynamic_;
-  std::optional<TransientResponse> transient_;
-  double lowest_ = 1e300, fastest_ = 0.0;
+  std::shared_ptr<const ModalTransient> transient_;
+  double lowest_ = 1e300;
   mutable std::shared_ptr<const Moment> at_end_;  ///< at rest behind the end
 };
-
-/// The most instants in which a beam is looked at that vibrates in a motion that does not repeat.
-inline constexpr double most_vibrating_instants = 8192.0;
-
-/// Instants to a period of the fastest mode that is counted.
-inline constexpr double instants_to_a_period = 8.0;
-
-/// A step that is small beside all that happens in a motion [s].
-double step_of_rates(const planar::Motion& motion);
-
-/// The times between its ends at which the loads of a motion may jump or bend, with the ends [s].
-std::vector<double> borders_of(const RigidMotion& rigid);
 
 /// Loads on the beam of a planar case by a model of it: those of rigid bodies, or with vibration.
 /// `span`: of the rigid bodies' loads.

@@ -1,0 +1,70 @@
+#include "open_motion.hpp"
+
+#include "boxbeam/mechanism/planar/rest.hpp"
+#include "boxbeam/mechanism/spatial/rest.hpp"
+#include "front_ends.hpp"
+
+namespace boxbeam {
+namespace {
+
+std::vector<double> borders_with(double begin, double length, const std::vector<double>& breaks) {
+  constexpr double same = 1e-9;
+  const double end = begin + length;
+  std::vector<double> borders{begin};
+  for (const double at : breaks) {
+    if (at > borders.back() + same * length && at < end - same * length) borders.push_back(at);
+  }
+  borders.push_back(end);
+  return borders;
+}
+
+}  // namespace
+
+OpenMotion open_motion_of(const planar::Mechanism& mechanism, const planar::Motion& motion) {
+  std::vector<double> breaks;
+  for (const Break& at :
+       breaks_of(planar::functions_of(mechanism), motion.begin, motion.begin + motion.period))
+    breaks.push_back(at.at);
+  return {motion.begin,
+          motion.period,
+          motion.states.size(),
+          borders_with(motion.begin, motion.period, breaks),
+          planar::is_at_rest(motion, motion.states.front()),
+          planar::is_at_rest(motion, motion.end)};
+}
+
+OpenMotion open_motion_of(const spatial::Chain& chain, const LoadSpan& span) {
+  const double begin = span.begin.value(), length = span.period.value();
+  const spatial::EndsAtRest rests =
+      spatial::ends_at_rest_of(chain, {begin, length, false, span.instants});
+  std::vector<double> breaks;
+  for (const Time& at : span.breaks) breaks.push_back(at.value());
+  return {begin,       length,   span.instants, borders_with(begin, length, breaks),
+          rests.begin, rests.end};
+}
+
+std::optional<OpenMotion> open_motion_of(const Project& project, const SituationRun& run) {
+  if (run.loads.closed()) return std::nullopt;
+  if (std::holds_alternative<planar::Mechanism>(project.mechanism))
+    return open_motion_of(planar_in(project, *run.situation), planar_motion_of(run));
+  if (std::holds_alternative<spatial::Mechanism>(project.mechanism))
+    return open_motion_of(chain_of(run), span_of_motion_in_space(run));
+  return std::nullopt;
+}
+
+ModalState state_at_begin(const OpenMotion& motion,
+                          const std::function<Eigen::VectorXd(double time)>& balance_at) {
+  if (motion.rests_before) {
+    Eigen::VectorXd balance = balance_at(motion.before());
+    Eigen::VectorXd rate = Eigen::VectorXd::Zero(balance.size());
+    return {std::move(balance), std::move(rate)};
+  }
+  // Small beside all that happens in a motion.
+  constexpr double part = 1.0 / 64.0;
+  const double h = part * motion.step();
+  return moving_with(
+      {balance_at(motion.begin), balance_at(motion.begin + h), balance_at(motion.begin + 2.0 * h)},
+      h);
+}
+
+}  // namespace boxbeam
