@@ -106,7 +106,7 @@ class PlanarReader : public FrontEndReader {
       project_->mechanism = placed(root, std::move(draft), project_->beam_body);
       for (const OtherBeam& other : others_) {
         const int of = body_index(planar_of(*project_), other.on);
-        if (of >= 0) project_->beams_beside.push_back({other.on, of, other.beam});
+        if (of >= 0) project_->elastic_beside.push_back({other.on, WholeBody{of}, other.beam});
       }
       add_points_of_body(tree, root.problems(), *project_);
     } else {
@@ -135,9 +135,32 @@ class PlanarReader : public FrontEndReader {
 
   void read_neighbours(TableReader& root) override {
     readers::read_neighbours(root, *sections_, *project_);
+    if (!root.problems().empty()) return;
+    for (const RodInput& rod : project_->rods) add_elastic(rod);
   }
 
  private:
+  /// A rod by its section, but for a spring, which has a stiffness of its own, and one that is a
+  /// part of a beam.
+  void add_elastic(const RodInput& rod) {
+    ElasticBeside of;
+    of.name = rod.name;
+    if (const auto* const link = std::get_if<RodLink>(&rod.place)) {
+      if (link->spring) return;
+      of.place = *link;
+    } else {
+      const auto& ends = std::get<PlanarRod>(rod.place);
+      if (ends.from.body == project_->beam_body) return;
+      for (const ElasticBeside& other : project_->elastic_beside) {
+        const auto* const beam = std::get_if<WholeBody>(&other.place);
+        if (beam != nullptr && beam->body == ends.from.body) return;
+      }
+      of.place = ends;
+    }
+    of.beam.segments = {{"", Length{}, rod.length, rod.section, rod.section}};
+    project_->elastic_beside.push_back(std::move(of));
+  }
+
   std::size_t index_by_body(const std::string& name) const {
     return static_cast<std::size_t>(
         std::find_if(others_.begin(), others_.end(),

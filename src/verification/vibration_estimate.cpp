@@ -9,7 +9,6 @@
 
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/mechanism/planar/beam_loads.hpp"
 #include "boxbeam/mechanism/planar/forces.hpp"
 #include "boxbeam/numerics/chebyshev_curve.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
@@ -104,12 +103,10 @@ class StrainingCuts {
       from += rows;
     };
     put(beam, 0);
-    if (elastic_->beside.empty()) return column;
-    const planar::State state = states_.at(time);
-    for (std::size_t k = 0; k < elastic_->beside.size(); ++k) {
-      const planar::BeamBody& other = elastic_->beside[k].laid_out;
-      put(cut_forces_of(planar::beam_loads_of(*rigid_->mechanism, state, other)), k + 1);
-    }
+    if (elastic_->alone()) return column;
+    std::size_t body = 0;
+    for (const BeamLoads& loads : loads_beside(*rigid_->mechanism, states_.at(time), *elastic_))
+      put(cut_forces_of(loads), ++body);
     return column;
   }
 

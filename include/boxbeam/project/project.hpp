@@ -216,13 +216,6 @@ struct PinInput {
   double required = 1.0;
 };
 
-/// Another beam of the case, which the verified one moves with.
-struct BeamBeside {
-  std::string name;  ///< of its body
-  int body = 0;
-  TaperedBeam beam;
-};
-
 /// A rod between two points of one body, in the plane or in space.
 struct PlanarRod {
   planar::Attachment from, to;
@@ -231,10 +224,25 @@ struct SpatialRod {
   spatial::Attachment from, to;
 };
 
-/// A rod without mass, in space: a joint that keeps a distance, or a spring.
+/// A rod without mass: a joint that keeps or drives a distance, or a spring.
 struct RodLink {
   bool spring = false;
-  std::size_t index = 0;  ///< among the closing joints, or the springs
+  /// Among the joints of the plane, in space those that close loops; of a spring among the forces
+  /// of the plane, in space the springs.
+  std::size_t index = 0;
+};
+
+/// A body that is a beam.
+struct WholeBody {
+  int body = 0;
+};
+
+/// What is elastic with the verified beam of a mechanism of the plane: another beam of the case, or
+/// a rod by its section.
+struct ElasticBeside {
+  std::string name;  ///< of the beam's body, or of the rod
+  std::variant<WholeBody, PlanarRod, RodLink> place;
+  TaperedBeam beam;  ///< of a rod from end to end; its mass is what its body says
 };
 
 /// A rod of the mechanism, looked at under tension and compression.
@@ -379,7 +387,7 @@ struct Project {
   std::vector<Restraint> restraints;  ///< in stability alone
   /// The beam's body or link; ground: the beam is no body, only the chain can load it.
   int beam_body = planar::ground;
-  std::vector<BeamBeside> beams_beside;  ///< of a mechanism of bodies
+  std::vector<ElasticBeside> elastic_beside;  ///< whichever beam of the case is verified
   Dynamics dynamics = Dynamics::rigorous;
   spatial::BeamPlacement placement;  ///< of the beam in its body; in space only
   ModelInput model;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "boxbeam/mechanism/planar/rest.hpp"
+#include "boxbeam/verification/elastic_beside.hpp"
 #include "boxbeam/verification/load_history.hpp"
 #include "boxbeam/verification/model_choice.hpp"
 #include "boxbeam/verification/posture_modes.hpp"
@@ -13,10 +14,6 @@
 namespace boxbeam {
 
 struct ModalPosture;
-
-/// The elastic body that the verified beam of a planar case is, with those of its other beams.
-/// `project` stays.
-ElasticBody elastic_body_of(const Project& project, int parts);
 
 /// A planar mechanism whose drivers fix its motion, and the loads on its beam as a rigid body.
 /// Before and behind a motion that does not repeat the loads are those of the mechanism held at
