@@ -40,6 +40,7 @@ struct Scene {
   std::string bodies, joints, forces, rod;
   double side = 0.002;  ///< of the rod's square section [m]
   std::string model;
+  bool moves = false;
 
   std::string text() const {
     return "[case]\nname = \"lever\"\nkind = \"planar\"\n[mechanism]\n" +
@@ -50,7 +51,7 @@ struct Scene {
            bodies +
            "[joints.hinge]\nkind = \"pin\"\nconnect = [\"lever.A\", \"ground\"]\n"
            "at = [\"0 m\", \"0 m\"]\n" +
-           joints + forces + "[motion]\nduration = \"1 s\"\n" +
+           joints + forces + (moves ? "" : "[motion]\nduration = \"1 s\"\n") +
            "[sections.box]\nkind = \"box\"\nwidth = \"60 mm\"\nheight = \"80 mm\"\n"
            "flange = \"4 mm\"\nweb = \"4 mm\"\n" +
            fmt::format("[sections.bar]\nkind = \"plate\"\nwidth = \"{0} m\"\nheight = \"{0} m\"\n",
@@ -99,6 +100,7 @@ void hold_by_body(Scene& scene, double mass, double x, double y, double length,
 
 /// A shoe under the lever's end that a driver moves up and down.
 void drive_shoe(Scene& scene, double x, double y, const std::string& driver) {
+  scene.moves = true;
   scene.bodies += fmt::format(
       "[bodies.shoe]\nmass = \"5 kg\"\npoints = {{ S = [\"0 m\", \"0 m\"] }}\n"
       "sketch = {{ at = [\"{} m\", \"{} m\"] }}\n",
@@ -153,11 +155,18 @@ struct Solved {
   }
   /// All forces times which the posture no longer stands.
   double critical_factor(const ElasticBody& elastic) const {
+    const auto holds = [&](double factor) {
+      try {
+        return stands(posture(elastic, factor));
+      } catch (const AnalysisError&) {
+        return false;  // to round-off it is free to move there
+      }
+    };
     double low = 0.0, high = 1.0;
-    while (stands(posture(elastic, high))) high *= 2.0;
-    for (int i = 0; i < 60; ++i) {
+    while (holds(high)) high *= 2.0;
+    for (int i = 0; i < 50; ++i) {
       const double middle = 0.5 * (low + high);
-      (stands(posture(elastic, middle)) ? low : high) = middle;
+      (holds(middle) ? low : high) = middle;
     }
     return low;
   }
@@ -468,20 +477,22 @@ TEST_CASE("a rod of no flexibility is a rigid rod", "[elastic_rods]") {
       const Solved of(scene, 48);
       ElasticBody stiff = elastic_body_of(of.project, 8);
       stiff.retardation = 1e-3;
-      for (ElasticBody& other : stiff.beside) stiffen(other, 1e10, 1e10, 1e10);
+      for (ElasticBody& other : stiff.beside) stiffen(other, 1e9, 1e9, 1e9);
       for (ElasticLine& line : stiff.lines) line.EA *= 1e12;
       ElasticBody alone = stiff;
       alone.beside.clear();
       alone.lines.clear();
       CAPTURE(body, driver);
       const std::vector<double> found = of.frequencies(stiff, 3), rigid = of.frequencies(alone, 3);
-      for (std::size_t i = 0; i < 3; ++i) CHECK(found[i] == Approx(rigid[i]).epsilon(1e-8));
-      CHECK(of.critical_factor(stiff) == Approx(of.critical_factor(alone)).epsilon(1e-8));
+      // The mass of a body is gathered in nodes, as of any elastic link: eight parts.
+      const double within = body ? 1e-6 : 1e-9;
+      for (std::size_t i = 0; i < 3; ++i) CHECK(found[i] == Approx(rigid[i]).epsilon(within));
+      CHECK(of.critical_factor(stiff) == Approx(of.critical_factor(alone)).epsilon(0.1 * within + 1e-8));
       const Time time = si<Time>(0.4);
       check_same_loads(bent_statically(of.rigid(), stiff)(time),
-                       bent_statically(of.rigid(), alone)(time), 1e-8);
+                       bent_statically(of.rigid(), alone)(time), 1e-9);
       check_same_loads(ElasticMotion(of.rigid(), stiff, 2).loads_at(time),
-                       ElasticMotion(of.rigid(), alone, 2).loads_at(time), 1e-7);
+                       ElasticMotion(of.rigid(), alone, 2).loads_at(time), within);
     }
   }
 }
@@ -538,7 +549,7 @@ TEST_CASE("a model is chosen with the rods of the case", "[elastic_rods]") {
 TEST_CASE("N/N_cr in the plane is that of a lever on an elastic rod", "[elastic_rods]") {
   Scene scene;
   scene.angle = 90.0;
-  scene.side = 0.0005;
+  scene.side = 0.0002;
   hold_by_link(scene, 2.0, L, 2.0);
   constexpr double P = 2000.0;
   scene.forces = force_at_end(0.0, -P);
@@ -547,7 +558,7 @@ TEST_CASE("N/N_cr in the plane is that of a lever on an elastic rod", "[elastic_
   // The lever bends as well, by Euler's load between pins, 1/P_cr of both together to a per cent
   // as Southwell's sum where one is far below the other.
   const double euler = pi * pi * E * I / (L * L);
-  REQUIRE(k * L < 0.8 * euler);
+  REQUIRE(k * L < 0.3 * euler);
   CHECK(of.second_order.in_plane.part >= P / (k * L));
   CHECK(of.second_order.in_plane.part <= P / (k * L) + P / euler);
 }
