@@ -87,6 +87,7 @@ std::size_t rods_on(const Project& project, int body) {
 
 std::string why_rigid(const Project&, const WholeBody&) { return ""; }
 std::string why_rigid(const Project&, const RodLink&) { return ""; }
+std::string why_rigid(const Project&, const planar::ElasticJoint&) { return ""; }
 std::string why_rigid(const Project& project, const PlanarRod& rod) {
   const planar::Mechanism& mechanism = planar_of(project);
   const RodMass mass = mass_of(body_of_rod(project, rod), rod);
@@ -152,6 +153,8 @@ struct BesideBeam {
                           (rod_modulus_of(project) * properties_of(section).area).value(),
                           project.model.retardation});
   }
+
+  void operator()(const planar::ElasticJoint& joint) const { beam.joints.push_back(joint); }
 };
 
 }  // namespace
@@ -176,7 +179,9 @@ std::string elastic_beside_text(const Project& project) {
   for (const ElasticBeside& of : project.elastic_beside) {
     const std::string obstacle = obstacle_to_elasticity(project, of);
     if (obstacle.empty())
-      elastic += (elastic.empty() ? "" : ", ") + of.name;
+      elastic += fmt::format("{}{}{}", elastic.empty() ? "" : ", ",
+                             std::holds_alternative<planar::ElasticJoint>(of.place) ? "joint " : "",
+                             of.name);
     else
       rigid +=
           fmt::format("{}rod {} counts as rigid: {}", rigid.empty() ? "" : "; ", of.name, obstacle);

@@ -175,6 +175,17 @@ flexible::LinkColumns<double> straining_loads(const LoadedPosture& posture) {
   };
   add(posture.beam_link, posture.rigid);
   for (const auto& [link, rigid] : posture.beside) add(link, rigid);
+  // A joint that does its force to its first body is opened by the opposite.
+  const auto push = [&](const flexible::Grip& grip, const Eigen::Vector3d& world) {
+    if (grip.link == flexible::ground) return;
+    loads[static_cast<std::size_t>(grip.link)].col(static_cast<Eigen::Index>(grip.element)) +=
+        grip.motion.transpose() * world;
+  };
+  for (const auto& [joint, force] : posture.joints) {
+    const flexible::Structure::Ends& ends = posture.structure.joints[joint];
+    push(ends.a, -ends.axes.transpose() * force);
+    push(ends.b, ends.axes.transpose() * force);
+  }
   return loads;
 }
 
@@ -242,6 +253,16 @@ LoadedPosture loaded_posture(const planar::Mechanism& mechanism, const planar::S
                            tension_in(cut, others[k], factor));
   }
   add_arms(mechanism, state, Arms(state, elastic, factor, posture.structure));
+  for (const planar::ElasticJoint& of : elastic.joints) {
+    const std::string& name = mechanism.joints[static_cast<std::size_t>(of.joint)].name;
+    const std::vector<flexible::Joint>& joints = posture.links->joints;
+    const auto found =
+        std::find_if(joints.begin(), joints.end(),
+                     [&](const flexible::Joint& joint) { return joint.name == name; });
+    if (found == joints.end()) continue;  // between ground and ground
+    posture.joints.emplace_back(static_cast<std::size_t>(found - joints.begin()),
+                                force_in(mechanism, state, elastic, of));
+  }
   return posture;
 }
 
@@ -266,9 +287,11 @@ void require_held(const LoadedPosture& posture) {
 }
 
 SecondOrder second_order_of(const LoadedPosture& posture) {
-  const flexible::Deformation<double> bent =
+  flexible::Deformation<double> bent =
       flexible::DynamicStiffness<double>(posture.structure, 0.0, 0.0)
           .solve(straining_loads(posture));
+  for (const auto& [joint, force] : posture.joints)
+    bent.joints.col(static_cast<Eigen::Index>(joint)) -= force;
   SecondOrder result;
   result.loads = loads_in_motion(posture, bent, 0.0);
   result.turn =

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "boxbeam/mechanism/planar/constraints.hpp"
+#include "boxbeam/mechanism/planar/reactions.hpp"
 
 namespace boxbeam {
 namespace {
@@ -214,7 +215,40 @@ flexible::Joint stretched_line(const StoppedMechanism& posture, const ElasticLin
   return pin_to(a, 0.0);
 }
 
+/// A joint of the mechanism that gives way.
+flexible::Joint giving_way(const StoppedMechanism& posture, const planar::ElasticJoint& of) {
+  const planar::Joint& rigid = posture.mechanism.joints[static_cast<std::size_t>(of.joint)];
+  flexible::Joint joint =
+      std::visit([&](const auto& kind) { return posture.of(kind); }, rigid.kind);
+  // Where it holds in both directions its axes are of no matter but that they turn with a body.
+  if (joint.stiffness[0] > 0.0 && joint.stiffness[1] > 0.0)
+    joint.angle = posture.angle_of(joint.a.link != flexible::ground ? joint.a.link : joint.b.link);
+  for (const std::size_t axis : {0U, 1U, 2U}) {
+    if (joint.stiffness[axis] == 0.0) continue;
+    joint.stiffness[axis] = axis < 2 ? of.stiffness : of.turning_stiffness;
+    joint.damping[axis] = axis < 2 ? of.damping : of.turning_damping;
+  }
+  return joint;
+}
+
 }  // namespace
+
+Eigen::Vector3d force_in(const planar::Mechanism& mechanism, const planar::State& state,
+                         const ElasticBody& elastic, const planar::ElasticJoint& of) {
+  flexible::Mechanism added;
+  const flexible::Joint joint = giving_way({mechanism, state, elastic, &added}, of);
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  for (const planar::Reaction& reaction : planar::reactions_of(mechanism, state)) {
+    if (reaction.joint != of.joint) continue;
+    const double sign = reaction.on == joint.a.link ? 1.0 : -1.0;
+    force.head<2>() = sign * (Eigen::Rotation2Dd(-joint.angle) * reaction.force);
+    force[2] = sign * reaction.moment;
+    break;
+  }
+  for (const std::size_t axis : {0U, 1U, 2U})
+    if (joint.stiffness[axis] == 0.0) force[static_cast<Eigen::Index>(axis)] = 0.0;
+  return force;
+}
 
 Eigen::Vector2d ElasticBody::on_axis(const Eigen::Vector2d& p) const {
   return Eigen::Rotation2Dd(-angle) * p + Eigen::Vector2d(centre, 0.0);
@@ -247,21 +281,26 @@ flexible::Mechanism links_of(const planar::Mechanism& mechanism, const planar::S
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     links.links.push_back(link_of(posture, i));
   }
-  const auto add = [&](flexible::Joint made, const std::string& name) {
-    made.name = name;
-    if (made.a.link == flexible::ground && made.b.link == flexible::ground) return;
-    links.joints.push_back(std::move(made));
+  const auto add = [&](flexible::Joint joint, const std::string& name) {
+    joint.name = name;
+    if (joint.a.link == flexible::ground && joint.b.link == flexible::ground) return;
+    links.joints.push_back(std::move(joint));
   };
-  std::vector<bool> stretches(mechanism.joints.size(), false);
+  std::vector<bool> made(mechanism.joints.size(), false);
   for (const ElasticLine& line : elastic.lines) {
     const auto at = static_cast<std::size_t>(planar::joint_index(mechanism, line.joint));
     const auto index = static_cast<int>(mechanism.bodies.size() + added.links.size());
     add(stretched_line(posture, line, mechanism.joints[at], index), line.joint);
-    stretches[at] = true;
+    made[at] = true;
+  }
+  for (const planar::ElasticJoint& of : elastic.joints) {
+    const auto at = static_cast<std::size_t>(of.joint);
+    add(giving_way(posture, of), mechanism.joints[at].name);
+    made[at] = true;
   }
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const planar::Joint& joint = mechanism.joints[i];
-    if (stretches[i]) continue;
+    if (made[i]) continue;
     add(std::visit([&](const auto& kind) { return posture.of(kind); }, joint.kind), joint.name);
   }
   for (const planar::AppliedForce& force : mechanism.forces) {

@@ -81,8 +81,8 @@ bool divided_alike(const DividedBodies& a, const DividedBodies& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_places);
 }
 
-/// What strains the elastic bodies: their mean cut forces as rigid ones over their parts, three of
-/// each, as one column.
+/// What strains elastic bodies and joints: the mean cut forces of rigid ones over the parts of
+/// bodies, and what joints do, three of each, as one column.
 class StrainingCuts {
  public:
   StrainingCuts(const RigidMotion& rigid, const ElasticBody& elastic)
@@ -95,6 +95,7 @@ class StrainingCuts {
   Eigen::VectorXd at(double time, const CutForceDiagram& beam, const DividedBodies& divided) {
     Eigen::Index size = 0;
     for (const auto& springs : divided) size += 3 * static_cast<Eigen::Index>(springs.size());
+    size += 3 * static_cast<Eigen::Index>(elastic_->joints.size());
     Eigen::VectorXd column(size);
     Eigen::Index from = 0;
     const auto put = [&](const CutForceDiagram& cut, std::size_t body) {
@@ -105,8 +106,13 @@ class StrainingCuts {
     put(beam, 0);
     if (elastic_->alone()) return column;
     std::size_t body = 0;
-    for (const BeamLoads& loads : loads_beside(*rigid_->mechanism, states_.at(time), *elastic_))
+    const planar::State state = states_.at(time);
+    for (const BeamLoads& loads : loads_beside(*rigid_->mechanism, state, *elastic_))
       put(cut_forces_of(loads), ++body);
+    for (const planar::ElasticJoint& joint : elastic_->joints) {
+      column.segment<3>(from) = force_in(*rigid_->mechanism, state, *elastic_, joint);
+      from += 3;
+    }
     return column;
   }
 
@@ -201,6 +207,7 @@ Eigen::MatrixXd work_on(const PostureModes& modes) {
   Eigen::Index parts = static_cast<Eigen::Index>(modes.beam.strains.size());
   for (const PostureModes::Strained& other : modes.beside)
     parts += static_cast<Eigen::Index>(other.strains.size());
+  parts += static_cast<Eigen::Index>(modes.gaps.size());
   Eigen::MatrixXd work(static_cast<Eigen::Index>(modes.frequencies.size()), 3 * parts);
   Eigen::Index from = 0;
   const auto put = [&](const PostureModes::Strained& of) {
@@ -211,6 +218,10 @@ Eigen::MatrixXd work_on(const PostureModes& modes) {
   };
   put(modes.beam);
   for (const PostureModes::Strained& other : modes.beside) put(other);
+  for (const Eigen::Matrix3Xd& gaps : modes.gaps) {
+    work.middleCols<3>(from) = gaps.transpose();
+    from += 3;
+  }
   return work;
 }
 

@@ -12,6 +12,7 @@
 #include "boxbeam/fatigue/sn_curve.hpp"
 #include "boxbeam/mechanism/flexible/mechanism.hpp"
 #include "boxbeam/mechanism/frame/structure.hpp"
+#include "boxbeam/mechanism/planar/elastic_joint.hpp"
 #include "boxbeam/mechanism/planar/mechanism.hpp"
 #include "boxbeam/mechanism/planar/newton_chain.hpp"
 #include "boxbeam/mechanism/recorded/loads.hpp"
@@ -237,12 +238,13 @@ struct WholeBody {
   int body = 0;
 };
 
-/// What is elastic with the verified beam of a mechanism of the plane: another beam of the case, or
-/// a rod by its section.
+/// What is elastic with the verified beam of a mechanism of the plane: another beam of the case, a
+/// rod by its section, or a joint that has a stiffness.
 struct ElasticBeside {
-  std::string name;  ///< of the beam's body, or of the rod
-  std::variant<WholeBody, PlanarRod, RodLink> place;
-  TaperedBeam beam;  ///< of a rod from end to end; its mass is what its body says
+  std::string name;  ///< of the beam's body, the rod or the joint
+  std::variant<WholeBody, PlanarRod, RodLink, planar::ElasticJoint> place;
+  TaperedBeam
+      beam;  ///< of a rod from end to end, its mass being what its body says; of a joint none
 };
 
 /// A rod of the mechanism, looked at under tension and compression.

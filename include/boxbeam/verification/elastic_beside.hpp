@@ -8,10 +8,10 @@
 namespace boxbeam {
 
 /// The elastic body that the verified beam of a planar case is, in at least so many parts, with
-/// what is elastic beside it: other beams of the case, and rods by their section, in the plane of
-/// motion as beams by I_y, of the softer one of the case's material and structural steel. A rod
-/// between two points of a body bends and stretches between them, its mass along it as
-/// `RodMass::along`; one without mass stretches. `project` stays.
+/// what is elastic beside it: other beams of the case, joints that have a stiffness, and rods by
+/// their section, in the plane of motion as beams by I_y, of the softer one of the case's material
+/// and structural steel. A rod between two points of a body bends and stretches between them, its
+/// mass along it as `RodMass::along`; one without mass stretches. `project` stays.
 ElasticBody elastic_body_of(const Project& project, int parts);
 
 /// Why a rod counts as rigid although it has a section; "" of all that is elastic.

@@ -58,8 +58,7 @@ LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic, Lo
 ///     sum over modes of (eta + K^-1 C eta' - K^-1 p)_j times (joint forces and inertia of mode j)
 ///
 /// which are in balance. Left out: the change of the modes with the posture, of the order of
-/// (omega_rotation/omega_1)^2 times the part of a mode's mass that is not the beam's; joints that
-/// are elastic themselves.
+/// (omega_rotation/omega_1)^2 times the part of a mode's mass that is not the beam's.
 /// Sources: Shabana, Dynamics of Multibody Systems (2005), chapter 5; Trefethen, Spectral Methods
 /// in MATLAB (2000), chapter 3; Schönemann, Psychometrika 31 (1966).
 class ElasticMotion {

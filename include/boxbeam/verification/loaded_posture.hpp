@@ -30,6 +30,8 @@ struct LoadedPosture {
   CutForceDiagram rigid;  ///< of the beam as a rigid body
   /// Links of what is elastic beside the beam, bodies and then lines, and the same of them.
   std::vector<std::pair<int, CutForceDiagram>> beside = {};
+  /// Joints of the links that give way, and what they do in the rigid motion (`force_in`).
+  std::vector<std::pair<std::size_t, Eigen::Vector3d>> joints = {};
 };
 
 /// Loads on what is elastic beside the beam as on rigid bodies, in the order of

@@ -5,6 +5,7 @@
 
 #include "boxbeam/mechanism/flexible/mechanism.hpp"
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
+#include "boxbeam/mechanism/planar/elastic_joint.hpp"
 #include "boxbeam/mechanism/planar/instant_solver.hpp"
 #include "boxbeam/mechanism/planar/mechanism.hpp"
 
@@ -29,9 +30,10 @@ struct ElasticBody {
   planar::BeamBody laid_out = {};        ///< of those beside: its mass along its axis
   std::vector<ElasticBody> beside = {};  ///< other beams of the mechanism, and rods that are bodies
   std::vector<ElasticLine> lines = {};
+  std::vector<planar::ElasticJoint> joints = {};
 
   /// Whether the beam alone is elastic.
-  bool alone() const { return beside.empty() && lines.empty(); }
+  bool alone() const { return beside.empty() && lines.empty() && joints.empty(); }
   /// A place of the body, from its centre of mass in its axes, from the start of its axis.
   Eigen::Vector2d on_axis(const Eigen::Vector2d& p) const;
 };
@@ -60,5 +62,10 @@ bool has_too_many_bodies(const planar::Mechanism& mechanism);
 /// their line (of the order of the force over the one that buckles). Precondition: no obstacle.
 flexible::Mechanism links_of(const planar::Mechanism& mechanism, const planar::State& state,
                              const ElasticBody& elastic);
+
+/// What an elastic joint does to its first body in the rigid motion where it holds, along the axes
+/// of the joint of the links and about it; these turn with one of its bodies. [N, N, N m]
+Eigen::Vector3d force_in(const planar::Mechanism& mechanism, const planar::State& state,
+                         const ElasticBody& elastic, const planar::ElasticJoint& of);
 
 }  // namespace boxbeam
