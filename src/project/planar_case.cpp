@@ -103,10 +103,15 @@ class PlanarReader : public FrontEndReader {
     }
     beam.finish();
     if (root.problems().empty()) {
+      elastic_joints_ = draft.elastic;
       project_->mechanism = placed(root, std::move(draft), project_->beam_body);
       for (const OtherBeam& other : others_) {
         const int of = body_index(planar_of(*project_), other.on);
-        if (of >= 0) project_->beams_beside.push_back({other.on, of, other.beam});
+        if (of >= 0) project_->elastic_beside.push_back({other.on, WholeBody{of}, other.beam});
+      }
+      for (const planar::ElasticJoint& of : elastic_joints_) {
+        const auto joint = static_cast<std::size_t>(of.joint);
+        project_->elastic_beside.push_back({planar_of(*project_).joints[joint].name, of, {}});
       }
       add_points_of_body(tree, root.problems(), *project_);
     } else {
@@ -129,15 +134,45 @@ class PlanarReader : public FrontEndReader {
 
   AnyMechanism changed_mechanism(TableReader& root) const override {
     MechanismDraft draft = read_mechanism(root, names_of_beams(beam_body_, others_), *tables_);
+    if (draft.elastic != elastic_joints_)
+      root.problem("joints", "the stiffness and damping of joints are those of all situations",
+                   "change them in [joints] itself, for example by --set");
     if (!root.problems().empty()) return project_->mechanism;
     return placed(root, std::move(draft), project_->beam_body);
   }
 
   void read_neighbours(TableReader& root) override {
     readers::read_neighbours(root, *sections_, *project_);
+    if (!root.problems().empty()) return;
+    for (const RodInput& rod : project_->rods) add_elastic(rod);
   }
 
  private:
+  /// A rod by its section, but for a spring or a joint that has a stiffness of its own, and one
+  /// that is a part of a beam.
+  void add_elastic(const RodInput& rod) {
+    ElasticBeside of;
+    of.name = rod.name;
+    if (const auto* const link = std::get_if<RodLink>(&rod.place)) {
+      const auto has_own = [&](const planar::ElasticJoint& joint) {
+        return joint.joint == static_cast<int>(link->index);
+      };
+      if (link->spring || std::any_of(elastic_joints_.begin(), elastic_joints_.end(), has_own))
+        return;
+      of.place = *link;
+    } else {
+      const auto& ends = std::get<PlanarRod>(rod.place);
+      if (ends.from.body == project_->beam_body) return;
+      for (const ElasticBeside& other : project_->elastic_beside) {
+        const auto* const beam = std::get_if<WholeBody>(&other.place);
+        if (beam != nullptr && beam->body == ends.from.body) return;
+      }
+      of.place = ends;
+    }
+    of.beam.segments = {{"", Length{}, rod.length, rod.section, rod.section}};
+    project_->elastic_beside.push_back(std::move(of));
+  }
+
   std::size_t index_by_body(const std::string& name) const {
     return static_cast<std::size_t>(
         std::find_if(others_.begin(), others_.end(),
@@ -158,6 +193,7 @@ class PlanarReader : public FrontEndReader {
 
   std::string beam_body_;
   std::vector<OtherBeam> others_;
+  std::vector<planar::ElasticJoint> elastic_joints_;
 };
 
 }  // namespace

@@ -274,8 +274,9 @@ spatial::BeamPlacement placement_in(const Project& project, const spatial::Mecha
   return placement;
 }
 
-spatial::BeamPlacement placement_in(const BeamBeside& other, const spatial::Mechanism& mechanism) {
-  spatial::BeamPlacement placement = other.placement;
+spatial::BeamPlacement placement_in(const ElasticBeside& other,
+                                    const spatial::Mechanism& mechanism) {
+  spatial::BeamPlacement placement = std::get<WholeBody>(other.place).placement;
   placement.body = body_index(mechanism, other.name);
   return placement;
 }

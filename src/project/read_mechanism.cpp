@@ -158,7 +158,7 @@ MechanismDraft read_mechanism(TableReader& root, const std::vector<std::string>&
   mechanism.duration = read_duration(root);
 
   read_bodies(root, beam_bodies, draft);
-  read_joints(root, mechanism);
+  read_joints(root, draft);
   read_drivers(root, mechanism, tables);
   read_forces(root, mechanism, tables);
   TableReader loops = root.table({"loops", "which way of assembly is meant"}, false);

@@ -257,44 +257,69 @@ Ends read_rod_ends(TableReader& table, const Mechanism& mechanism, RodInput& rod
 }
 
 Key link_key() {
-  return {"link",
-          "in space, in place of \"from\" and \"to\": the joint of kind \"distance\" or the "
-          "spring that it is"};
+  return {
+      "link",
+      "in place of \"from\" and \"to\": the joint of kind \"distance\", in the plane the driven "
+      "length, or the spring that it is"};
 }
 
-/// A rod without mass; its length is known where it does not change.
-RodLink read_link(TableReader& table, const spatial::Mechanism& mechanism, RodInput& rod) {
-  const std::string name = table.text(link_key());
-  std::vector<std::string> names;
+/// What may be a rod without mass, by name; its length is known where it does not change.
+struct NamedLink {
+  std::string name;
   RodLink link;
-  bool found = false;
+  std::optional<double> length;  ///< [m]
+};
+
+std::vector<NamedLink> links_in(const planar::Mechanism& mechanism) {
+  std::vector<NamedLink> links;
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const planar::Joint& joint = mechanism.joints[i];
+    if (!planar::is_rod(joint)) continue;
+    const auto* const distance = std::get_if<planar::Distance>(&joint.kind);
+    links.push_back({joint.name,
+                     {false, i},
+                     distance != nullptr ? std::optional(distance->length) : std::nullopt});
+  }
+  for (std::size_t i = 0; i < mechanism.forces.size(); ++i) {
+    if (std::holds_alternative<planar::Spring>(mechanism.forces[i].kind))
+      links.push_back({mechanism.forces[i].name, {true, i}, {}});
+  }
+  return links;
+}
+
+std::vector<NamedLink> links_in(const spatial::Mechanism& mechanism) {
+  std::vector<NamedLink> links;
   for (std::size_t i = 0; i < mechanism.closing.size(); ++i) {
     const spatial::ClosingJoint& joint = mechanism.closing[i];
     if (joint.kind != spatial::ClosingKind::distance) continue;
-    names.push_back(joint.name);
-    if (joint.name != name) continue;
-    link = {false, i};
-    found = true;
-    if (joint.driver_name.empty()) rod.length = si<Length>(driver_at(joint.length, 0.0).value);
+    links.push_back({joint.name, {false, i}, {}});
+    if (joint.driver_name.empty()) links.back().length = driver_at(joint.length, 0.0).value;
   }
-  for (std::size_t i = 0; i < mechanism.springs.size(); ++i) {
-    names.push_back(mechanism.springs[i].name);
-    if (mechanism.springs[i].name != name) continue;
-    link = {true, i};
-    found = true;
-  }
-  if (!found && !name.empty())
-    table.problem(link_key().name,
-                  fmt::format("there is no joint of kind \"distance\" and no spring \"{}\"", name),
-                  unknown_hint(name, names));
-  return link;
+  for (std::size_t i = 0; i < mechanism.springs.size(); ++i)
+    links.push_back({mechanism.springs[i].name, {true, i}, {}});
+  return links;
 }
 
-void read_place(TableReader& table, const Project& project, RodInput& rod) {
-  if (!project.in_space) {
-    rod.place = read_rod_ends<PlanarRod>(table, planar_of(project), rod);
-    return;
+RodLink read_link(TableReader& table, const std::vector<NamedLink>& links, RodInput& rod) {
+  const std::string name = table.text(link_key());
+  std::vector<std::string> names;
+  for (const NamedLink& link : links) {
+    if (link.name == name) {
+      rod.length = si<Length>(link.length.value_or(0.0));
+      return link.link;
+    }
+    names.push_back(link.name);
   }
+  if (!name.empty())
+    table.problem(
+        link_key().name,
+        fmt::format("no joint of kind \"distance\", driven length or spring is \"{}\"", name),
+        unknown_hint(name, names));
+  return {};
+}
+
+template <class Ends, class Mechanism>
+void read_place(TableReader& table, const Mechanism& mechanism, RodInput& rod) {
   const bool one = table.says_one_of({{{"from", "to"}}, {{"link"}}});
   const bool linked = table.has(link_key());
   if (linked && !one)
@@ -302,9 +327,9 @@ void read_place(TableReader& table, const Project& project, RodInput& rod) {
                   "a rod is a link or lies between two points of a body, and not both",
                   "remove \"link\", or \"from\" and \"to\"");
   if (linked)
-    rod.place = read_link(table, spatial_of(project), rod);
+    rod.place = read_link(table, links_in(mechanism), rod);
   else
-    rod.place = read_rod_ends<SpatialRod>(table, spatial_of(project), rod);
+    rod.place = read_rod_ends<Ends>(table, mechanism, rod);
 }
 
 /// The thickest wall of a section, whose strength is the lowest.
@@ -323,7 +348,10 @@ Length thickest_wall_of(const Section& section) {
 RodInput read_rod(TableReader table, const Sections& sections, const Project& project) {
   RodInput rod;
   rod.name = table.text({"name", "of the rod"});
-  read_place(table, project, rod);
+  if (project.in_space)
+    read_place<SpatialRod>(table, spatial_of(project), rod);
+  else
+    read_place<PlanarRod>(table, planar_of(project), rod);
   const std::size_t before = table.problems().size();
   rod.section = named_section(table, {"section", "of the rod"}, sections);
   const Key buckling{"buckling_length",

@@ -45,6 +45,7 @@ void read_beam(TableReader& table, const Sections& sections, Project& project);
 struct MechanismDraft {
   planar::Mechanism mechanism;
   std::vector<Eigen::Vector2d> centres;  ///< of mass, in the axes in which the points are written
+  std::vector<planar::ElasticJoint> elastic;
 };
 
 /// Bodies, joints, drivers, forces, loops and the time to look at. `beam_bodies`: the bodies that
@@ -67,7 +68,7 @@ void read_bodies(TableReader& root, const std::vector<std::string>& beam_bodies,
                  MechanismDraft& draft);
 
 /// [joints], [drivers] and [forces]: each is added to the mechanism.
-void read_joints(TableReader& root, planar::Mechanism& mechanism);
+void read_joints(TableReader& root, MechanismDraft& draft);
 void read_drivers(TableReader& root, planar::Mechanism& mechanism, TimeTables& tables);
 void read_forces(TableReader& root, planar::Mechanism& mechanism, TimeTables& tables);
 

@@ -58,7 +58,7 @@ class SpatialReader : public FrontEndReader {
     beam.finish();
     refuse_planar_parts(root, *project_, {.deflection = true, .neighbours = true});
     if (root.problems().empty()) {
-      project_->beams_beside = place_others(root, mechanism);
+      project_->elastic_beside = place_others(root, mechanism);
       place_beam(root, project_->beam, project_->placement, mechanism);
       project_->hand_formulas = read_hand_formulas(root, mechanism);
     } else {
@@ -86,8 +86,8 @@ class SpatialReader : public FrontEndReader {
 
  private:
   /// Gives the other beams' bodies their mass; where they lie.
-  std::vector<BeamBeside> place_others(TableReader& root, spatial::Mechanism& mechanism) const {
-    std::vector<BeamBeside> beside;
+  std::vector<ElasticBeside> place_others(TableReader& root, spatial::Mechanism& mechanism) const {
+    std::vector<ElasticBeside> beside;
     std::size_t next = 0;
     for (const OtherBeam& other : others_) {
       if (next == project_->beam_index) ++next;
@@ -101,7 +101,7 @@ class SpatialReader : public FrontEndReader {
       const spatial::BeamPlacement placement = read_placement(table, mechanism, body);
       if (!root.problems().empty()) continue;
       place_beam(root, other.beam, placement, mechanism);
-      beside.push_back({other.on, body, other.beam, placement});
+      beside.push_back({other.on, WholeBody{body, placement}, other.beam});
     }
     return beside;
   }

@@ -11,8 +11,6 @@
 
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/mechanism/planar/beam_loads.hpp"
-#include "boxbeam/project/link_profile.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
 #include "modal_transient.hpp"
 
@@ -92,26 +90,6 @@ Eigen::VectorXd allowed_of(const Eigen::VectorXd& largest, Eigen::Index k) {
 }
 
 }  // namespace
-
-ElasticBody elastic_body_of(const Project& project, int parts) {
-  const auto body_of = [&](const TaperedBeam& beam, int body) {
-    ElasticBody elastic;
-    elastic.body = body;
-    elastic.centre = mass_properties_of(beam).centre.value();
-    elastic.length = beam.length().value();
-    elastic.stretches =
-        link_stretches_of(beam, project.model.youngs_modulus, project.model.shear_modulus);
-    elastic.retardation = project.model.retardation;
-    elastic.parts = parts;
-    return elastic;
-  };
-  ElasticBody elastic = body_of(project.beam, project.beam_body);
-  for (const BeamBeside& other : project.beams_beside) {
-    ElasticBody& beside = elastic.beside.emplace_back(body_of(other.beam, other.body));
-    beside.laid_out = planar::beam_body_of(other.beam, other.body);
-  }
-  return elastic;
-}
 
 LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic, LoadsAt axial) {
   auto states = std::make_shared<planar::StatesAround>(*rigid.mechanism, *rigid.motion);

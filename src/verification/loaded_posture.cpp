@@ -7,6 +7,7 @@
 #include "boxbeam/mechanism/flexible/beam_loads.hpp"
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
 #include "boxbeam/mechanism/planar/constraints.hpp"
+#include "boxbeam/mechanism/planar/tension.hpp"
 
 namespace boxbeam {
 namespace {
@@ -62,28 +63,17 @@ class LineStiffness {
 void stiffen_lines(const planar::Mechanism& mechanism, const planar::State& state, double factor,
                    flexible::Mechanism& links) {
   const LineStiffness lines(state, factor, links);
-  Eigen::Index row = 0;
-  for (const planar::Joint& joint : mechanism.joints) {
-    if (planar::is_rod(joint)) {
-      const auto [a, b] = planar::ends_of(joint);
-      lines.add(joint.name, a, b, state.lambda[row]);
-    }
-    row += planar::equations_of(joint);
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const planar::Joint& joint = mechanism.joints[i];
+    if (!planar::is_rod(joint)) continue;
+    const auto [a, b] = planar::ends_of(joint);
+    lines.add(joint.name, a, b, planar::tension_in_joint(mechanism, state, i));
   }
-  const auto loads = planar::applied_loads_of(mechanism, state.time, state.q, state.v);
   for (std::size_t i = 0; i < mechanism.forces.size(); ++i) {
     const auto* spring = std::get_if<planar::Spring>(&mechanism.forces[i].kind);
     if (spring == nullptr) continue;
-    const Eigen::Vector2d line =
-        planar::position_of(spring->b, state.q) - planar::position_of(spring->a, state.q);
-    if (line.norm() == 0.0) continue;
-    for (const planar::AppliedLoad& load : loads) {
-      if (load.force != static_cast<int>(i)) continue;
-      const bool on_a = load.on == spring->a.body && load.point == spring->a.p;
-      const double tension = load.vector.dot(line.normalized()) * (on_a ? 1.0 : -1.0);
-      lines.add(mechanism.forces[i].name, spring->a, spring->b, tension);
-      break;
-    }
+    lines.add(mechanism.forces[i].name, spring->a, spring->b,
+              planar::tension_in_spring(mechanism, state, i));
   }
 }
 
@@ -98,16 +88,17 @@ class Arms {
     if (on == planar::ground) return;
     const auto link = static_cast<std::size_t>(on);
     const double angle = state_->q[3 * static_cast<Eigen::Index>(on) + 2];
-    const Eigen::Vector2d own = Eigen::Rotation2Dd(-angle) * force;
     const ElasticBody* bends = elastic_at(*elastic_, on);
     if (bends == nullptr) {
+      const Eigen::Vector2d own = Eigen::Rotation2Dd(-angle) * force;
       structure_->links[link].elements.front().turning += factor_ * own.dot(point);
       return;
     }
-    if (std::abs(point.y()) <= near * bends->length) return;
-    const flexible::Attachment at{on, {point.x() + bends->centre, point.y()}};
+    const Eigen::Vector2d own = Eigen::Rotation2Dd(-angle - bends->angle) * force;
+    const flexible::Attachment at{on, bends->on_axis(point)};
+    if (std::abs(at.p.y()) <= near * bends->length) return;
     structure_->links[link].elements[flexible::grip_of(*structure_, at).element].turning +=
-        factor_ * own.y() * point.y();
+        factor_ * own.y() * at.p.y();
   }
 
  private:
@@ -129,12 +120,20 @@ void add_arms(const planar::Mechanism& mechanism, const planar::State& state, co
   }
 }
 
-/// Loads of other elastic bodies as rigid ones.
-std::vector<BeamLoads> loads_beside(const planar::Mechanism& mechanism, const planar::State& state,
-                                    const ElasticBody& elastic) {
-  std::vector<BeamLoads> loads;
-  for (const ElasticBody& other : elastic.beside)
-    loads.push_back(planar::beam_loads_of(mechanism, state, other.laid_out));
+/// The ends of a line that stretches, as of a beam.
+BeamLoads loads_on_line(const planar::Mechanism& mechanism, const planar::State& state,
+                        const ElasticLine& line) {
+  const auto joint = static_cast<std::size_t>(planar::joint_index(mechanism, line.joint));
+  const auto [a, b] = planar::ends_of(mechanism.joints[joint]);
+  const Length length =
+      si<Length>((planar::position_of(b, state.q) - planar::position_of(a, state.q)).norm());
+  const double tension = planar::tension_in_joint(mechanism, state, joint);
+  BeamLoads loads;
+  loads.lines = {{Length{}, length, {}, {}}};
+  loads.points.resize(2);
+  loads.points[0].force.x() = -tension;
+  loads.points[1].force.x() = tension;
+  loads.points[1].s = length;
   return loads;
 }
 
@@ -176,6 +175,17 @@ flexible::LinkColumns<double> straining_loads(const LoadedPosture& posture) {
   };
   add(posture.beam_link, posture.rigid);
   for (const auto& [link, rigid] : posture.beside) add(link, rigid);
+  // A joint that does its force to its first body is opened by the opposite.
+  const auto push = [&](const flexible::Grip& grip, const Eigen::Vector3d& world) {
+    if (grip.link == flexible::ground) return;
+    loads[static_cast<std::size_t>(grip.link)].col(static_cast<Eigen::Index>(grip.element)) +=
+        grip.motion.transpose() * world;
+  };
+  for (const auto& [joint, force] : posture.joints) {
+    const flexible::Structure::Ends& ends = posture.structure.joints[joint];
+    push(ends.a, -ends.axes.transpose() * force);
+    push(ends.b, ends.axes.transpose() * force);
+  }
   return loads;
 }
 
@@ -189,7 +199,26 @@ bool all_parts_stand(const LoadedPosture& posture) {
                      [&](const auto& other) { return parts_of(other.first); });
 }
 
+/// The links of what is elastic beside the beam.
+std::vector<int> links_beside(const planar::Mechanism& mechanism, const ElasticBody& elastic) {
+  std::vector<int> links;
+  for (const ElasticBody& other : elastic.beside) links.push_back(other.body);
+  for (std::size_t k = 0; k < elastic.lines.size(); ++k)
+    links.push_back(static_cast<int>(mechanism.bodies.size() + k));
+  return links;
+}
+
 }  // namespace
+
+std::vector<BeamLoads> loads_beside(const planar::Mechanism& mechanism, const planar::State& state,
+                                    const ElasticBody& elastic) {
+  std::vector<BeamLoads> loads;
+  for (const ElasticBody& other : elastic.beside)
+    loads.push_back(planar::beam_loads_of(mechanism, state, other.laid_out));
+  for (const ElasticLine& line : elastic.lines)
+    loads.push_back(loads_on_line(mechanism, state, line));
+  return loads;
+}
 
 Eigen::Vector3d mean_over(const CutForceDiagram& diagram, const flexible::SpringElement& part) {
   const auto at = [&](double s, Side side) {
@@ -210,8 +239,8 @@ LoadedPosture loaded_posture(const planar::Mechanism& mechanism, const planar::S
   auto links = std::make_unique<flexible::Mechanism>(links_of(mechanism, state, elastic));
   keep_nodes(rigid, elastic.body, *links);
   const std::vector<BeamLoads> others = loads_beside(mechanism, state, elastic);
-  for (std::size_t k = 0; k < others.size(); ++k)
-    keep_nodes(others[k], elastic.beside[k].body, *links);
+  const std::vector<int> beside = links_beside(mechanism, elastic);
+  for (std::size_t k = 0; k < others.size(); ++k) keep_nodes(others[k], beside[k], *links);
   stiffen_lines(mechanism, state, factor, *links);
   LoadedPosture posture;
   posture.links = std::move(links);
@@ -219,12 +248,21 @@ LoadedPosture loaded_posture(const planar::Mechanism& mechanism, const planar::S
   posture.beam = &beam;
   load_beam(rigid, axial != nullptr ? *axial : rigid, factor, posture);
   for (std::size_t k = 0; k < others.size(); ++k) {
-    const auto& [link, cut] =
-        posture.beside.emplace_back(elastic.beside[k].body, cut_forces_of(others[k]));
+    const auto& [link, cut] = posture.beside.emplace_back(beside[k], cut_forces_of(others[k]));
     flexible::load_axially(posture.structure.links[static_cast<std::size_t>(link)],
                            tension_in(cut, others[k], factor));
   }
   add_arms(mechanism, state, Arms(state, elastic, factor, posture.structure));
+  for (const planar::ElasticJoint& of : elastic.joints) {
+    const std::string& name = mechanism.joints[static_cast<std::size_t>(of.joint)].name;
+    const std::vector<flexible::Joint>& joints = posture.links->joints;
+    const auto found =
+        std::find_if(joints.begin(), joints.end(),
+                     [&](const flexible::Joint& joint) { return joint.name == name; });
+    if (found == joints.end()) continue;  // between ground and ground
+    posture.joints.emplace_back(static_cast<std::size_t>(found - joints.begin()),
+                                force_in(mechanism, state, elastic, of));
+  }
   return posture;
 }
 
@@ -249,9 +287,11 @@ void require_held(const LoadedPosture& posture) {
 }
 
 SecondOrder second_order_of(const LoadedPosture& posture) {
-  const flexible::Deformation<double> bent =
+  flexible::Deformation<double> bent =
       flexible::DynamicStiffness<double>(posture.structure, 0.0, 0.0)
           .solve(straining_loads(posture));
+  for (const auto& [joint, force] : posture.joints)
+    bent.joints.col(static_cast<Eigen::Index>(joint)) -= force;
   SecondOrder result;
   result.loads = loads_in_motion(posture, bent, 0.0);
   result.turn =

@@ -12,6 +12,7 @@
 #include "boxbeam/mechanism/planar/forces.hpp"
 #include "boxbeam/verification/balance_defect.hpp"
 #include "boxbeam/verification/design_factor.hpp"
+#include "boxbeam/verification/elastic_beside.hpp"
 #include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
 #include "boxbeam/verification/situation_run.hpp"
@@ -156,15 +157,6 @@ std::string against_frequencies(const VibrationEstimate& estimate, const std::st
         estimate.frequencies.front() / highest.frequency, highest.frequency);
   }
   return text;
-}
-
-/// Which other beams bend with the verified one, behind its frequency.
-std::string beams_beside_text(const Project& project) {
-  if (project.beams_beside.empty()) return "";
-  std::string names;
-  for (const BeamBeside& other : project.beams_beside)
-    names += (names.empty() ? "" : ", ") + other.name;
-  return fmt::format(" ({} elastic as well)", names);
 }
 
 /// Bodies that bend statically under their axial force, without vibration.
@@ -331,7 +323,7 @@ ModelChoice choose_in_space(const Project& project, const std::deque<SituationRu
   choice.harmonics = estimate.harmonics;
   const std::string against = against_frequencies(
       estimate, fmt::format(" ({}, of the mechanism stopped at {:.4g} s){}", found.shape,
-                            found.lowest_at.value(), beams_beside_text(project)));
+                            found.lowest_at.value(), elastic_beside_text(project)));
   if (!obstacle.empty()) {
     choose_unvibrated(project, obstacle, choice);
     choice.reason += "; " + against;
@@ -456,7 +448,7 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
       fmt::format("vibration is estimated to change the governing stress by {}, {}; tolerance {}",
                   percent_text(estimate.without_modes.front()), second_order_text(second),
                   percent_text(choice.tolerance));
-  const std::string against = against_frequencies(estimate, beams_beside_text(project));
+  const std::string against = against_frequencies(estimate, elastic_beside_text(project));
   const auto unseen = [&](std::size_t modes) {
     const std::string why = too_fast(rigid, estimate.frequencies, modes + 1);
     if (!why.empty())
@@ -634,7 +626,7 @@ void weigh_balance(const Project& project, const std::deque<SituationRun>& rigid
   for (std::size_t i = 0; i < rigid.size(); ++i) {
     // Series of Fourier have no second derivative where something jumps or bends.
     const std::string obstacle =
-        !elastic.beside.empty()    ? "other beams bend with it"
+        !elastic.alone()           ? "what is beside it is elastic as well"
         : !rigid[i].loads.closed() ? "the motion does not repeat"
         : by_model[i].loads.span().breaks.empty()
             ? obstacle_to_balance(planar_in(project, *rigid[i].situation), elastic.body)

@@ -4,9 +4,11 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "boxbeam/numerics/polynomial.hpp"
 #include "boxbeam/verification/peak_over_time.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 
@@ -37,7 +39,18 @@ struct RodMass {
   /// its length, but by its centre and inertia: m (x_c (L - x_c) - I/m)/L, for at no place a mass
   /// dm bends by more than dm x (L - x)/L. Of an even rod 4/3 of what it is.
   double lever() const;
+
+  /// Mass per length as a polynomial of second degree of the place along the rod that has its mass,
+  /// centre and inertia [kg/m]: of an even rod a constant. Nothing where it is negative somewhere:
+  /// the mass lies too near the ends, or too near one place.
+  ///
+  ///     a + b xi + c xi^2, xi = x/L - 1/2:  b = 12 m (x_c - L/2)/L^2,
+  ///     c = 180 (J/L^3 - m/(12 L)),  a = m/L - c/12,  J = I + m (x_c - L/2)^2
+  std::optional<Polynomial<2>> along() const;
 };
+
+/// Of a rod in the plane.
+RodMass mass_of(const Body& body, const PlanarRod& rod);
 
 /// What joints with pins and rods bear in one situation, by rigid bodies: all that the checks of
 /// neighbours ask of a mechanism, in the plane or in space. Looks at the run, which stays.

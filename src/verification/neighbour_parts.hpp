@@ -8,6 +8,14 @@
 /// What the checks of pins, of their lugs and of rods have in common.
 namespace boxbeam {
 
+/// The moduli of structural steel. Source: EN 1993-1-1:2005, 3.2.6.
+inline constexpr Stress steel_modulus = 210e9 * pascal, steel_shear_modulus = 81e9 * pascal;
+
+/// Of the case's material or of structural steel, which rods may be of, the one that makes them
+/// softer.
+Stress rod_modulus_of(const Project& project);
+Stress rod_shear_modulus_of(const Project& project);
+
 /// Stops where rigid bodies do not determine the reaction of a joint.
 void check_unique(const NeighbourRuns& runs, int joint, const std::string& of);
 

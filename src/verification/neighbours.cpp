@@ -15,16 +15,10 @@
 namespace boxbeam {
 namespace {
 
-/// The modulus of structural steel. Source: EN 1993-1-1:2005, 3.2.6.
-constexpr Stress of_steel = 210e9 * pascal;
-
-/// The moduli of rods and pins: of the case's material or of structural steel, which they may be
-/// of, the one that makes rods softer and contact harder.
-Stress rod_modulus_of(const Project& project) {
-  return std::min(of_steel, si<Stress>(project.model.youngs_modulus), std::less<>());
-}
+/// Of the case's material or of structural steel, which pins may be of, the one that makes contact
+/// harder.
 Stress pin_modulus_of(const Project& project) {
-  return std::max(of_steel, si<Stress>(project.model.youngs_modulus), std::less<>());
+  return std::max(steel_modulus, si<Stress>(project.model.youngs_modulus), std::less<>());
 }
 
 /// The largest value over all situations, times their load factors where these count.

@@ -1,9 +1,12 @@
 #include "boxbeam/verification/planar_links.hpp"
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "boxbeam/mechanism/planar/constraints.hpp"
+#include "boxbeam/mechanism/planar/reactions.hpp"
 
 namespace boxbeam {
 namespace {
@@ -15,7 +18,8 @@ struct StoppedMechanism {
   const planar::Mechanism& mechanism;
   const planar::State& state;
   const ElasticBody& elastic;
-  flexible::Mechanism* wheels;  ///< of elastic links, with their hubs
+  flexible::Mechanism* added;  ///< lines that stretch and wheels of elastic links, with what holds
+                               ///< them
 
   double angle_of(int body) const {
     return body == planar::ground ? 0.0 : state.q[3 * static_cast<Eigen::Index>(body) + 2];
@@ -27,10 +31,8 @@ struct StoppedMechanism {
 
   /// Elastic links begin where their beams do, others at their centres.
   flexible::Attachment on_link(const planar::Attachment& at) const {
-    flexible::Attachment attachment{at.body, at.p};
     const ElasticBody* bends = elastic_at(elastic, at.body);
-    if (bends != nullptr) attachment.p.x() += bends->centre;
-    return attachment;
+    return {at.body, bends != nullptr ? bends->on_axis(at.p) : at.p};
   }
 
   /// The place of a body that is at a place of the world.
@@ -79,15 +81,15 @@ struct StoppedMechanism {
     wheel.name = "wheel";
     wheel.kind = flexible::LinkKind::rigid;
     wheel.origin = place_of(hub);
-    const auto index = static_cast<int>(mechanism.bodies.size() + wheels->links.size());
+    const auto index = static_cast<int>(mechanism.bodies.size() + added->links.size());
     flexible::Joint fixed;
     fixed.name = "hub";
     fixed.a = on_link(hub);
     fixed.b = {index, Eigen::Vector2d::Zero()};
     fixed.stiffness = {infinite, infinite, infinite};
     const Eigen::Vector2d arm = pitch_point - wheel.origin;
-    wheels->links.push_back(std::move(wheel));
-    wheels->joints.push_back(std::move(fixed));
+    added->links.push_back(std::move(wheel));
+    added->joints.push_back(std::move(fixed));
     return {index, arm};
   }
 
@@ -114,8 +116,9 @@ struct StoppedMechanism {
   flexible::Joint of(const planar::Rigid& rigid) const {
     return held(rigid.a, rigid.b, 0.0, {infinite, infinite, infinite});
   }
-  flexible::Joint of(const planar::Distance& rod) const {
-    return held(rod.a, rod.b, direction_between(rod.a, rod.b), {infinite, 0.0, 0.0});
+  flexible::Joint of(const planar::Distance& rod) const { return kept_apart(rod.a, rod.b); }
+  flexible::Joint kept_apart(const planar::Attachment& a, const planar::Attachment& b) const {
+    return held(a, b, direction_between(a, b), {infinite, 0.0, 0.0});
   }
   flexible::Joint of(const planar::AngleCoupling& coupling) const {
     return held(coupling.a, coupling.b, 0.0, {0.0, 0.0, infinite});
@@ -141,8 +144,7 @@ struct StoppedMechanism {
       case planar::Coordinate::x: return held(a, here, 0.0, {infinite, 0.0, 0.0});
       case planar::Coordinate::y: return held(a, here, 0.0, {0.0, infinite, 0.0});
       case planar::Coordinate::angle: return held(a, driven.other, 0.0, {0.0, 0.0, infinite});
-      case planar::Coordinate::length:
-        return held(a, driven.other, direction_between(a, driven.other), {infinite, 0.0, 0.0});
+      case planar::Coordinate::length: return kept_apart(a, driven.other);
     }
     return {};
   }
@@ -175,6 +177,7 @@ flexible::Link link_of(const StoppedMechanism& posture, std::size_t index) {
   }
   const ElasticBody& elastic = *bends;
   link.kind = flexible::LinkKind::full;
+  link.angle += elastic.angle;
   link.origin -= elastic.centre * Eigen::Vector2d(std::cos(link.angle), std::sin(link.angle));
   link.length = elastic.length;
   link.stretches = elastic.stretches;
@@ -183,7 +186,73 @@ flexible::Link link_of(const StoppedMechanism& posture, std::size_t index) {
   return link;
 }
 
+/// A line that stretches between its ends, which its second end holds by a pin; the first one
+/// follows.
+flexible::Joint stretched_line(const StoppedMechanism& posture, const ElasticLine& line,
+                               const planar::Joint& joint, int index) {
+  const auto [a, b] = planar::ends_of(joint);
+  flexible::Link& link = posture.added->links.emplace_back();
+  link.name = joint.name;
+  link.kind = flexible::LinkKind::axial;
+  link.parts = 1;
+  link.retardation = line.retardation;
+  link.origin = posture.place_of(a);
+  link.angle = posture.direction_between(a, b);
+  constexpr double no_length = 1e-9;  // a driven one may pass it
+  link.length = std::max(no_length, (posture.place_of(b) - link.origin).norm());
+  flexible::LinkStretch& stretch = link.stretches.emplace_back();
+  stretch.length = link.length;
+  stretch.EA.c[0] = line.EA;
+  const auto pin_to = [&](const planar::Attachment& end, double s) {
+    flexible::Joint pin;
+    pin.name = joint.name;
+    pin.a = posture.on_link(end);
+    pin.b = {index, {s, 0.0}};
+    pin.stiffness = {infinite, infinite, 0.0};
+    return pin;
+  };
+  posture.added->joints.push_back(pin_to(b, link.length));
+  return pin_to(a, 0.0);
+}
+
+/// A joint of the mechanism that gives way.
+flexible::Joint giving_way(const StoppedMechanism& posture, const planar::ElasticJoint& of) {
+  const planar::Joint& rigid = posture.mechanism.joints[static_cast<std::size_t>(of.joint)];
+  flexible::Joint joint =
+      std::visit([&](const auto& kind) { return posture.of(kind); }, rigid.kind);
+  // Where it holds in both directions its axes are of no matter but that they turn with a body.
+  if (joint.stiffness[0] > 0.0 && joint.stiffness[1] > 0.0)
+    joint.angle = posture.angle_of(joint.a.link != flexible::ground ? joint.a.link : joint.b.link);
+  for (const std::size_t axis : {0U, 1U, 2U}) {
+    if (joint.stiffness[axis] == 0.0) continue;
+    joint.stiffness[axis] = axis < 2 ? of.stiffness : of.turning_stiffness;
+    joint.damping[axis] = axis < 2 ? of.damping : of.turning_damping;
+  }
+  return joint;
+}
+
 }  // namespace
+
+Eigen::Vector3d force_in(const planar::Mechanism& mechanism, const planar::State& state,
+                         const ElasticBody& elastic, const planar::ElasticJoint& of) {
+  flexible::Mechanism added;
+  const flexible::Joint joint = giving_way({mechanism, state, elastic, &added}, of);
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  for (const planar::Reaction& reaction : planar::reactions_of(mechanism, state)) {
+    if (reaction.joint != of.joint) continue;
+    const double sign = reaction.on == joint.a.link ? 1.0 : -1.0;
+    force.head<2>() = sign * (Eigen::Rotation2Dd(-joint.angle) * reaction.force);
+    force[2] = sign * reaction.moment;
+    break;
+  }
+  for (const std::size_t axis : {0U, 1U, 2U})
+    if (joint.stiffness[axis] == 0.0) force[static_cast<Eigen::Index>(axis)] = 0.0;
+  return force;
+}
+
+Eigen::Vector2d ElasticBody::on_axis(const Eigen::Vector2d& p) const {
+  return Eigen::Rotation2Dd(-angle) * p + Eigen::Vector2d(centre, 0.0);
+}
 
 const ElasticBody* elastic_at(const ElasticBody& elastic, int body) {
   if (body == elastic.body) return &elastic;
@@ -206,18 +275,32 @@ bool has_too_many_bodies(const planar::Mechanism& mechanism) {
 
 flexible::Mechanism links_of(const planar::Mechanism& mechanism, const planar::State& state,
                              const ElasticBody& elastic) {
-  flexible::Mechanism wheels;
-  const StoppedMechanism posture{mechanism, state, elastic, &wheels};
+  flexible::Mechanism added;
+  const StoppedMechanism posture{mechanism, state, elastic, &added};
   flexible::Mechanism links;
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     links.links.push_back(link_of(posture, i));
   }
-  const auto add = [&](flexible::Joint made, const std::string& name) {
-    made.name = name;
-    if (made.a.link == flexible::ground && made.b.link == flexible::ground) return;
-    links.joints.push_back(std::move(made));
+  const auto add = [&](flexible::Joint joint, const std::string& name) {
+    joint.name = name;
+    if (joint.a.link == flexible::ground && joint.b.link == flexible::ground) return;
+    links.joints.push_back(std::move(joint));
   };
-  for (const planar::Joint& joint : mechanism.joints) {
+  std::vector<bool> made(mechanism.joints.size(), false);
+  for (const ElasticLine& line : elastic.lines) {
+    const auto at = static_cast<std::size_t>(planar::joint_index(mechanism, line.joint));
+    const auto index = static_cast<int>(mechanism.bodies.size() + added.links.size());
+    add(stretched_line(posture, line, mechanism.joints[at], index), line.joint);
+    made[at] = true;
+  }
+  for (const planar::ElasticJoint& of : elastic.joints) {
+    const auto at = static_cast<std::size_t>(of.joint);
+    add(giving_way(posture, of), mechanism.joints[at].name);
+    made[at] = true;
+  }
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const planar::Joint& joint = mechanism.joints[i];
+    if (made[i]) continue;
     add(std::visit([&](const auto& kind) { return posture.of(kind); }, joint.kind), joint.name);
   }
   for (const planar::AppliedForce& force : mechanism.forces) {
@@ -227,8 +310,8 @@ flexible::Mechanism links_of(const planar::Mechanism& mechanism, const planar::S
       add(posture.of(*torsion), force.name);
     }
   }
-  links.links.insert(links.links.end(), wheels.links.begin(), wheels.links.end());
-  links.joints.insert(links.joints.end(), wheels.joints.begin(), wheels.joints.end());
+  links.links.insert(links.links.end(), added.links.begin(), added.links.end());
+  links.joints.insert(links.joints.end(), added.joints.begin(), added.joints.end());
   return links;
 }
 

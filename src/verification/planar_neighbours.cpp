@@ -9,6 +9,7 @@
 #include "boxbeam/mechanism/planar/forces.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
 #include "boxbeam/mechanism/planar/rest.hpp"
+#include "boxbeam/mechanism/planar/tension.hpp"
 #include "neighbour_loads.hpp"
 
 namespace boxbeam {
@@ -41,6 +42,10 @@ class PlanarNeighbours : public NeighbourLoads {
   }
 
   std::vector<int> joints_of(const RodInput& rod) const override {
+    if (const auto* const link = std::get_if<RodLink>(&rod.place)) {
+      if (link->spring) return {};
+      return {static_cast<int>(link->index)};
+    }
     std::vector<int> joints;
     for (std::size_t i = 0; i < mechanism_->joints.size(); ++i) {
       const auto [a, b] = planar::ends_of(mechanism_->joints[i]);
@@ -64,8 +69,14 @@ class PlanarNeighbours : public NeighbourLoads {
   /// Of an even rod that turns, the tension along it is a parabola, highest above its chord, by
   /// m omega^2 L/8, in the middle; the compression is largest at an end.
   AxialForces axial_forces_in(const RodInput& input, double time) override {
-    const PlanarRod& rod = ends_of(input);
     look_at(time);
+    if (const auto* const link = std::get_if<RodLink>(&input.place)) {
+      const double tension = link->spring
+                                 ? planar::tension_in_spring(*mechanism_, state_, link->index)
+                                 : planar::tension_in_joint(*mechanism_, state_, link->index);
+      return {tension, -tension};
+    }
+    const PlanarRod& rod = ends_of(input);
     const int body = rod.from.body;
     const Eigen::Vector2d line = rod.to.p - rod.from.p;
     const Eigen::Vector2d along = Eigen::Rotation2Dd(state_.q[3 * body + 2]) * line.normalized();
@@ -100,6 +111,7 @@ class PlanarNeighbours : public NeighbourLoads {
   /// mean, ends  of g - a across the rod; of an uneven one by `RodMass::lever`, and by what acts
   /// along it beside its line. Source: equilibrium.
   double moment_in(const RodInput& input, double time) override {
+    if (std::holds_alternative<RodLink>(input.place)) return 0.0;
     const PlanarRod& rod = ends_of(input);
     look_at(time);
     const Eigen::Vector2d line =
@@ -112,9 +124,7 @@ class PlanarNeighbours : public NeighbourLoads {
     };
     const double from = load_at(rod.from), to = load_at(rod.to);
     const Body& body = mechanism_->bodies[static_cast<std::size_t>(rod.from.body)];
-    const Eigen::Vector2d own = (rod.to.p - rod.from.p) / length, centre = -rod.from.p;
-    const RodMass of{body.mass, length, own.dot(centre),
-                     std::abs(own.x() * centre.y() - own.y() * centre.x()), body.inertia};
+    const RodMass of = mass_of(body, rod);
     constexpr double of_ends = 0.01604;
     if (of.is_even())
       return of.mass * length * (std::abs(from + to) / 16.0 + of_ends * std::abs(from - to) / 2.0);
@@ -127,9 +137,10 @@ class PlanarNeighbours : public NeighbourLoads {
   }
 
   std::vector<std::string> bending_of(const RodInput& input) override {
+    std::vector<std::string> names;
+    if (std::holds_alternative<RodLink>(input.place)) return names;
     const PlanarRod& rod = ends_of(input);
     const int body = rod.from.body;
-    std::vector<std::string> names;
     const auto beside = [&](const planar::Attachment& at) {
       return at.body == body && !is_at(at.p, rod.from, rod) && !is_at(at.p, rod.to, rod);
     };

@@ -1,5 +1,6 @@
 #include "boxbeam/verification/posture_modes.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "boxbeam/mechanism/flexible/modal_response.hpp"
@@ -89,6 +90,20 @@ PostureModes::Strained strained(const flexible::Structure& structure,
   return of;
 }
 
+/// How far a joint gives way in each mode, by what it does.
+Eigen::Matrix3Xd gaps_of(const flexible::ModalModel& model, std::size_t joint) {
+  const std::array<double, 3>& stiffness = model.structure->mechanism->joints[joint].stiffness;
+  Eigen::Matrix3Xd gaps(3, static_cast<Eigen::Index>(model.modes.size()));
+  for (Eigen::Index j = 0; j < gaps.cols(); ++j) {
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const double k = stiffness[static_cast<std::size_t>(axis)];
+      const flexible::Deformation<double>& shape = model.modes[static_cast<std::size_t>(j)].shape;
+      gaps(axis, j) = k > 0.0 ? shape.joints(axis, static_cast<Eigen::Index>(joint)) / k : 0.0;
+    }
+  }
+  return gaps;
+}
+
 }  // namespace
 
 PostureModes modes_in_posture(const LoadedPosture& posture, std::size_t count) {
@@ -123,6 +138,7 @@ PostureModes modes_in_posture(const LoadedPosture& posture, std::size_t count) {
   modes.beam = strained(structure, model, beam_index);
   for (const auto& [link, rigid] : posture.beside)
     modes.beside.push_back(strained(structure, model, static_cast<std::size_t>(link)));
+  for (const auto& [joint, rigid] : posture.joints) modes.gaps.push_back(gaps_of(model, joint));
   return modes;
 }
 
@@ -161,6 +177,8 @@ Eigen::VectorXd modal_loads(const PostureModes& modes, const LoadedPosture& post
     const PostureModes::Strained& of = modes.beside[k];
     p += modal_loads(of, means_over(posture.beside[k].second, of.link.springs));
   }
+  for (std::size_t k = 0; k < modes.gaps.size(); ++k)
+    p += modes.gaps[k].transpose() * posture.joints[k].second;
   return p;
 }
 

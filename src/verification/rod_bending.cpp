@@ -1,9 +1,18 @@
 #include <algorithm>
+#include <functional>
 
 #include "boxbeam/section/section_properties.hpp"
 #include "neighbour_parts.hpp"
 
 namespace boxbeam {
+
+Stress rod_modulus_of(const Project& project) {
+  return std::min(steel_modulus, si<Stress>(project.model.youngs_modulus), std::less<>());
+}
+
+Stress rod_shear_modulus_of(const Project& project) {
+  return std::min(steel_shear_modulus, si<Stress>(project.model.shear_modulus), std::less<>());
+}
 
 Stress own_bending_of(const NeighbourRuns& runs, const RodInput& rod) {
   double most = 0.0;

@@ -227,7 +227,7 @@ class Estimating {
     const bool axial = bears_axial_force(diagram);
     const bool counts = axial && factor * compression_of(diagram) > hardly_compressed * cantilever_;
     // What else is pressed is looked at once, other beams whenever this one is.
-    const bool looked = counts || first || !project_->beams_beside.empty();
+    const bool looked = counts || first || !project_->elastic_beside.empty();
     const auto whole = looked ? part_of_whole(run, time, diagram, alone, factor) : std::nullopt;
     if (held.whole)
       raise(result_.in_plane, held.in_plane, held_by_mechanism, false);

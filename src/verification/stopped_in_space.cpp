@@ -33,7 +33,7 @@ class StoppedFrame {
   bool make(const CutForceDiagram& diagram) {
     member_of_.assign(mechanism_->bodies.size(), frame::ground);
     add_beam(project_->beam, placement_in(*project_, *mechanism_), diagram);
-    for (const BeamBeside& other : project_->beams_beside) {
+    for (const ElasticBeside& other : project_->elastic_beside) {
       const spatial::BeamPlacement placement = placement_in(other, *mechanism_);
       const spatial::BeamBody body = spatial::beam_body_of(other.beam, placement, *mechanism_);
       add_beam(other.beam, placement, rigid_cut_forces(*chain_, *state_, body));

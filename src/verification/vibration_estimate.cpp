@@ -10,7 +10,6 @@
 
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/mechanism/planar/beam_loads.hpp"
 #include "boxbeam/mechanism/planar/forces.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
 #include "strained_once.hpp"
@@ -83,8 +82,8 @@ bool divided_alike(const DividedBodies& a, const DividedBodies& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_places);
 }
 
-/// What strains the elastic bodies: their mean cut forces as rigid ones over their parts, three of
-/// each, as one column.
+/// What strains elastic bodies and joints: the mean cut forces of rigid ones over the parts of
+/// bodies, and what joints do, three of each, as one column.
 class StrainingCuts {
  public:
   StrainingCuts(const RigidMotion& rigid, const ElasticBody& elastic)
@@ -97,6 +96,7 @@ class StrainingCuts {
   Eigen::VectorXd at(double time, const CutForceDiagram& beam, const DividedBodies& divided) {
     Eigen::Index size = 0;
     for (const auto& springs : divided) size += 3 * static_cast<Eigen::Index>(springs.size());
+    size += 3 * static_cast<Eigen::Index>(elastic_->joints.size());
     Eigen::VectorXd column(size);
     Eigen::Index from = 0;
     const auto put = [&](const CutForceDiagram& cut, std::size_t body) {
@@ -105,11 +105,14 @@ class StrainingCuts {
       from += rows;
     };
     put(beam, 0);
-    if (elastic_->beside.empty()) return column;
+    if (elastic_->alone()) return column;
+    std::size_t body = 0;
     const planar::State state = states_.at(time);
-    for (std::size_t k = 0; k < elastic_->beside.size(); ++k) {
-      const planar::BeamBody& other = elastic_->beside[k].laid_out;
-      put(cut_forces_of(planar::beam_loads_of(*rigid_->mechanism, state, other)), k + 1);
+    for (const BeamLoads& loads : loads_beside(*rigid_->mechanism, state, *elastic_))
+      put(cut_forces_of(loads), ++body);
+    for (const planar::ElasticJoint& joint : elastic_->joints) {
+      column.segment<3>(from) = force_in(*rigid_->mechanism, state, *elastic_, joint);
+      from += 3;
     }
     return column;
   }
@@ -136,6 +139,7 @@ Eigen::MatrixXd work_on(const PostureModes& modes) {
   Eigen::Index parts = static_cast<Eigen::Index>(modes.beam.strains.size());
   for (const PostureModes::Strained& other : modes.beside)
     parts += static_cast<Eigen::Index>(other.strains.size());
+  parts += static_cast<Eigen::Index>(modes.gaps.size());
   Eigen::MatrixXd work(static_cast<Eigen::Index>(modes.frequencies.size()), 3 * parts);
   Eigen::Index from = 0;
   const auto put = [&](const PostureModes::Strained& of) {
@@ -146,6 +150,10 @@ Eigen::MatrixXd work_on(const PostureModes& modes) {
   };
   put(modes.beam);
   for (const PostureModes::Strained& other : modes.beside) put(other);
+  for (const Eigen::Matrix3Xd& gaps : modes.gaps) {
+    work.middleCols<3>(from) = gaps.transpose();
+    from += 3;
+  }
   return work;
 }
 

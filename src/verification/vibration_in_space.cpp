@@ -498,7 +498,7 @@ Eigen::VectorXd cuts_at(const CutForceDiagram& diagram, const std::vector<Statio
 std::vector<spatial::BeamPlacement> elastic_placements(const Project& project,
                                                        const spatial::Mechanism& mechanism) {
   std::vector<spatial::BeamPlacement> placements{placement_in(project, mechanism)};
-  for (const BeamBeside& other : project.beams_beside)
+  for (const ElasticBeside& other : project.elastic_beside)
     placements.push_back(placement_in(other, mechanism));
   return placements;
 }
@@ -527,8 +527,8 @@ StoppedVibration::StoppedVibration(const Project& project, const spatial::Chain&
   add(project.beam, parts);
   // The cost of modes grows as the cube of all pieces.
   constexpr int most_beside = 64;
-  const auto others = static_cast<int>(project.beams_beside.size());
-  for (const BeamBeside& other : project.beams_beside) {
+  const auto others = static_cast<int>(project.elastic_beside.size());
+  for (const ElasticBeside& other : project.elastic_beside) {
     beside_.push_back(spatial::beam_body_of(other.beam, placements_[beams_.size()], mechanism));
     add(other.beam, std::clamp(most_beside / others, 1, parts));
   }

@@ -179,7 +179,7 @@ Moved moved(const std::string& text, std::size_t beam = 0) {
 /// The other beams count as rigid bodies.
 Moved alone(const std::string& text, std::size_t beam = 0) {
   Project project = parse_beams("arm.toml", text)[beam];
-  project.beams_beside.clear();
+  project.elastic_beside.clear();
   return Moved(std::move(project));
 }
 
@@ -212,7 +212,7 @@ TEST_CASE("an arm in two beams joined rigidly vibrates as one", "[beams_beside]"
   for (const std::size_t half : {std::size_t{0}, std::size_t{1}}) {
     CAPTURE(half);
     const Moved of = moved(text(true), half);
-    REQUIRE(of.project.beams_beside.size() == 1);
+    REQUIRE(of.project.elastic_beside.size() == 1);
     const std::vector<frame::BeamMode> found = of.modes(8, 6);
     REQUIRE(found.size() == 6);
     for (std::size_t k = 0; k < 6; ++k) {
@@ -399,7 +399,7 @@ TEST_CASE("an L of two beams has the frequencies of a model of finite elements",
       CHECK(found[k].frequency == Approx(expected[k]).epsilon(k < 4 ? 5e-5 : 3e-4));
     // One beam alone, the other rigid, is far from it.
     Project stiff = of->project;
-    stiff.beams_beside.clear();
+    stiff.elastic_beside.clear();
     CHECK(Moved(std::move(stiff)).modes(32, 1).front().frequency > 1.05 * expected.front());
   }
 }
@@ -558,7 +558,7 @@ TEST_CASE("what the drive does beyond rigid bodies both beams dissipate", "[beam
 TEST_CASE("a beam that is far stiffer is a rigid body beside the other", "[beams_beside]") {
   const std::string text = bent_arm(clamp);
   const Project project = parse_beams("arm.toml", text)[0];
-  const TaperedBeam& other = project.beams_beside.front().beam;
+  const TaperedBeam& other = project.elastic_beside.front().beam;
   const MassProperties mass = mass_properties_of(other);
   const Vector3d corner(first_length, 0.0, 0.0);
   const Matrix3d axes = (Eigen::AngleAxisd(1.1, Vector3d(0.48, -0.6, 0.64))).toRotationMatrix();

@@ -12,6 +12,7 @@
 #include "boxbeam/fatigue/sn_curve.hpp"
 #include "boxbeam/mechanism/flexible/mechanism.hpp"
 #include "boxbeam/mechanism/frame/structure.hpp"
+#include "boxbeam/mechanism/planar/elastic_joint.hpp"
 #include "boxbeam/mechanism/planar/mechanism.hpp"
 #include "boxbeam/mechanism/planar/newton_chain.hpp"
 #include "boxbeam/mechanism/recorded/loads.hpp"
@@ -216,14 +217,6 @@ struct PinInput {
   double required = 1.0;
 };
 
-/// Another beam of the case, which the verified one moves with.
-struct BeamBeside {
-  std::string name;  ///< of its body
-  int body = 0;
-  TaperedBeam beam;
-  spatial::BeamPlacement placement = {};  ///< in its body; in space only
-};
-
 /// A rod between two points of one body, in the plane or in space.
 struct PlanarRod {
   planar::Attachment from, to;
@@ -232,10 +225,27 @@ struct SpatialRod {
   spatial::Attachment from, to;
 };
 
-/// A rod without mass, in space: a joint that keeps a distance, or a spring.
+/// A rod without mass: a joint that keeps or drives a distance, or a spring.
 struct RodLink {
   bool spring = false;
-  std::size_t index = 0;  ///< among the closing joints, or the springs
+  /// Among the joints of the plane, in space those that close loops; of a spring among the forces
+  /// of the plane, in space the springs.
+  std::size_t index = 0;
+};
+
+/// A body that is a beam.
+struct WholeBody {
+  int body = 0;
+  spatial::BeamPlacement placement = {};  ///< in space only
+};
+
+/// What is elastic with the verified beam of a mechanism: another beam of the case, in the plane
+/// also a rod by its section, or a joint that has a stiffness.
+struct ElasticBeside {
+  std::string name;  ///< of the beam's body, the rod or the joint
+  std::variant<WholeBody, PlanarRod, RodLink, planar::ElasticJoint> place;
+  TaperedBeam
+      beam;  ///< of a rod from end to end, its mass being what its body says; of a joint none
 };
 
 /// A rod of the mechanism, looked at under tension and compression.
@@ -380,7 +390,7 @@ struct Project {
   std::vector<Restraint> restraints;  ///< in stability alone
   /// The beam's body or link; ground: the beam is no body, only the chain can load it.
   int beam_body = planar::ground;
-  std::vector<BeamBeside> beams_beside;  ///< of a mechanism of bodies
+  std::vector<ElasticBeside> elastic_beside;  ///< whichever beam of the case is verified
   Dynamics dynamics = Dynamics::rigorous;
   spatial::BeamPlacement placement;  ///< of the beam in its body; in space only
   ModelInput model;
@@ -464,7 +474,8 @@ inline const recorded::Loads& recorded_in(const Project& project, const Situatio
 /// Where the beam lies in the mechanism of a situation, whose bodies may stand in another order.
 spatial::BeamPlacement placement_in(const Project& project, const spatial::Mechanism& mechanism);
 /// Those of other beams.
-spatial::BeamPlacement placement_in(const BeamBeside& other, const spatial::Mechanism& mechanism);
+spatial::BeamPlacement placement_in(const ElasticBeside& other,
+                                    const spatial::Mechanism& mechanism);
 
 /// The time that a case is looked at.
 const Duration& duration_of(const Project& project);

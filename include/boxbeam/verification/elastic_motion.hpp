@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "boxbeam/mechanism/planar/rest.hpp"
+#include "boxbeam/verification/elastic_beside.hpp"
 #include "boxbeam/verification/load_history.hpp"
 #include "boxbeam/verification/model_choice.hpp"
 #include "boxbeam/verification/posture_modes.hpp"
@@ -13,10 +14,6 @@ namespace boxbeam {
 
 class ModalTransient;
 struct ModalPosture;
-
-/// The elastic body that the verified beam of a planar case is, with those of its other beams.
-/// `project` stays.
-ElasticBody elastic_body_of(const Project& project, int parts);
 
 /// A planar mechanism whose drivers fix its motion, and the loads on its beam as a rigid body.
 /// Before and behind a motion that does not repeat the loads are those of the mechanism held at
@@ -60,8 +57,7 @@ LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic, Lo
 ///     sum over modes of (eta + K^-1 C eta' - K^-1 p)_j times (joint forces and inertia of mode j)
 ///
 /// which are in balance. Left out: the change of the modes with the posture, of the order of
-/// (omega_rotation/omega_1)^2 times the part of a mode's mass that is not the beam's; joints that
-/// are elastic themselves.
+/// (omega_rotation/omega_1)^2 times the part of a mode's mass that is not the beam's.
 /// Sources: Shabana, Dynamics of Multibody Systems (2005), chapter 5; Trefethen, Spectral Methods
 /// in MATLAB (2000), chapter 3; Schönemann, Psychometrika 31 (1966).
 class ElasticMotion {

@@ -28,9 +28,16 @@ struct LoadedPosture {
   int beam_link = 0;
   const TaperedBeam* beam = nullptr;
   CutForceDiagram rigid;  ///< of the beam as a rigid body
-  /// Links of other elastic bodies, and the same of them.
+  /// Links of what is elastic beside the beam, bodies and then lines, and the same of them.
   std::vector<std::pair<int, CutForceDiagram>> beside = {};
+  /// Joints of the links that give way, and what they do in the rigid motion (`force_in`).
+  std::vector<std::pair<std::size_t, Eigen::Vector3d>> joints = {};
 };
+
+/// Loads on what is elastic beside the beam as on rigid bodies, in the order of
+/// `LoadedPosture::beside`.
+std::vector<BeamLoads> loads_beside(const planar::Mechanism& mechanism, const planar::State& state,
+                                    const ElasticBody& elastic);
 
 /// `rigid`: loads on the rigid beam in this state; all forces that are there count `factor` times
 /// in the stiffness. `axial`: loads whose axial force the beam bears, where they are better known

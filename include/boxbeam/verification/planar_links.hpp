@@ -5,21 +5,37 @@
 
 #include "boxbeam/mechanism/flexible/mechanism.hpp"
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
+#include "boxbeam/mechanism/planar/elastic_joint.hpp"
 #include "boxbeam/mechanism/planar/instant_solver.hpp"
 #include "boxbeam/mechanism/planar/mechanism.hpp"
 
 namespace boxbeam {
 
-/// The verified beam as an elastic body of a planar mechanism, and those that bend with it.
+/// A rod without mass that stretches, a joint that keeps or drives the distance of two points.
+struct ElasticLine {
+  std::string joint;
+  double EA = 0.0;           ///< [N]
+  double retardation = 0.0;  ///< [s]
+};
+
+/// The verified beam as an elastic body of a planar mechanism, and what is elastic with it.
 struct ElasticBody {
   int body = planar::ground;
-  double centre = 0.0;  ///< distance of its centre of mass from its start, along its x [m]
+  double centre = 0.0;  ///< distance of its centre of mass from its start, along its axis [m]
   double length = 0.0;  ///< [m]
   std::vector<flexible::LinkStretch> stretches;
   double retardation = 0.0;  ///< [s]
   int parts = 8;
+  double angle = 0.0;                    ///< of its axis in the body's axes [rad]
   planar::BeamBody laid_out = {};        ///< of those beside: its mass along its axis
-  std::vector<ElasticBody> beside = {};  ///< other beams of the mechanism
+  std::vector<ElasticBody> beside = {};  ///< other beams of the mechanism, and rods that are bodies
+  std::vector<ElasticLine> lines = {};
+  std::vector<planar::ElasticJoint> joints = {};
+
+  /// Whether the beam alone is elastic.
+  bool alone() const { return beside.empty() && lines.empty() && joints.empty(); }
+  /// A place of the body, from its centre of mass in its axes, from the start of its axis.
+  Eigen::Vector2d on_axis(const Eigen::Vector2d& p) const;
 };
 
 /// The elastic body of this index, that of the beam or one beside it; null: it is rigid.
@@ -35,7 +51,8 @@ inline constexpr std::size_t most_elastic_bodies = 50;
 bool has_too_many_bodies(const planar::Mechanism& mechanism);
 
 /// A planar mechanism stopped in a posture: every body a rigid link of the same index with its
-/// mass, elastic ones full links; toothed wheels on it come behind them; joints without play
+/// mass, elastic ones full links; behind them come the elastic lines in their order, links along
+/// their axis between pins, and behind these toothed wheels on elastic links; joints without play
 /// and drivers held. Springs and dampers between points count along their line, with the length
 /// that they have. No loads and no weight: what the rigid motion asks for is not part of it.
 /// Toothed wheels and racks are joints without play along the pitch line, at the pitch point.
@@ -45,5 +62,10 @@ bool has_too_many_bodies(const planar::Mechanism& mechanism);
 /// their line (of the order of the force over the one that buckles). Precondition: no obstacle.
 flexible::Mechanism links_of(const planar::Mechanism& mechanism, const planar::State& state,
                              const ElasticBody& elastic);
+
+/// What an elastic joint does to its first body in the rigid motion where it holds, along the axes
+/// of the joint of the links and about it; these turn with one of its bodies. [N, N, N m]
+Eigen::Vector3d force_in(const planar::Mechanism& mechanism, const planar::State& state,
+                         const ElasticBody& elastic, const planar::ElasticJoint& of);
 
 }  // namespace boxbeam

@@ -27,6 +27,9 @@ struct PostureModes {
   };
   Strained beam;
   std::vector<Strained> beside;  ///< in the order of `LoadedPosture::beside`
+  /// How far joints that give way open along their axes and turn, a column per mode, in the order
+  /// of `LoadedPosture::joints`.
+  std::vector<Eigen::Matrix3Xd> gaps;
   /// Of every body, over its masses: sum of m d_i . d_j and of m d_i x d_j of the modes' shifts,
   /// whose frame turns with the body.
   std::vector<Eigen::MatrixXd> shifting, turning;
@@ -51,6 +54,7 @@ FrameTerms frame_terms(const PostureModes& modes, const planar::State& state);
 /// their cut forces on its strains,
 ///
 ///     p_j = integral of N epsilon_j + V gamma_j + M kappa_j   over the elastic bodies
+///           + sum of F gap_j   of the joints that give way
 ///
 /// the same as phi_j^T of all forces and inertia of the rigid mechanism, for joints do no work and
 /// rigid bodies are in balance. Per part with the mean cut forces. Source: principle of virtual

@@ -1,5 +1,6 @@
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "boxbeam/mechanism/planar/constraints.hpp"
@@ -19,13 +20,15 @@ Eigen::Vector3d in_beam_axes(const Eigen::Vector2d& world, double angle) {
 
 BeamLoads beam_loads_of(const Mechanism& mechanism, const State& state, const BeamBody& beam) {
   const Eigen::Index i = 3 * static_cast<Eigen::Index>(beam.body);
-  const double angle = state.q[i + 2];
+  const double angle = state.q[i + 2] + beam.angle;
   const double omega = state.v[i + 2];
   const double alpha = state.a[i + 2];
 
   BeamLoads loads;
-  const auto add = [&](std::string_view name, const Eigen::Vector2d& point,
+  const Eigen::Rotation2Dd to_axis(-beam.angle);
+  const auto add = [&](std::string_view name, const Eigen::Vector2d& at,
                        const Eigen::Vector2d& force, double moment) {
+    const Eigen::Vector2d point = to_axis * at;
     PointLoad load;
     load.name = name;
     load.s = place_near(beam.places, si<Length>(beam.centre + point.x()));

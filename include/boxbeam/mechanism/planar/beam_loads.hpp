@@ -7,14 +7,15 @@
 
 namespace boxbeam::planar {
 
-/// The rigid body that is the verified beam. Its mass, centre and inertia are those of `beam`; its
-/// own x axis is the beam axis, the beam's start lies at (-centre, 0) in body axes.
+/// The rigid body that is a beam. Its mass, centre and inertia are those of `distribution`; its
+/// centre of mass lies on the beam axis, which is its own x axis turned by `angle`.
 struct BeamBody {
   int body = ground;
   const TaperedBeam* beam = nullptr;
   std::vector<SegmentMass> distribution;
   std::vector<Length> places;  ///< of the beam: a joint within round-off of one stands there
   double centre = 0.0;         ///< s of the centre of mass [m]
+  double angle = 0.0;          ///< of the beam axis in body axes [rad]
 };
 
 BeamBody beam_body_of(const TaperedBeam& beam, int body);

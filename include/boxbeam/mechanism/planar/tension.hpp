@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+
+#include "boxbeam/mechanism/planar/instant_solver.hpp"
+#include "boxbeam/mechanism/planar/mechanism.hpp"
+
+namespace boxbeam::planar {
+
+/// The tension in a joint that keeps or drives the distance of two points [N]. Precondition:
+/// `is_rod`.
+double tension_in_joint(const Mechanism& mechanism, const State& state, std::size_t joint);
+
+/// The tension in a spring between two points, with its damper [N]; zero where they are one.
+/// Precondition: the force is a `Spring`.
+double tension_in_spring(const Mechanism& mechanism, const State& state, std::size_t force);
+
+}  // namespace boxbeam::planar

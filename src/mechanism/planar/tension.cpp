@@ -1,0 +1,28 @@
+#include "boxbeam/mechanism/planar/tension.hpp"
+
+#include <variant>
+
+#include "boxbeam/mechanism/planar/constraints.hpp"
+#include "boxbeam/mechanism/planar/forces.hpp"
+
+namespace boxbeam::planar {
+
+double tension_in_joint(const Mechanism& mechanism, const State& state, std::size_t joint) {
+  Eigen::Index row = 0;
+  for (std::size_t i = 0; i < joint; ++i) row += equations_of(mechanism.joints[i]);
+  return state.lambda[row];
+}
+
+double tension_in_spring(const Mechanism& mechanism, const State& state, std::size_t force) {
+  const auto& spring = std::get<Spring>(mechanism.forces[force].kind);
+  const Eigen::Vector2d line = position_of(spring.b, state.q) - position_of(spring.a, state.q);
+  if (line.norm() == 0.0) return 0.0;
+  for (const AppliedLoad& load : applied_loads_of(mechanism, state.time, state.q, state.v)) {
+    if (load.force != static_cast<int>(force)) continue;
+    const bool on_a = load.on == spring.a.body && load.point == spring.a.p;
+    return load.vector.dot(line.normalized()) * (on_a ? 1.0 : -1.0);
+  }
+  return 0.0;
+}
+
+}  // namespace boxbeam::planar
