@@ -74,11 +74,13 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
   return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), columns.cols());
 }
 
-/// The smallest values of A with `count` vectors.
+/// The smallest values of A with `count` vectors; those of a subspace are never below those of the
+/// whole, so that all wanted at any step says that there are more, and ends the iteration.
 SingularValues by_iteration(const Sparse& A, const Eigen::SimplicialLDLT<Sparse>& inverse,
                             double largest, double wanted, Eigen::Index count) {
   constexpr int most_steps = 100;
-  constexpr double close = 1e-8;
+  // Of values that are wanted; of the next above it is only said how large it is.
+  constexpr double close = 1e-8, next_close = 1e-4;
   const double round_off = 1e-14 * largest;
   // The same start each time: fixed columns without a pattern that a mechanism could share.
   Eigen::MatrixXd block(A.cols(), count);
@@ -105,11 +107,16 @@ SingularValues by_iteration(const Sparse& A, const Eigen::SimplicialLDLT<Sparse>
     const Eigen::Index used = wanted_at_end(values, wanted * largest);
     found.smallest = values.tail(used);
     found.vectors = block.rightCols(used);
-    const bool settled =
-        before.size() == count && ((values.tail(used) - before.tail(used)).array().abs() <=
-                                   close * values.tail(used).array() + round_off)
-                                      .all();
-    if (settled && step > 1) break;
+    if (used == count && values[0] <= wanted * largest) break;
+    if (before.size() == count && step > 1) {
+      const auto has_settled = [&](Eigen::Index k, double within) {
+        return std::abs(values[k] - before[k]) <= within * values[k] + round_off;
+      };
+      bool settled = has_settled(count - used, used > 1 ? next_close : close);
+      for (Eigen::Index k = count - used + 1; k < count; ++k)
+        settled = settled && has_settled(k, close);
+      if (settled) break;
+    }
     before = values;
   }
   return found;

@@ -15,7 +15,8 @@ struct SingularValues {
 };
 
 /// Largest and smallest singular values of A with right singular vectors. `wanted`: all that are
-/// below it, relative to the largest, are found, and the next above them.
+/// below it, relative to the largest, are found to some 1e-8, and the next above them: to 1e-4
+/// where it is not the only one.
 ///
 /// Up to `dense_below` columns by the SVD of the whole matrix. Above, the smallest by iteration of
 /// a block of vectors with (A^T A + delta^2)^-1, factored once, delta = 1e-7 of the largest: what

@@ -302,21 +302,16 @@ VectorXcd harmonic_coordinates(const ModalModel& model, ModalLoads loads, double
   return A.partialPivLu().solve(loads.p);
 }
 
-Deformation<Complex> harmonic_by(const ModalModel& model, const Recovery& recovery,
-                                 const ModalLoads& loads, double frequency) {
+/// What of the modes is in a response: x and eta' of `Recovery`.
+struct InModes {
+  VectorXcd x, speed;
+};
+
+InModes in_modes(const ModalModel& model, const Recovery& recovery, const ModalLoads& loads,
+                 double frequency) {
   const double omega = omega_of(frequency);
   const VectorXcd eta = harmonic_coordinates(model, loads, frequency);
-  const VectorXcd speed = Complex(0.0, omega) * eta;
-  const VectorXcd acceleration = -omega * omega * eta;
-  const VectorXcd x = recovery.x(eta, acceleration);
-  Deformation<Complex> result = recovery.of_loads;
-  result.joints += joints_of(model, recovery, x, speed);
-  for (std::size_t j = 0; j < model.modes.size(); ++j) {
-    const auto at = static_cast<Index>(j);
-    add(model.modes[j].shape.motion, x[at], result.motion);
-    if (!recovery.of_speed.empty()) add(recovery.of_speed[j].motion, speed[at], result.motion);
-  }
-  return result;
+  return {recovery.x<VectorXcd>(eta, -omega * omega * eta), Complex(0.0, omega) * eta};
 }
 
 }  // namespace
@@ -337,8 +332,16 @@ ModalModel modal_model_of(const Structure& structure, std::size_t count) {
 
 Deformation<Complex> harmonic_response(const ModalModel& model, double frequency,
                                        bool static_correction) {
-  return harmonic_by(model, recovery_of(model, static_correction), modal_loads_of(model),
-                     frequency);
+  const Recovery recovery = recovery_of(model, static_correction);
+  const InModes of = in_modes(model, recovery, modal_loads_of(model), frequency);
+  Deformation<Complex> result = recovery.of_loads;
+  result.joints += joints_of(model, recovery, of.x, of.speed);
+  for (std::size_t j = 0; j < model.modes.size(); ++j) {
+    const auto at = static_cast<Index>(j);
+    add(model.modes[j].shape.motion, of.x[at], result.motion);
+    if (!recovery.of_speed.empty()) add(recovery.of_speed[j].motion, of.speed[at], result.motion);
+  }
+  return result;
 }
 
 Sweep sweep_of(const ModalModel& model, const std::vector<double>& frequencies) {
@@ -347,7 +350,10 @@ Sweep sweep_of(const ModalModel& model, const std::vector<double>& frequencies) 
   Sweep sweep{frequencies, {}};
   sweep.joints.resize(model.structure->joints.size());
   for (const double frequency : frequencies) {
-    const Deformation<Complex> response = harmonic_by(model, recovery, loads, frequency);
+    const InModes of = in_modes(model, recovery, loads, frequency);
+    // Nothing but the joints is asked for: the parts of links are many.
+    const Deformation<Complex> response{
+        {}, recovery.of_loads.joints + joints_of(model, recovery, of.x, of.speed)};
     for (std::size_t j = 0; j < sweep.joints.size(); ++j) {
       sweep.joints[j].push_back(joint_force(*model.structure, j, response));
     }
