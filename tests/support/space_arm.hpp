@@ -7,6 +7,7 @@
 #include <cmath>
 #include <deque>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "boxbeam/mechanism/common/driver.hpp"
@@ -131,8 +132,9 @@ joint = "slew"
 
 /// A case whose rigid bodies have moved.
 struct Moved {
-  explicit Moved(const std::string& text)
-      : project(boxbeam::parse_project("arm.toml", text)), runs(boxbeam::run_situations(project)) {}
+  explicit Moved(const std::string& text) : Moved(boxbeam::parse_project("arm.toml", text)) {}
+  explicit Moved(boxbeam::Project of)
+      : project(std::move(of)), runs(boxbeam::run_situations(project)) {}
 
   const boxbeam::LoadHistory& rigid() const { return runs.front().loads; }
   const boxbeam::spatial::Chain& chain() const { return boxbeam::chain_of(runs.front()); }
