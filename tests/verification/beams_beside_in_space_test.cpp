@@ -15,9 +15,10 @@
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/section/shear_area.hpp"
 #include "boxbeam/verification/elastic_motion.hpp"
+#include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/second_order_estimate.hpp"
 #include "boxbeam/verification/situation_run.hpp"
-#include "boxbeam/verification/verify.hpp"
+#include "boxbeam/verification/unsaid.hpp"
 #include "catch.hpp"
 #include "src/verification/elastic_motion_in_space.hpp"
 #include "src/verification/vibration_in_space.hpp"
@@ -255,7 +256,8 @@ TEST_CASE("what rigid bodies miss of an arm in two beams is what they miss of th
 // Invariant: the axial force of each beam softens that beam, as it does both halves of the whole.
 // Of the whole f^2 falls by N/N_cr, nearly: the modes of vibration and of buckling are alike.
 TEST_CASE("a column in two beams is softened by what presses both", "[beams_beside]") {
-  const Project project = parse_beams("arm.toml", arm(false, clamp, "thin", "thin"))[0];
+  const Project project =
+      parse_beams("arm.toml", arm(false, hinge({0.0, 0.0, 1.0}, 0.1, 1.0), "thin", "thin"))[0];
   const double I_z = properties_of(project.beam.segments.front().from).I_z.value();
   const double N_cr = pi * pi * E * I_z / (4.0 * 4.0 * 4.0);
   const auto text = [&](bool cut, double part) {
@@ -267,7 +269,7 @@ TEST_CASE("a column in two beams is softened by what presses both", "[beams_besi
   };
   const double free = first(moved(text(false, 0.0)), 16),
                pressed = first(moved(text(false, 0.5)), 16);
-  CHECK(std::pow(pressed / free, 2) == Approx(0.5).epsilon(0.02));
+  CHECK(std::pow(pressed / free, 2) == Approx(0.5).epsilon(0.05));
   for (const std::size_t half : {std::size_t{0}, std::size_t{1}})
     CHECK(first(moved(text(true, 0.5), half), 8) == Approx(pressed).epsilon(1e-8));
   // Beyond N_cr it does not stand.
@@ -400,7 +402,7 @@ TEST_CASE("an L of two beams has the frequencies of a model of finite elements",
     // One beam alone, the other rigid, is far from it.
     Project stiff = of->project;
     stiff.elastic_beside.clear();
-    CHECK(Moved(std::move(stiff)).modes(32, 1).front().frequency > 1.05 * expected.front());
+    CHECK(Moved(std::move(stiff)).modes(32, 1).front().frequency > 1.01 * expected.front());
   }
 }
 
@@ -556,7 +558,7 @@ TEST_CASE("what the drive does beyond rigid bodies both beams dissipate", "[beam
 // The limit: so much stiffer, the other beam is a rigid body of its mass; what is left falls as its
 // flexibility.
 TEST_CASE("a beam that is far stiffer is a rigid body beside the other", "[beams_beside]") {
-  const std::string text = bent_arm(clamp);
+  const std::string text = bent_arm(hinge({0.0, 0.0, 1.0}, 0.1, 1.0));
   const Project project = parse_beams("arm.toml", text)[0];
   const TaperedBeam& other = project.elastic_beside.front().beam;
   const MassProperties mass = mass_properties_of(other);
@@ -631,7 +633,7 @@ std::string in_plane(double amplitude, double elbow) {
   else
     text += fmt::format(
         "[joints.cut]\nkind = \"pin\"\nconnect = [\"inner.B\", \"outer.A\"]\n"
-        "[drivers.elbow]\ncoordinate = \"relative angle\"\npoints = [\"inner.B\", \"outer.A\"]\n"
+        "[drivers.elbow]\ncoordinate = \"relative angle\"\npoints = [\"outer.A\", \"inner.B\"]\n"
         "kind = \"harmonic\"\nmean = \"0 rad\"\namplitude = \"{} rad\"\nfrequency = \"1 Hz\"\n"
         "phase = \"0.8 rad\"\n",
         elbow);
@@ -679,20 +681,12 @@ TEST_CASE("two beams of the plane written in space have its frequencies and its 
     CHECK(found[k] == Approx(expected.frequencies[k]).epsilon(k == 0 ? 1e-6 : 2e-5));
   const VibrationInSpace estimate = estimate_vibration_in_space(of.project, of.runs.front(), 32);
   REQUIRE(estimate.obstacle.empty());
-  REQUIRE(expected.without_modes.front() > 0.01);
+  REQUIRE(expected.without_modes.front() > 0.005);
   CHECK(estimate.estimate.without_modes.front() ==
         Approx(expected.without_modes.front()).epsilon(1e-6));
 }
 
-namespace {
-
-bool says(const Verification& of, const std::string& what) {
-  return std::any_of(of.not_judged.begin(), of.not_judged.end(), [&](const NotJudged& said) {
-    return said.what.find(what) != std::string::npos;
-  });
-}
-
-}  // namespace
+namespace {}  // namespace
 
 // Equations, loads and basis are the plane's where each beam turns as it does.
 TEST_CASE("two beams on a driven elbow in the plane vibrate alike written in space",
@@ -704,16 +698,17 @@ TEST_CASE("two beams on a driven elbow in the plane vibrate alike written in spa
     const std::deque<SituationRun> runs = run_situations(plane);
     const RigidMotion rigid = planar_motion(plane, runs.front());
     const ElasticBody elastic = elastic_body_of(plane, 96);
-    const ElasticMotion vibrating(rigid, elastic, 3);
+    const ElasticMotion vibrating(rigid, elastic, 2);
     const LoadsAt bent = bent_statically(rigid, elastic);
     const Moved of = moved(in_space(amplitude, angle), verified);
-    // The first of the plane are among these.
-    const ElasticMotionInSpace coarse = of.by(7, 12), fine = of.by(7, 24);
+    // Two of them in the plane.
+    const ElasticMotionInSpace coarse = of.by(4, 12), fine = of.by(4, 24);
+    REQUIRE(fine.coordinates().cols() == 4);
     const auto beyond_rigid = [&](const ElasticMotionInSpace& by, Time time, double s) -> Cuts {
       return cuts_of(by.loads_at(time), s) - cuts_of(of.rigid().loads_at(time), s);
     };
     for (const double s : {0.0, 1.2}) {
-      double moment = 0.0, vibrating_moment = 0.0, apart = 0.0, across = 0.0;
+      double moment = 0.0, vibrating_moment = 0.0, apart = 0.0, across = 0.0, of_rigid = 0.0;
       for (int i = 0; i < 24; ++i) {
         const Time time = of.at(i / 24.0);
         const Cuts expected = cuts_of(vibrating.loads_at(time), s) - cuts_of(bent(time), s);
@@ -722,11 +717,14 @@ TEST_CASE("two beams on a driven elbow in the plane vibrate alike written in spa
             (4.0 * beyond_rigid(fine, time, s) - beyond_rigid(coarse, time, s)) / 3.0;
         apart = std::max(apart, std::abs(found[4] - expected[4]));
         across = std::max({across, std::abs(found[3]), std::abs(found[5])});
-        moment = std::max(moment, std::abs(cuts_of(of.rigid().loads_at(time), s)[4]));
+        const Cuts plain = cuts_of(of.rigid().loads_at(time), s);
+        of_rigid = std::max(of_rigid, std::abs(plain[4] - cuts_of(rigid.loads(time), s)[4]));
+        moment = std::max(moment, std::abs(plain[4]));
         vibrating_moment = std::max(vibrating_moment, std::abs(expected[4]));
       }
       INFO("s = " << s << ": " << apart / moment << ", of what vibrates "
                   << apart / vibrating_moment);
+      REQUIRE(of_rigid < 1e-9 * moment);
       CHECK(vibrating_moment > 0.005 * moment);
       CHECK(apart < 1e-5 * moment);
       // In the plane of the others nothing moves it.
@@ -747,7 +745,8 @@ TEST_CASE("of a case with two beams in space both are elastic in each other's mo
           Approx(expected.model.frequencies.front()).epsilon(1e-5));
     const std::string other = project.beam_name == "inner" ? "outer" : "inner";
     CHECK_THAT(found.model.reason, Catch::Contains("(" + other + " elastic as well)"));
-    CHECK_FALSE(says(verify(project), "vibration of other beams"));
+    // Nothing of it is left to be said.
+    CHECK(unestimated_vibration_of(project, found.model, found.runs).empty());
   }
 }
 
