@@ -12,9 +12,10 @@ struct EvenBeam {
   EvenBeam(const EvenBeam&) = delete;
   EvenBeam& operator=(const EvenBeam&) = delete;
 
-  /// `from`, `to`: axes of the body [m], apart from each other.
-  void set(const spatial::Mechanism& mechanism, int of, const Eigen::Vector3d& from,
-           const Eigen::Vector3d& to, const Section& section);
+  /// `from`, `to`: axes of the body [m], apart from each other; `open`: `open_state_of` the
+  /// mechanism.
+  void set(const spatial::Mechanism& mechanism, const spatial::State& open, int of,
+           const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Section& section);
 
   TaperedBeam beam;
   spatial::BeamBody body;

@@ -237,7 +237,8 @@ class SpatialNeighbours : public NeighbourLoads {
     RodBeam& of = beams_[&rod];
     if (!of.beam.segments.empty()) return of;
     const SpatialRod& place = std::get<SpatialRod>(rod.place);
-    of.set(*mechanism_, place.from.body, place.from.p, place.to.p, rod.section);
+    of.set(*mechanism_, spatial::open_state_of(*mechanism_), place.from.body, place.from.p,
+           place.to.p, rod.section);
     const SectionProperties section = properties_of(rod.section);
     of.modulus = std::min(section.W_y, section.W_z).value();
     return of;

@@ -27,10 +27,15 @@ constexpr double stiffer = 1e4;
 class StoppedFrame {
  public:
   StoppedFrame(const Project& project, const spatial::Chain& chain, const spatial::State& state)
-      : project_(&project), chain_(&chain), mechanism_(&chain.mechanism()), state_(&state) {}
+      : project_(&project),
+        chain_(&chain),
+        mechanism_(&chain.mechanism()),
+        state_(&state),
+        open_(spatial::open_state_of(*mechanism_)) {}
 
   /// Whether it can be made.
   bool make(const CutForceDiagram& diagram) {
+    find_places();
     member_of_.assign(mechanism_->bodies.size(), frame::ground);
     add_beam(project_->beam, placement_in(*project_, *mechanism_), diagram);
     for (const ElasticBeside& other : project_->elastic_beside) {
@@ -107,22 +112,22 @@ class StoppedFrame {
     return stiffer * std::max(along_, 48.0 * about_ / (length * length));
   }
 
-  std::vector<Vector3d> places_on(int body) const {
-    std::vector<Vector3d> places{mechanism_->joints[static_cast<std::size_t>(body)].point};
-    for (const spatial::Joint& joint : mechanism_->joints)
-      if (joint.parent == body) places.push_back(joint.at);
-    const auto add = [&](const auto& of) {
-      for (const spatial::Attachment& end : {of.a, of.b})
-        if (end.body == body) places.push_back(end.p);
+  void find_places() {
+    const auto add = [&](int body, const Vector3d& place) {
+      if (body != spatial::ground) places_[static_cast<std::size_t>(body)].push_back(place);
+    };
+    for (const spatial::Joint& joint : mechanism_->joints) places_.push_back({joint.point});
+    for (const spatial::Joint& joint : mechanism_->joints) add(joint.parent, joint.at);
+    const auto add_ends = [&](const auto& of) {
+      for (const spatial::Attachment& end : {of.a, of.b}) add(end.body, end.p);
     };
     for (const spatial::ClosingJoint& joint : mechanism_->closing)
-      if (!spatial::has_teeth(joint.kind)) add(joint);
-    for (const spatial::Spring& spring : mechanism_->springs) add(spring);
-    return places;
+      if (!spatial::has_teeth(joint.kind)) add_ends(joint);
+    for (const spatial::Spring& spring : mechanism_->springs) add_ends(spring);
   }
 
   void add_body(int body) {
-    const std::vector<Vector3d> places = places_on(body);
+    const std::vector<Vector3d>& places = places_[static_cast<std::size_t>(body)];
     Vector3d from = places.front(), to = from;
     for (const Vector3d& a : places) {
       for (const Vector3d& b : places)
@@ -131,14 +136,15 @@ class StoppedFrame {
     const double least = 1e-3 * project_->beam.length().value();
     if (!((to - from).norm() > least)) to = from + least * Vector3d::UnitX();
     EvenBeam& even = bodies_.emplace_back();
-    even.set(*mechanism_, body, from, to, bar_section((to - from).norm()));
+    even.set(*mechanism_, open_, body, from, to, bar_section((to - from).norm()));
     member_of_[static_cast<std::size_t>(body)] =
         add_bar(spatial::position_of(*state_, {body, from}),
                 spatial::position_of(*state_, {body, to}), stiff_bar((to - from).norm()));
     // As the loads on it have them.
     structure.members.back().axes =
         state_->bodies[static_cast<std::size_t>(body)].R_WB * even.body.placement.axes;
-    loaded.members.back().cut = cut_forces_of(spatial::beam_loads_of(*chain_, *state_, even.body));
+    loaded.members.back().cut =
+        cut_forces_of(spatial::beam_loads_of(*chain_, *state_, even.body, wrenches()));
   }
 
   /// A place of the world on a body, or on the ground.
@@ -283,8 +289,10 @@ class StoppedFrame {
   const spatial::Chain* chain_;
   const spatial::Mechanism* mechanism_;
   const spatial::State* state_;
-  double along_ = 0.0, about_ = 0.0;  ///< largest E A/L, E I/L of the beams [N/m, N m]
-  std::vector<int> member_of_;        ///< of each body
+  spatial::State open_;
+  double along_ = 0.0, about_ = 0.0;           ///< largest E A/L, E I/L of the beams [N/m, N m]
+  std::vector<int> member_of_;                 ///< of each body
+  std::vector<std::vector<Vector3d>> places_;  ///< on each body where others are joined
   std::deque<EvenBeam> bodies_;
   std::vector<spatial::Wrench> wrenches_;
 };

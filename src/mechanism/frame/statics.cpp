@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "boxbeam/core/error.hpp"
 #include "rigid_arms.hpp"
@@ -43,15 +44,16 @@ Statics::Statics(const Structure& structure, int parts) : structure_(&structure)
                            !structure.plane);
     masses_.push_back(mass_distribution_of(member.beam));
   }
+  std::vector<std::vector<double>> joined(structure.members.size());  // stations
+  for (const Joint& joint : structure.joints) {
+    for (const Place* at : {&joint.a, &joint.b})
+      if (at->member != ground) joined[static_cast<std::size_t>(at->member)].push_back(at->p.x());
+  }
   for (std::size_t m = 0; m < structure.members.size(); ++m) {
     const Member& member = structure.members[m];
     const double length = member.beam.length().value();
-    std::vector<double> stations{0.0, length};
-    for (const Joint& joint : structure.joints) {
-      for (const Place* at : {&joint.a, &joint.b}) {
-        if (at->member == static_cast<int>(m)) stations.push_back(at->p.x());
-      }
-    }
+    std::vector<double> stations = std::move(joined[m]);
+    stations.insert(stations.end(), {0.0, length});
     std::sort(stations.begin(), stations.end());
     const auto same = [&](double a, double b) { return b - a < 1e-9 * length; };
     stations.erase(std::unique(stations.begin(), stations.end(), same), stations.end());
@@ -83,13 +85,12 @@ Index Statics::row_of_piece(std::size_t piece) const {
 }
 
 std::size_t Statics::node_of(const Place& at) const {
-  const auto distance = [&](const Node& node) {
-    return node.member == at.member ? std::abs(node.s - at.p.x())
-                                    : std::numeric_limits<double>::infinity();
-  };
-  const auto nearest =
-      std::min_element(nodes_.begin(), nodes_.end(),
-                       [&](const Node& a, const Node& b) { return distance(a) < distance(b); });
+  const auto [first, last] =
+      std::equal_range(nodes_.begin(), nodes_.end(), Node{at.member, 0.0},
+                       [](const Node& a, const Node& b) { return a.member < b.member; });
+  const auto nearest = std::min_element(first, last, [&](const Node& a, const Node& b) {
+    return std::abs(a.s - at.p.x()) < std::abs(b.s - at.p.x());
+  });
   return static_cast<std::size_t>(nearest - nodes_.begin());
 }
 

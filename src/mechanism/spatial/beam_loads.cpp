@@ -120,13 +120,19 @@ void give_mass(Body& body, const BeamPlacement& placement, const TaperedBeam& be
   body.inertia = placement.axes * properties.tensor * placement.axes.transpose();
 }
 
-std::vector<LastingPlace> lasting_places_of(const Mechanism& mechanism,
-                                            const BeamPlacement& placement) {
-  // Where the loops stand is of no matter: only what holds together is compared.
+State open_state_of(const Mechanism& mechanism) {
   const Tree tree(mechanism);
   State state;
   tree.drive(state, 0.0);
   tree.move(state);
+  return state;
+}
+
+namespace {
+
+/// Where the loops stand is of no matter: only what holds together is compared.
+std::vector<LastingPlace> lasting_places_in(const State& state, const Mechanism& mechanism,
+                                            const BeamPlacement& placement) {
   const int held_with = first_held_with(mechanism, placement.body);
   std::vector<LastingPlace> places;
   each_place(mechanism, placement.body, [&](const std::string& name, const Attachment& at) {
@@ -134,6 +140,13 @@ std::vector<LastingPlace> lasting_places_of(const Mechanism& mechanism,
     places.push_back({name, in_beam(placement, state, at)});
   });
   return places;
+}
+
+}  // namespace
+
+std::vector<LastingPlace> lasting_places_of(const Mechanism& mechanism,
+                                            const BeamPlacement& placement) {
+  return lasting_places_in(open_state_of(mechanism), mechanism, placement);
 }
 
 std::vector<Eigen::Vector3d> holds_of(const Mechanism& mechanism, int body) {
@@ -164,15 +177,12 @@ std::vector<Eigen::Vector3d> holds_of(const Mechanism& mechanism, int body) {
 namespace {
 
 /// Where teeth that mesh with the beam's body stand along its axis, while it turns about that.
-std::vector<Length> meshed_places_of(const Mechanism& mechanism, const BeamPlacement& placement) {
+std::vector<Length> meshed_places_in(const State& state, const Mechanism& mechanism,
+                                     const BeamPlacement& placement) {
   std::vector<Length> places;
   const Joint& joint = mechanism.joints[static_cast<std::size_t>(placement.body)];
   const Eigen::Vector3d axis = joint.turn.transpose() * joint.axis;
   if (axis.cross(placement.axes.col(0)).norm() > 1e-9) return places;
-  const Tree tree(mechanism);
-  State state;
-  tree.drive(state, 0.0);
-  tree.move(state);
   for (const ClosingJoint& closing : mechanism.closing) {
     if (!has_teeth(closing.kind)) continue;
     if (closing.a.body != placement.body && closing.b.body != placement.body) continue;
@@ -185,10 +195,15 @@ std::vector<Length> meshed_places_of(const Mechanism& mechanism, const BeamPlace
 
 BeamBody beam_body_of(const TaperedBeam& beam, const BeamPlacement& placement,
                       const Mechanism& mechanism) {
+  return beam_body_of(beam, placement, mechanism, open_state_of(mechanism));
+}
+
+BeamBody beam_body_of(const TaperedBeam& beam, const BeamPlacement& placement,
+                      const Mechanism& mechanism, const State& open) {
   BeamBody body{placement, &beam, mass_distribution_of(beam), places_of(beam)};
   const Length end = body.places.back();
-  std::vector<Length> lasting = meshed_places_of(mechanism, placement);
-  for (const LastingPlace& place : lasting_places_of(mechanism, placement))
+  std::vector<Length> lasting = meshed_places_in(open, mechanism, placement);
+  for (const LastingPlace& place : lasting_places_in(open, mechanism, placement))
     lasting.push_back(si<Length>(place.at.x()));
   for (const Length& at : lasting) {
     const Length s = place_near(body.places, at);
@@ -199,6 +214,11 @@ BeamBody beam_body_of(const TaperedBeam& beam, const BeamPlacement& placement,
 }
 
 BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& beam) {
+  return beam_loads_of(chain, state, beam, chain.joint_wrenches(state));
+}
+
+BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& beam,
+                        const std::vector<Wrench>& joints) {
   const Mechanism& mechanism = chain.mechanism();
   const int own = beam.placement.body;
   const BodyMotion& motion = state.bodies[static_cast<std::size_t>(own)];
@@ -217,7 +237,6 @@ BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& 
         R_WS.transpose() * wrench.moment + Eigen::Vector3d(0.0, at.y(), at.z()).cross(load.force);
     loads.points.push_back(load);
   };
-  const std::vector<Wrench> joints = chain.joint_wrenches(state);
   each_hold(mechanism, own,
             [&](const std::string& name, const Attachment& at, std::size_t i, double sign) {
               add(name, at, {sign * joints[i].force, sign * joints[i].moment});

@@ -48,6 +48,13 @@ struct BeamBody {
 
 BeamBody beam_body_of(const TaperedBeam& beam, const BeamPlacement& placement,
                       const Mechanism& mechanism);
+/// The same of one of many bodies, with `open_state_of` the mechanism.
+BeamBody beam_body_of(const TaperedBeam& beam, const BeamPlacement& placement,
+                      const Mechanism& mechanism, const State& open);
+
+/// All bodies at t = 0 with the loops as open as they may be: what joints without motion hold
+/// together stands together.
+State open_state_of(const Mechanism& mechanism);
 
 /// Loads on the beam at an instant: what its joints and the loads on it do, its line forces, and
 /// its own weight and inertia per length. What acts off the axis acts at its projection on it, with
@@ -55,5 +62,8 @@ BeamBody beam_body_of(const TaperedBeam& beam, const BeamPlacement& placement,
 /// Precondition: line forces on the beam's body lie along its axis or beside it at one distance,
 /// between ends of segments.
 BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& beam);
+/// The same of one of many bodies, with `joint_wrenches` of the chain.
+BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& beam,
+                        const std::vector<Wrench>& joints);
 
 }  // namespace boxbeam::spatial
