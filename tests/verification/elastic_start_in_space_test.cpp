@@ -304,7 +304,7 @@ connect = ["arm.tip", "load.c"]
 TEST_CASE("a force that acts at once bends twice as far as one that comes slowly",
           "[elastic_start]") {
   const double L = 4.0, m = 150.0, F = 700.0;
-  Project project = parse_project("arm.toml", arm(R"(
+  Project project = parse_project("arm.toml", lasting(arm(R"(
 [joints.heel]
 kind = "fixed"
 connect = ["ground", "arm.heel"]
@@ -321,13 +321,16 @@ point = "arm.tip"
 direction = "z"
 size = "1 N"
 )",
-                                                  light));
+                                                          light),
+                                                      1.0));
   const Section& section = project.beam.segments.front().from;
   const double give = std::pow(L, 3) / (3.0 * E * properties_of(section).I_y.value()) +
                       L / (G * shear_areas_of(section).z.value());
   const double omega = 1.0 / std::sqrt(m * give), period = 2.0 * pi / omega;
   const double begin = 0.4 * period, end = 2.1 * period;
-  std::get<spatial::Mechanism>(project.mechanism).loads.front().size =
+  auto& mechanism = std::get<spatial::Mechanism>(project.mechanism);
+  mechanism.duration.length = end;
+  mechanism.loads.front().size =
       TableDriver{TableCurve({0.0, begin, end}, {0.0, F, F}, Interpolation::step, Beyond::hold)};
   const Moved of(std::move(project));
   const ElasticMotionInSpace elastic = of.by(3, 8);
