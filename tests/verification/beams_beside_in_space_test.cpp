@@ -435,7 +435,7 @@ TEST_CASE("an L of two beams on a swinging hinge vibrates as a model of finite e
              .segment<6>(6 * FiniteElements::n);
     Cuts in_second;
     in_second << axes.transpose() * knee.head<3>(), axes.transpose() * knee.tail<3>();
-    const ElasticMotionInSpace of_inner = inner.by(8, 16), of_outer = outer.by(8, 16);
+    const ElasticMotionInSpace of_inner = inner.by(8, 10), of_outer = outer.by(8, 10);
     INFO("axis " << axis.transpose() << ", " << frequency << " Hz against "
                  << of_inner.lowest_frequency());
     for (const double part : {0.2, 0.55}) {
@@ -688,7 +688,8 @@ TEST_CASE("two beams of the plane written in space have its frequencies and its 
 
 namespace {}  // namespace
 
-// Equations, loads and basis are the plane's where each beam turns as it does.
+// Equations and loads are the plane's where each beam turns by itself. By one mode of the plane:
+// what is left out where several change with the posture depends on how their bases are turned.
 TEST_CASE("two beams on a driven elbow in the plane vibrate alike written in space",
           "[beams_beside]") {
   const double amplitude = 0.3, angle = 0.4;
@@ -697,13 +698,13 @@ TEST_CASE("two beams on a driven elbow in the plane vibrate alike written in spa
     const Project plane = parse_beams("plane.toml", in_plane(amplitude, angle))[verified];
     const std::deque<SituationRun> runs = run_situations(plane);
     const RigidMotion rigid = planar_motion(plane, runs.front());
-    const ElasticBody elastic = elastic_body_of(plane, 96);
-    const ElasticMotion vibrating(rigid, elastic, 2);
+    const ElasticBody elastic = elastic_body_of(plane, 48);
+    const ElasticMotion vibrating(rigid, elastic, 1);
     const LoadsAt bent = bent_statically(rigid, elastic);
     const Moved of = moved(in_space(amplitude, angle), verified);
-    // Two of them in the plane.
-    const ElasticMotionInSpace coarse = of.by(4, 12), fine = of.by(4, 24);
-    REQUIRE(fine.coordinates().cols() == 4);
+    // One of them in the plane.
+    const ElasticMotionInSpace coarse = of.by(2, 8), fine = of.by(2, 16);
+    REQUIRE(fine.coordinates().cols() == 2);
     const auto beyond_rigid = [&](const ElasticMotionInSpace& by, Time time, double s) -> Cuts {
       return cuts_of(by.loads_at(time), s) - cuts_of(of.rigid().loads_at(time), s);
     };
@@ -726,7 +727,7 @@ TEST_CASE("two beams on a driven elbow in the plane vibrate alike written in spa
                   << apart / vibrating_moment);
       REQUIRE(of_rigid < 1e-9 * moment);
       CHECK(vibrating_moment > 0.005 * moment);
-      CHECK(apart < 1e-5 * moment);
+      CHECK(apart < 1e-6 * moment);
       // In the plane of the others nothing moves it.
       CHECK(across < 1e-9 * moment);
     }

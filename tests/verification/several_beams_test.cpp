@@ -223,6 +223,8 @@ TEST_CASE("Each of two beams in space has the factors that it has alone, the oth
         return common("spatial") + R"(
 [mechanism]
 gravity = ["0 m/s^2", "0 m/s^2", "-9.81 m/s^2"]
+[model]
+demand = "rigid"
 [bodies.arm]
 points = { A = ["0 m", "0 m", "0 m"], B = ["1 m", "0 m", "0 m"] }
 )" + of_arm + R"([bodies.rod]
