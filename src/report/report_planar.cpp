@@ -159,13 +159,35 @@ struct ForceText {
   }
 };
 
-Entries entries_of(const Mechanism& mechanism) {
+/// Behind what a joint is, where it gives way in elastic models.
+std::string giving_way_text(const std::vector<ElasticBeside>& elastic, std::size_t joint) {
+  std::string text;
+  const auto add = [&](double stiffness, double damping, const char* about, const char* unit,
+                       const char* damping_unit) {
+    if (std::isinf(stiffness)) return;
+    text += fmt::format(", {}stiffness {} {}", about, plain(stiffness), unit);
+    if (damping > 0.0) text += fmt::format(" with damping {} {}", plain(damping), damping_unit);
+  };
+  for (const ElasticBeside& of : elastic) {
+    const auto* const gives_way = std::get_if<planar::ElasticJoint>(&of.place);
+    if (gives_way == nullptr || gives_way->joint != static_cast<int>(joint)) continue;
+    add(gives_way->stiffness, gives_way->damping, "", "N/m", "N s/m");
+    add(gives_way->turning_stiffness, gives_way->turning_damping, "turning ", "N m/rad",
+        "N m s/rad");
+    text += " in elastic models";
+  }
+  return text;
+}
+
+Entries entries_of(const Mechanism& mechanism, const std::vector<ElasticBeside>& elastic) {
   const Names names{mechanism};
   Entries entries;
-  for (const planar::Joint& joint : mechanism.joints) {
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const planar::Joint& joint = mechanism.joints[i];
     entries.emplace_back(
         planar::is_driver(joint) ? "driver" : "joint",
-        fmt::format("{}: {}", joint.name, std::visit(JointText{names}, joint.kind)));
+        fmt::format("{}: {}{}", joint.name, std::visit(JointText{names}, joint.kind),
+                    giving_way_text(elastic, i)));
   }
   for (const planar::AppliedForce& force : mechanism.forces) {
     entries.emplace_back(
@@ -259,7 +281,9 @@ class PlanarText : public FrontEndText {
     return fmt::format("({:.6g}, {:.6g}) m/s^2", g.x(), g.y());
   }
 
-  Entries entries() const override { return entries_of(planar_of(*project_)); }
+  Entries entries() const override {
+    return entries_of(planar_of(*project_), project_->elastic_beside);
+  }
 
   std::vector<Block> blocks(const Verification& verification) const override {
     return blocks_of(planar_of(*project_), *verification.motions.front().closure);

@@ -63,7 +63,9 @@ Eigen::MatrixXd stress_history(const LoadHistory& history,
 }
 
 double largest_range(const Eigen::MatrixXd& stresses) {
-  return (stresses.colwise().maxCoeff() - stresses.colwise().minCoeff()).maxCoeff();
+  constexpr double round_off = 1e-11;
+  const double range = (stresses.colwise().maxCoeff() - stresses.colwise().minCoeff()).maxCoeff();
+  return range > round_off * stresses.cwiseAbs().maxCoeff() ? range : 0.0;
 }
 
 double VibratingStress::peak() const { return (constant.abs() + harmonic.abs()).maxCoeff(); }

@@ -34,11 +34,13 @@ constexpr double rho = 7850.0;
 constexpr double A = 0.06 * 0.08 - 0.052 * 0.072;
 const double I = (0.06 * std::pow(0.08, 3) - 0.052 * std::pow(0.072, 3)) / 12.0;
 
+const std::string at_ground = "connect = [\"lever.A\", \"ground\"]\nat = [\"0 m\", \"0 m\"]\n";
+
 /// What the texts of the scenes are put together from.
 struct Scene {
   double gravity = 0.0;
   double angle = 0.0;  ///< of the lever [deg]
-  std::string hinge = "kind = \"pin\"\n";
+  std::string hinge = "kind = \"pin\"\n" + at_ground;
   std::string bodies, joints, forces, rod;
   double side = 0.002;  ///< of the rod's square section [m]
   std::string model;
@@ -50,10 +52,8 @@ struct Scene {
            "[bodies.lever]\npoints = { A = [\"0 m\", \"0 m\"], M = [\"2 m\", \"0 m\"], "
            "B = [\"4 m\", \"0 m\"] }\n" +
            fmt::format("sketch = {{ at = [\"0 m\", \"0 m\"], angle = \"{} deg\" }}\n", angle) +
-           bodies + "[joints.hinge]\n" + hinge +
-           "connect = [\"lever.A\", \"ground\"]\n"
-           "at = [\"0 m\", \"0 m\"]\n" +
-           joints + forces + (moves ? "" : "[motion]\nduration = \"1 s\"\n") +
+           bodies + "[joints.hinge]\n" + hinge + joints + forces +
+           (moves ? "" : "[motion]\nduration = \"1 s\"\n") +
            "[sections.box]\nkind = \"box\"\nwidth = \"60 mm\"\nheight = \"80 mm\"\n"
            "flange = \"4 mm\"\nweb = \"4 mm\"\n" +
            fmt::format("[sections.bar]\nkind = \"plate\"\nwidth = \"{0} m\"\nheight = \"{0} m\"\n",
@@ -713,7 +713,8 @@ TEST_CASE("a lever in a clamp that gives way", "[elastic_joints]") {
   Scene scene;
   scene.angle = 90.0;
   scene.hinge =
-      fmt::format("kind = \"rigid\"\nangle = \"90 deg\"\nturning_stiffness = \"{} N m/rad\"\n", k);
+      fmt::format("kind = \"rigid\"\nangle = \"90 deg\"\nturning_stiffness = \"{} N m/rad\"\n", k) +
+      at_ground;
   scene.forces = force_at_end(H, -P);
   const Solved of(scene);
   const ElasticBody elastic = stiff_lever(of.project);
@@ -727,6 +728,61 @@ TEST_CASE("a lever in a clamp that gives way", "[elastic_joints]") {
   CHECK(moment_at(bent, 0.0) == Approx(moment_at(straight, 0.0) / (1.0 - P * L / k)).epsilon(1e-4));
   CHECK(imbalance_of(bent).force.norm() < 1e-6 * P);
   CHECK(imbalance_of(bent).moment.norm() < 1e-6 * P * L);
+}
+
+TEST_CASE("each kind of joint gives way where it holds", "[elastic_joints]") {
+  constexpr double k = 3e5, turning = 8e4;
+  const std::string both =
+      stiffness(k) + fmt::format("turning_stiffness = \"{} N m/rad\"\n", turning);
+  // Across and about its start: K = diag(k, k_phi), M = [M, M L/2; M L/2, M L^2/3].
+  Eigen::Matrix2d mass;
+  mass << M, M * L / 2.0, M * L / 2.0, M * L * L / 3.0;
+  const Eigen::Matrix2d held = Eigen::Vector2d(k, turning).asDiagonal();
+  const Eigen::Vector2d squares =
+      Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d>(held, mass).eigenvalues();
+  const auto expect = [](const Scene& scene, std::vector<double> expected) {
+    const Solved of(scene);
+    const std::vector<double> found = of.frequencies(stiff_lever(of.project), expected.size());
+    std::sort(expected.begin(), expected.end());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      CAPTURE(scene.hinge, i);
+      CHECK(found[i] == Approx(std::sqrt(expected[i]) / (2 * pi)).epsilon(1e-4));
+    }
+  };
+  Scene clamped;
+  clamped.hinge = "kind = \"rigid\"\n" + at_ground + both;
+  expect(clamped, {k / M, squares[0], squares[1]});
+  Scene guided;
+  guided.hinge =
+      "kind = \"slider\"\npoint = \"lever.A\"\nthrough = [\"0 m\", \"0 m\"]\n"
+      "direction = \"0 deg\"\n" +
+      both;
+  guided.joints =
+      "[drivers.along]\ncoordinate = \"x\"\npoint = \"lever.A\"\nkind = \"hold\"\n"
+      "value = \"0 m\"\n";
+  expect(guided, {squares[0], squares[1]});
+  Scene slotted;
+  slotted.joints =
+      "[joints.slot]\nkind = \"pin in slot\"\npoint = \"lever.B\"\n"
+      "through = [\"0 m\", \"0 m\"]\ndirection = \"0 deg\"\n" +
+      stiffness(k);
+  expect(slotted, {3.0 * k / M});
+}
+
+TEST_CASE("a rod of driven length is elastic as one that keeps it", "[elastic_rods]") {
+  Scene kept, driven;
+  hold_by_link(kept, 3.0, -2.0, std::sqrt(5.0));
+  driven.joints = fmt::format(
+      "[drivers.stay]\ncoordinate = \"length\"\npoints = [\"lever.B\", \"ground\"]\n"
+      "at = [\"3 m\", \"-2 m\"]\nkind = \"hold\"\nvalue = \"{:.17g} m\"\n",
+      std::sqrt(5.0));
+  driven.rod = kept.rod + "buckling_length = \"2.3 m\"\n";
+  const Solved one(kept), other(driven);
+  const ElasticBody elastic = elastic_body_of(other.project, 8);
+  REQUIRE(elastic.lines.size() == 1);
+  const std::vector<double> expected = one.frequencies(elastic_body_of(one.project, 8), 3),
+                            found = other.frequencies(elastic, 3);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(found[i] == Approx(expected[i]).epsilon(1e-9));
 }
 
 TEST_CASE("a shaken lever on a stay with a damper", "[elastic_joints]") {

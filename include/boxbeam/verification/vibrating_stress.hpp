@@ -28,7 +28,7 @@ Eigen::ArrayXd fibre_stresses(const CutForceDiagram& diagram,
 Eigen::MatrixXd stress_history(const LoadHistory& history,
                                const std::vector<ComparedPlace>& places);
 
-/// Over the rows, of the column in which it is largest.
+/// Over the rows, of the column in which it is largest; zero where it is round-off of the stresses.
 double largest_range(const Eigen::MatrixXd& stresses);
 
 /// Nominal stress of a vibrating beam, place by place.
