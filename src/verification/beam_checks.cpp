@@ -18,11 +18,12 @@
 #include "boxbeam/verification/station_memory.hpp"
 #include "boxbeam/verification/weld_checks.hpp"
 #include "boxbeam/verification/worst_place.hpp"
+#include "stress_check.hpp"
 
 namespace boxbeam {
 namespace {
 
-/// The checks of one station as they are gathered.
+/// The checks of one station as they are gathered, partial factors left out.
 class StationChecks {
  public:
   /// `extremes`: where what they are is kept.
@@ -39,11 +40,11 @@ class StationChecks {
     Utilisations named;
     for (std::size_t k = 0; k < points.size(); ++k) {
       if (points[k].stretch) continue;
-      const std::size_t before = results.size();
+      const std::size_t before = found.size();
       look_at_point(points[k], of.on_edges[k]);
-      for (std::size_t i = before; i < results.size(); ++i) {
-        double& most = named.of(results[i].check.criterion);
-        most = std::max(most, results[i].check.utilisation());
+      for (std::size_t i = before; i < found.size(); ++i) {
+        double& most = named.of(found[i].result.check.criterion);
+        most = std::max(most, found[i].use);
       }
     }
     if (project_->in_space) {
@@ -66,7 +67,7 @@ class StationChecks {
     }
   }
 
-  std::vector<CheckResult> results;
+  std::vector<StressCheck> found;
 
  private:
   /// A point, or by each criterion the worst on its edge.
@@ -96,16 +97,16 @@ class StationChecks {
   }
 
   void add(Criterion criterion, PointHistory& of) {
-    std::optional<CheckResult> result;
+    std::optional<StressCheck> plain;
     if (criterion == Criterion::yield)
-      result = check_yield(of);
+      plain = plain_yield(of);
     else if (criterion == Criterion::weld)
-      result = check_throat(*project_, *histories_, *of.point);
+      plain = plain_throat(*project_, *histories_, *of.point);
     else if (criterion == Criterion::stress_range)
-      result = check_range(of);
+      plain = plain_range(of);
     else
-      result = check_fatigue(of, criterion);
-    if (result) results.push_back(std::move(*result));
+      plain = plain_fatigue(of, criterion);
+    if (plain) found.push_back(std::move(*plain));
   }
 
   const Project* project_;
@@ -138,17 +139,24 @@ void add_route(const Project& project, const Station& station, PlateRoute route,
   routes.push_back({segment.name, route, steep ? steepness_text(segment) : std::string()});
 }
 
-/// Every criterion at every point of a station.
-void check_station(const Project& project, const std::vector<BendingZone>& zones,
-                   const Station& station, const LoadedStation& loaded, StationExtremes* extremes,
-                   const StationPoints* known, StressFields& fields, BeamChecks& beam) {
-  const std::vector<SituationHistory>& histories = loaded.histories;
+/// Every criterion at every point of a station, whose points the search may have found.
+std::vector<StressCheck> plain_checks_at(const Project& project,
+                                         const std::vector<BendingZone>& zones,
+                                         const Station& station, const LoadedStation& loaded,
+                                         StationExtremes* extremes, const StationPoints* known,
+                                         StressFields& fields) {
   StationChecks checks(project, loaded, extremes);
   checks.look_at(
       known != nullptr
           ? *known
           : station_points_of(loaded.samples, stress_points_at(project, zones, station, fields)));
-  append(std::move(checks.results), beam.checks);
+  return std::move(checks.found);
+}
+
+/// Plates that buckle.
+void check_plates_at(const Project& project, const std::vector<BendingZone>& zones,
+                     const Station& station, const std::vector<SituationHistory>& histories,
+                     BeamChecks& beam) {
   if (const auto plates = slender_plates_at(project, zones, station)) {
     PlateChecks of = check_plates(project, station, plates, histories);
     append(std::move(of.checks), beam.checks);
@@ -288,7 +296,8 @@ BeamChecks check_beam(const Project& project, const std::deque<SituationRun>& ru
                       const ModelChoice& model, StationMemory* memory) {
   const bool computed = project.given_stresses.empty();
   BeamChecks beam;
-  PlateGates gates(project, zones, model);
+  const bool looks_at_plates = memory == nullptr || !memory->gates;
+  PlateGates gates = looks_at_plates ? PlateGates(project, zones, model) : *memory->gates;
   StressFields fields;
   const auto add_outside = [&](const Station& station) {
     beam.stations.push_back(envelope_at(project, station, histories_at(runs, station)));
@@ -302,11 +311,26 @@ BeamChecks check_beam(const Project& project, const std::deque<SituationRun>& ru
     beam.stations.push_back(*loaded.envelope);
     if (!computed) continue;
     const auto known = verified.points.find({station.s.value(), station.side});
-    check_station(project, zones, station, loaded, memory != nullptr ? &loaded.extremes : nullptr,
-                  known != verified.points.end() ? &known->second : nullptr,
-                  memory != nullptr ? loaded.fields : fields, beam);
-    gates.look_at(station, loaded.histories);
+    const auto look = [&](StationExtremes* extremes, StressFields& sections) {
+      return plain_checks_at(project, zones, station, loaded, extremes,
+                             known != verified.points.end() ? &known->second : nullptr, sections);
+    };
+    if (memory == nullptr) {
+      for (StressCheck& of : look(nullptr, fields))
+        beam.checks.push_back(with_partial_factors(project, std::move(of)));
+    } else {
+      if (!loaded.checks) {
+        loaded.checks =
+            std::make_shared<std::vector<StressCheck>>(look(&loaded.extremes, loaded.fields));
+      }
+      for (const StressCheck& of : *loaded.checks)
+        beam.checks.push_back(with_partial_factors(project, of));
+    }
+    check_plates_at(project, zones, station, loaded.histories, beam);
+    if (looks_at_plates) gates.look_at(station, loaded.histories);
   }
+  if (memory != nullptr) memory->gates = gates;
+
   add_outside({project.beam.length(), Side::behind});
   if (!computed) {
     beam.checks = check_given_stresses(project);

@@ -348,8 +348,8 @@ const Turns& PressedWebs::turns_at(const Place& place) const {
   return turns;
 }
 
-std::optional<CheckResult> PressedWebs::check_at(const Place& place, Turns turns,
-                                                 bool unsaid_as_fillets) const {
+std::optional<PressedWebs::Plain> PressedWebs::check_at(const Place& place, Turns turns,
+                                                        bool unsaid_as_fillets) const {
   const PressedEdge edge{place.s, place.web, unsaid_as_fillets};
   const PressedEdges::Resisting& resisting =
       place.diaphragm != nullptr ? PressedEdges::weld() : edges_.at(edge);
@@ -373,10 +373,10 @@ std::optional<CheckResult> PressedWebs::check_at(const Place& place, Turns turns
   ChannelLife life = life_of(*project_, channels);
   std::vector<LifeChannel> both{channels.front(), {}};
   static const std::vector<LifeChannel> none;
-  const bool sheared = place.diaphragm == nullptr && edges_.shear_may_count(edge, life.factor);
+  const bool sheared = place.diaphragm == nullptr && edges_.shear_may_count(edge, life.plain);
   for (const LifeChannel& shear : sheared ? edges_.shear_at(edge) : none) {
     both.back() = shear;
-    if (ChannelLife of = life_of(*project_, both); of.factor < life.factor) {
+    if (ChannelLife of = life_of(*project_, both); of.plain < life.plain) {
       life = of;
       channels = both;
     }
@@ -397,8 +397,15 @@ std::optional<CheckResult> PressedWebs::check_at(const Place& place, Turns turns
   basis.life.stress_factor = factor;
   basis.life.highest = highest;
   basis.life.lowest = lowest;
-  take_life(*project_, channels, life, check, basis.life);
-  const Stress range = si<Stress>(highest.value - lowest.value);
+  return Plain{std::move(result), std::move(channels), life};
+}
+
+CheckResult PressedWebs::with_partial_factors(const Plain& of) const {
+  CheckResult result = of.result;
+  Check& check = result.check;
+  CheckBasis& basis = result.pressed->life;
+  take_life(*project_, of.channels, check, basis);
+  const Stress range = si<Stress>(basis.highest.value - basis.lowest.value);
   check.acting = range;
   check.resisting = Stress(check.safety_factor * range);
   return result;
@@ -408,7 +415,7 @@ template <class Take>
 void PressedWebs::look(Place place, const std::vector<double>& places, bool any_unsaid,
                        std::vector<Used>& used, const Take& take) const {
   const std::vector<bool> ways = any_unsaid ? std::vector{false, true} : std::vector{false};
-  std::map<std::pair<bool, bool>, CheckResult> worst;
+  std::map<std::pair<bool, bool>, Plain> worst;
   for (const double s : places) {
     place.s = s;
     const Turns& turns = turns_at(place);
@@ -420,21 +427,21 @@ void PressedWebs::look(Place place, const std::vector<double>& places, bool any_
     for (const bool as_fillets : ways) {
       auto at = check_at(place, turns, as_fillets);
       if (!at) continue;
-      if (!as_fillets) used.push_back({place, at->check.utilisation()});
+      if (!as_fillets) used.push_back({place, at->use()});
       const bool given = place.diaphragm != nullptr || search_->is_given_at(si<Length>(s));
       const auto key = std::pair(given, as_fillets);
       const auto known = worst.find(key);
       if (known == worst.end())
         worst.emplace(key, *std::move(at));
-      else if (at->check.utilisation() > known->second.check.utilisation())
+      else if (at->use() > known->second.use())
         known->second = *std::move(at);
     }
   }
   for (auto& [key, of] : worst) {
-    place.s = of.check.station.s.value();
+    place.s = of.result.check.station.s.value();
     // A kink comes in on an edge whatever the case says of its loads, but where a diaphragm is.
-    const bool turned = name(place, of) && place.diaphragm == nullptr;
-    take(Found{std::move(of), key.first && !turned, key.second, turned});
+    const bool turned = name(place, of.result) && place.diaphragm == nullptr;
+    take(PlainFound{std::move(of), key.first && !turned, key.second, turned});
   }
 }
 
@@ -473,12 +480,12 @@ void PressedWebs::look_at(BoxPlate web, const Diaphragm* diaphragm, bool any_uns
   }
 }
 
-std::optional<std::pair<Check, double>> PressedWebs::square_of(std::vector<Used> used) const {
+std::optional<PressedWebs::Used> PressedWebs::square_of(std::vector<Used> used) const {
   const double near = 1e-3 * project_->beam.length().value();
   std::sort(used.begin(), used.end(),
             [](const Used& a, const Used& b) { return a.place.s < b.place.s; });
   const Used* worst = nullptr;
-  double most = 1.0;
+  double most = 0.0;
   for (std::size_t i = 0; i < used.size(); ++i) {
     for (std::size_t j = i + 1; j < used.size() && used[j].place.s - used[i].place.s <= near; ++j) {
       const Used &one = used[i], &other = used[j];
@@ -489,27 +496,23 @@ std::optional<std::pair<Check, double>> PressedWebs::square_of(std::vector<Used>
     }
   }
   if (worst == nullptr) return std::nullopt;
-  auto result = check_at(worst->place, turns_at(worst->place), false);
-  name(worst->place, *result);
-  return std::pair(result->check, most);
+  return Used{worst->place, most};
 }
 
-PressedWebs::Checks PressedWebs::checks() const {
-  Checks all;
-  std::vector<Found>& found = all.found;
-  if (std::none_of(runs_.begin(), runs_.end(), [](const Run& of) { return of.counted; }))
-    return all;
+PressedWebs::PlainChecks PressedWebs::plain_checks() const {
+  PlainChecks all;
+  std::vector<PlainFound>& found = all.found;
   std::vector<Used> used;
   const std::vector<double> at = places();
-  const auto take = [&](Found more) {
+  const auto take = [&](PlainFound more) {
     // Forces that push to and fro are of both senses.
-    const auto same = std::find_if(found.begin(), found.end(), [&](const Found& of) {
+    const auto same = std::find_if(found.begin(), found.end(), [&](const PlainFound& of) {
       return of.given == more.given && of.unsaid == more.unsaid &&
-             of.result.check.id == more.result.check.id;
+             of.check.result.check.id == more.check.result.check.id;
     });
     if (same == found.end())
       found.push_back(std::move(more));
-    else if (more.result.check.utilisation() > same->result.check.utilisation())
+    else if (more.check.use() > same->check.use())
       *same = std::move(more);
   };
   const auto unsaid_in = [](const Section& of) {
@@ -526,6 +529,23 @@ PressedWebs::Checks PressedWebs::checks() const {
       if (of.throat > Length{}) look_at(web, &of, false, {of.s.value()}, used, take);
   }
   all.square = square_of(std::move(used));
+  return all;
+}
+
+PressedWebs::Checks PressedWebs::checks() const {
+  Checks all;
+  if (std::none_of(runs_.begin(), runs_.end(), [](const Run& of) { return of.counted; }))
+    return all;
+  if (!plain_) plain_ = plain_checks();
+  for (const PlainFound& of : plain_->found)
+    all.found.push_back({with_partial_factors(of.check), of.given, of.unsaid, of.turned});
+  if (!plain_->square) return all;
+  const auto& [place, by_both] = *plain_->square;
+  const double use = by_both * asked_of_life(*project_);
+  if (!(use > 1.0)) return all;
+  CheckResult result = with_partial_factors(*check_at(place, turns_at(place), false));
+  name(place, result);
+  all.square = std::pair(std::move(result.check), use);
   return all;
 }
 

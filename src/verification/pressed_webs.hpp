@@ -67,8 +67,11 @@ class PressedWebs {
     std::optional<std::pair<Check, double>> square;
   };
   Checks checks() const;
-  /// What resists has become another.
-  void forget_resistance() { edges_.forget_resistance(); }
+  /// What resists has become another, but for partial factors and what is asked for in fatigue.
+  void forget_resistance() {
+    edges_.forget_resistance();
+    plain_.reset();
+  }
 
  private:
   /// A force at an instant.
@@ -118,10 +121,27 @@ class PressedWebs {
       return web_.plate == web && web_.diaphragm == diaphragm && web_.weld.to_flange == to_flange;
     }
   };
-  /// How much of a place is used.
+  /// How much of a place is used, with partial factors of 1.
   struct Used {
     Place place;
     double use = 0.0;
+  };
+  /// A check but for partial factors.
+  struct Plain {
+    CheckResult result;
+    std::vector<LifeChannel> channels;
+    ChannelLife life;
+
+    double use() const { return 1.0 / life.plain; }
+  };
+  struct PlainFound {
+    Plain check;
+    bool given = true, unsaid = false, turned = false;  ///< as of Found
+  };
+  /// `Checks`, but for partial factors.
+  struct PlainChecks {
+    std::vector<PlainFound> found;
+    std::optional<Used> square;  ///< its place, and the use by both
   };
   struct Series {
     std::vector<double> times, values;
@@ -148,13 +168,14 @@ class PressedWebs {
   template <class Take>
   void look(Place place, const std::vector<double>& places, bool any_unsaid,
             std::vector<Used>& used, const Take& take) const;
-  std::optional<std::pair<Check, double>> square_of(std::vector<Used> used) const;
+  std::optional<Used> square_of(std::vector<Used> used) const;
+  PlainChecks plain_checks() const;
+  CheckResult with_partial_factors(const Plain& of) const;
   template <class Look>
   void for_all_at(const Place& place, const Look& look) const;
   /// Found once, for it does not depend on what resists.
   const Turns& turns_at(const Place& place) const;
-  std::optional<CheckResult> check_at(const Place& place, Turns turns,
-                                      bool unsaid_as_fillets) const;
+  std::optional<Plain> check_at(const Place& place, Turns turns, bool unsaid_as_fillets) const;
   /// Returns whether a kink turns all that presses there.
   bool name(const Place& place, CheckResult& result) const;
 
@@ -165,6 +186,7 @@ class PressedWebs {
   std::vector<Source> sources_;
   bool sides_differ_ = false;  ///< of a kink, at some instant
   mutable std::map<Place, Turns> turns_;
+  mutable std::optional<PlainChecks> plain_;
   std::map<std::tuple<std::string, bool, double, std::size_t>, std::size_t> numbers_;
 };
 

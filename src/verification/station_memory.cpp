@@ -41,15 +41,22 @@ LoadedStation::LoadedStation(const Project& project, const std::deque<SituationR
       samples(project, histories, keep),
       fields(StressFields::Keep::all) {}
 
-void StationMemory::turn_to(const Project& project) {
+void StationMemory::turn_to(const Project& project, Change change) {
   // Histories at so many instants, 48 bytes each.
   constexpr std::size_t most_samples = 1'000'000;
   if (kept_samples_ > most_samples) {
     known_.clear();
     kept_samples_ = 0;
   }
+  // Plates that buckle use partial factors otherwise than as a factor on all their uses.
+  const bool same_places = change == Change::fatigue_factors ||
+                           (change == Change::factors && verified && !verified->plates_buckle);
+  if (change != Change::fatigue_factors) gates.reset();
+  if (same_places) return;
   project_ = &project;
   ++design_;
+  verified.reset();
+  for (auto& [at, known] : known_) known.station->checks.reset();
 }
 
 LoadedStation& StationMemory::at(const Station& station) {

@@ -285,9 +285,8 @@ std::vector<NotJudged> unestimated_vibration_of(const Project& project, const Mo
   };
   if (planar && obstacle.empty()) {
     for (const SituationRun& run : runs) {
-      if (!changes(run)) continue;
       std::vector<NotJudged> beside = vibration_beside_of(project, model, run);
-      if (!beside.empty()) return beside;
+      if (!beside.empty() && changes(run)) return beside;
     }
     return {};
   }

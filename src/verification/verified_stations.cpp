@@ -128,13 +128,16 @@ class AlongBeam {
     FunctionValues values(group_of_.size());
     add_cut_forces(samples, values);
     values[of_class] = class_3_use_at(*project_, station, histories);
+    plates_buckle = plates_buckle || values[of_class] > 0.0;
     if (const auto plates = slender_plates_at(*project_, *zones_, station)) {
       const Utilisations uses = plate_uses_of(*project_, *plates, samples);
+      plates_buckle = true;
       for (std::size_t k = 0; k < plate_criteria.size(); ++k)
         values[k] = uses.of(plate_criteria[k]);
     }
     if (const auto path = slender_path_at(*project_, *zones_, station)) {
       const Utilisations uses = path_uses_of(*project_, *path, samples);
+      plates_buckle = true;
       for (std::size_t k = 0; k < plate_criteria.size(); ++k)
         values[k] = uses.of(plate_criteria[k]);
     }
@@ -165,6 +168,7 @@ class AlongBeam {
   std::size_t evaluations() const { return evaluations_; }
 
   std::map<std::pair<double, Side>, StationPoints> kept;
+  bool plates_buckle = false;
 
  private:
   void add_cut_forces(const StationSamples& samples, FunctionValues& values) const {
@@ -390,6 +394,7 @@ VerifiedStations search_stations(const Project& project, const std::deque<Situat
   for (std::size_t k = 0; k < std::min(AlongBeam::judging_groups, found.left_open.size()); ++k)
     tolerance = std::max(tolerance, found.left_open[k]);
   verified.points = std::move(along.kept);
+  verified.plates_buckle = along.plates_buckle;
   verified.search = {along.evaluations(), search.pieces.size(), tolerance};
   return verified;
 }

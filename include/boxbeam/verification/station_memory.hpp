@@ -10,8 +10,10 @@
 
 #include "boxbeam/numerics/exact_memo.hpp"
 #include "boxbeam/verification/cut_force_envelope.hpp"
+#include "boxbeam/verification/gates.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/station_samples.hpp"
+#include "boxbeam/verification/verified_stations.hpp"
 
 namespace boxbeam {
 
@@ -32,6 +34,8 @@ class StationExtremes {
   ExactMemo<2 * cut_force::count, std::vector<TurningPoint>> largest_;
 };
 
+struct StressCheck;
+
 /// A station under the loads of all situations.
 struct LoadedStation {
   LoadedStation(const Project& project, const std::deque<SituationRun>& runs,
@@ -43,7 +47,8 @@ struct LoadedStation {
   StationSamples samples;
   StationExtremes extremes;
   std::optional<StationEnvelope> envelope;
-  StressFields fields;  ///< of sections that the station has had
+  std::shared_ptr<std::vector<StressCheck>> checks;  ///< but for partial factors, if known
+  StressFields fields;                               ///< of sections that the station has had
 };
 
 /// The stations of one beam at which it has been judged, for designs under the same loads. Not for
@@ -53,11 +58,24 @@ class StationMemory {
   /// Looks at the runs, which stay.
   explicit StationMemory(const std::deque<SituationRun>& runs) : runs_(&runs) {}
 
-  /// From now on the stations are those of this design, whose situations run as they do.
-  void turn_to(const Project& project);
+  /// How a design differs from the one before.
+  enum class Change {
+    any,              ///< in whatever resists
+    factors,          ///< in partial factors and what is asked for in fatigue alone
+    fatigue_factors,  ///< in those of fatigue alone
+  };
+
+  /// From now on the stations are those of this design, whose situations run as they do. But after
+  /// a change of any kind it is the project of the design before, in which these factors have been
+  /// changed: what is kept looks at it.
+  void turn_to(const Project& project, Change change);
 
   /// Stays until the next design.
   LoadedStation& at(const Station& station);
+
+  /// What was found along the beam, where it is that of this design.
+  std::optional<VerifiedStations> verified;
+  std::optional<PlateGates> gates;  ///< of its plates, before its checks
 
  private:
   struct Known {
