@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,15 +24,17 @@
 namespace boxbeam {
 namespace {
 
-/// The checks of one station as they are gathered, partial factors left out.
+/// The checks of one station as they are gathered.
 class StationChecks {
  public:
-  /// `extremes`: where what they are is kept.
-  StationChecks(const Project& project, const LoadedStation& loaded, StationExtremes* extremes)
+  /// `extremes`, `known`: where what they are is kept.
+  StationChecks(const Project& project, const LoadedStation& loaded, StationExtremes* extremes,
+                KnownChecks* known)
       : project_(&project),
         histories_(&loaded.histories),
         samples_(&loaded.samples),
-        extremes_(extremes) {}
+        extremes_(extremes),
+        known_(known) {}
 
   /// Every criterion at every point; along walls where each is worst. In the plane, where most of
   /// a section is level or has its maximum at a named point, only where it is worse there.
@@ -40,11 +43,11 @@ class StationChecks {
     Utilisations named;
     for (std::size_t k = 0; k < points.size(); ++k) {
       if (points[k].stretch) continue;
-      const std::size_t before = found.size();
+      const std::size_t before = results.size();
       look_at_point(points[k], of.on_edges[k]);
-      for (std::size_t i = before; i < found.size(); ++i) {
-        double& most = named.of(found[i].result.check.criterion);
-        most = std::max(most, found[i].use);
+      for (std::size_t i = before; i < results.size(); ++i) {
+        double& most = named.of(results[i].check.criterion);
+        most = std::max(most, results[i].check.utilisation());
       }
     }
     if (project_->in_space) {
@@ -67,7 +70,7 @@ class StationChecks {
     }
   }
 
-  std::vector<StressCheck> found;
+  std::vector<CheckResult> results;
 
  private:
   /// A point, or by each criterion the worst on its edge.
@@ -97,22 +100,30 @@ class StationChecks {
   }
 
   void add(Criterion criterion, PointHistory& of) {
-    std::optional<StressCheck> plain;
-    if (criterion == Criterion::yield)
-      plain = plain_yield(of);
-    else if (criterion == Criterion::weld)
-      plain = plain_throat(*project_, *histories_, *of.point);
-    else if (criterion == Criterion::stress_range)
-      plain = plain_range(of);
-    else
-      plain = plain_fatigue(of, criterion);
-    if (plain) found.push_back(std::move(*plain));
+    if (known_ == nullptr) {
+      if (std::optional<StressCheck> found = plain_check(criterion, of))
+        results.push_back(with_partial_factors(*project_, *std::move(found)));
+      return;
+    }
+    const std::optional<StressCheck>& found =
+        known_->of(*project_, criterion, *of.point, [&] { return plain_check(criterion, of); });
+    if (!found) return;
+    results.push_back(with_partial_factors(
+        *project_, governs_still(*project_, *found) ? *found : *plain_check(criterion, of)));
+  }
+
+  std::optional<StressCheck> plain_check(Criterion criterion, PointHistory& of) const {
+    if (criterion == Criterion::yield) return plain_yield(of);
+    if (criterion == Criterion::weld) return plain_throat(*project_, *histories_, *of.point);
+    if (criterion == Criterion::stress_range) return plain_range(of);
+    return plain_fatigue(of, criterion);
   }
 
   const Project* project_;
   const std::vector<SituationHistory>* histories_;
   const StationSamples* samples_;
   StationExtremes* extremes_;
+  KnownChecks* known_;
 };
 
 void append(std::vector<CheckResult> more, std::vector<CheckResult>& checks) {
@@ -139,24 +150,22 @@ void add_route(const Project& project, const Station& station, PlateRoute route,
   routes.push_back({segment.name, route, steep ? steepness_text(segment) : std::string()});
 }
 
-/// Every criterion at every point of a station, whose points the search may have found.
-std::vector<StressCheck> plain_checks_at(const Project& project,
-                                         const std::vector<BendingZone>& zones,
-                                         const Station& station, const LoadedStation& loaded,
-                                         StationExtremes* extremes, const StationPoints* known,
-                                         StressFields& fields) {
-  StationChecks checks(project, loaded, extremes);
-  checks.look_at(
-      known != nullptr
-          ? *known
-          : station_points_of(loaded.samples, stress_points_at(project, zones, station, fields)));
-  return std::move(checks.found);
-}
-
-/// Plates that buckle.
-void check_plates_at(const Project& project, const std::vector<BendingZone>& zones,
-                     const Station& station, const std::vector<SituationHistory>& histories,
-                     BeamChecks& beam) {
+/// Every criterion at every point of a station.
+void check_station(const Project& project, const std::vector<BendingZone>& zones,
+                   const Station& station, LoadedStation& loaded, bool keep,
+                   const StationPoints* known, StressFields& fields, BeamChecks& beam) {
+  const std::vector<SituationHistory>& histories = loaded.histories;
+  if (keep && !loaded.checks) loaded.checks = std::make_shared<KnownChecks>();
+  StationChecks checks(project, loaded, keep ? &loaded.extremes : nullptr,
+                       keep ? loaded.checks.get() : nullptr);
+  if (known != nullptr)
+    checks.look_at(*known);
+  else if (keep)
+    checks.look_at(station_points_of(loaded.samples, loaded.points_in(project, zones, station)));
+  else
+    checks.look_at(
+        station_points_of(loaded.samples, stress_points_at(project, zones, station, fields)));
+  append(std::move(checks.results), beam.checks);
   if (const auto plates = slender_plates_at(project, zones, station)) {
     PlateChecks of = check_plates(project, station, plates, histories);
     append(std::move(of.checks), beam.checks);
@@ -296,8 +305,10 @@ BeamChecks check_beam(const Project& project, const std::deque<SituationRun>& ru
                       const ModelChoice& model, StationMemory* memory) {
   const bool computed = project.given_stresses.empty();
   BeamChecks beam;
-  const bool looks_at_plates = memory == nullptr || !memory->gates;
-  PlateGates gates = looks_at_plates ? PlateGates(project, zones, model) : *memory->gates;
+  // They look at the zones, which are those of this design alone.
+  const bool knows_gates =
+      memory != nullptr && memory->gates && memory->gates->stations == verified.stations;
+  PlateGates gates = knows_gates ? memory->gates->gates : PlateGates(project, zones, model);
   StressFields fields;
   const auto add_outside = [&](const Station& station) {
     beam.stations.push_back(envelope_at(project, station, histories_at(runs, station)));
@@ -311,26 +322,12 @@ BeamChecks check_beam(const Project& project, const std::deque<SituationRun>& ru
     beam.stations.push_back(*loaded.envelope);
     if (!computed) continue;
     const auto known = verified.points.find({station.s.value(), station.side});
-    const auto look = [&](StationExtremes* extremes, StressFields& sections) {
-      return plain_checks_at(project, zones, station, loaded, extremes,
-                             known != verified.points.end() ? &known->second : nullptr, sections);
-    };
-    if (memory == nullptr) {
-      for (StressCheck& of : look(nullptr, fields))
-        beam.checks.push_back(with_partial_factors(project, std::move(of)));
-    } else {
-      if (!loaded.checks) {
-        loaded.checks =
-            std::make_shared<std::vector<StressCheck>>(look(&loaded.extremes, loaded.fields));
-      }
-      for (const StressCheck& of : *loaded.checks)
-        beam.checks.push_back(with_partial_factors(project, of));
-    }
-    check_plates_at(project, zones, station, loaded.histories, beam);
-    if (looks_at_plates) gates.look_at(station, loaded.histories);
+    check_station(project, zones, station, loaded, memory != nullptr,
+                  known != verified.points.end() ? &known->second : nullptr, fields, beam);
+    if (!knows_gates) gates.look_at(station, loaded.histories);
   }
-  if (memory != nullptr) memory->gates = gates;
-
+  if (memory != nullptr && !knows_gates)
+    memory->gates = StationMemory::GatesAt{verified.stations, gates};
   add_outside({project.beam.length(), Side::behind});
   if (!computed) {
     beam.checks = check_given_stresses(project);

@@ -92,14 +92,15 @@ class PreparedChannels {
 };
 
 /// With the cycles that they endure, the loads taken k times.
-std::vector<SpectrumRow> spectrum_at(const std::vector<LifeChannel>& channels,
-                                     const PreparedChannels& prepared, const FatigueDemand& demand,
-                                     double k) {
+std::vector<SpectrumRow> spectrum_at(const Project& project,
+                                     const std::vector<LifeChannel>& channels,
+                                     const PreparedChannels& prepared, double k) {
   std::vector<SpectrumRow> rows;
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    const FatigueLoad& load = prepared.loads()[i];
-    const std::vector<double> endured = cycles_to_failure_in(load, demand, k);
-    const std::vector<double> as_it_is = cycles_to_failure_in(load, demand, 1.0);
+    const auto endured_at = [&](double times) {
+      return cycles_to_failure_in(prepared.loads()[i], project.fatigue.demand, times);
+    };
+    const std::vector<double> endured = endured_at(k), as_it_is = endured_at(1.0);
     for (std::size_t j = 0; j < endured.size(); ++j) {
       SpectrumRow& row = rows.emplace_back(channels[i].spectrum[j]);
       row.endured = endured[j];
@@ -126,38 +127,27 @@ std::vector<SpectrumRow> rows_of(const std::string& situation, StressKind kind,
 
 ChannelLife life_of(const Project& project, const std::vector<LifeChannel>& channels) {
   const PreparedChannels prepared(channels);
-  const FatigueDemand& demand = project.fatigue.demand;
-  const FatigueDemand without_factors{demand.loading, 1.0, 1.0};
   ChannelLife life;
-  life.plain = largest_factor(prepared.loads(), without_factors);
-  life.factor = demand.gamma_Ff * demand.gamma_Mf == 1.0
-                    ? life.plain
-                    : largest_factor(prepared.loads(), demand);
+  life.factor = largest_factor(prepared.loads(), project.fatigue.demand);
+  if (project.situations.size() == 1) return life;
   // Just above the factor, where the life is used up: at it a range may stand below the cut-off.
-  if (project.situations.size() > 1) {
-    life.governing = governing_situation(
-        project, spectrum_at(channels, prepared, without_factors, life.plain * (1.0 + 1e-9)));
-  }
+  life.governing = governing_situation(
+      project, spectrum_at(project, channels, prepared, life.factor * (1.0 + 1e-9)));
   return life;
 }
 
-double asked_of_life(const Project& project) {
-  const FatigueDemand& demand = project.fatigue.demand;
-  return project.fatigue.required * (demand.gamma_Ff * demand.gamma_Mf);
-}
-
-void take_life(const Project& project, const std::vector<LifeChannel>& channels, Check& check,
-               CheckBasis& basis) {
+void take_life(const Project& project, const std::vector<LifeChannel>& channels,
+               const ChannelLife& life, Check& check, CheckBasis& basis) {
   const FatigueDemand& demand = project.fatigue.demand;
   const PreparedChannels prepared(channels);
-  check.safety_factor = largest_factor(prepared.loads(), demand);
+  check.safety_factor = life.factor;
   check.required = project.fatigue.required;
   for (const LifeChannel& channel : channels) basis.curves.push_back(channel.curve);
   check.source = fatigue_source(project.fatigue, basis.curves);
   for (const FatigueLoad& load : prepared.loads()) basis.damage += damage_of(load, demand);
   if (channels.size() == 1)
     basis.equivalent = equivalent_range(basis.damage, basis.curves.front(), demand);
-  basis.spectrum = in_classes(spectrum_at(channels, prepared, demand, check.safety_factor));
+  basis.spectrum = in_classes(spectrum_at(project, channels, prepared, life.factor));
   FatigueDemand constant = demand;
   constant.loading = Loading::constant_amplitude;
   basis.constant_amplitude_factor = largest_factor(prepared.loads(), constant);

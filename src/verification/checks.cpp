@@ -212,7 +212,6 @@ std::optional<StressCheck> plain_yield(PointHistory& of) {
   }
   if (largest.value < 1e-9 * point.yield_strength.value()) return std::nullopt;
   StressCheck found{start(Criterion::yield, *of.project, point, *worst, normal_stress(point))};
-  found.use = largest.value / point.yield_strength.value();
   Check& check = found.result.check;
   check.time = largest.time;
   check.acting = si<Stress>(largest.value);
@@ -247,8 +246,7 @@ std::optional<StressCheck> plain_fatigue(PointHistory& of, Criterion criterion) 
       start(criterion, project, point, in(upper ? highest : lowest),
             shear ? shear_stress(point) : detail_stress(point, point.detail->stress_factor))};
   found.channels = std::move(lives);
-  found.life = life;
-  found.use = 1.0 / life.plain;
+  found.governing = life.governing;
   Check& check = found.result.check;
   CheckBasis& basis = *found.result.basis;
   check.situation = project.situations[life.governing].name;
@@ -273,19 +271,19 @@ std::optional<StressCheck> plain_range(PointHistory& of) {
     for (std::size_t i = 0; i < project.situations.size(); ++i) {
       if (project.situations[i].cycles == 0.0) continue;
       const auto [highest, lowest] = extremes_in(project, i, turns);
-      const double range = highest.value - lowest.value;
+      const double range = project.fatigue.demand.gamma_Ff * (highest.value - lowest.value);
       if (range < no_stress_at(point)) continue;
-      const double use = range / limit.value();
-      if (worst && use <= worst->use) continue;
+      const double factor = limit.value() / range;
+      if (worst && factor >= worst->result.check.safety_factor) continue;
       const Situation& running = project.situations[highest.situation];
       const SituationHistory& history = history_of(histories, running);
       worst = StressCheck{start(Criterion::stress_range, project, point, history, stress)};
-      worst->use = use;
       Check& check = worst->result.check;
       check.situation = project.situations[i].name;
       check.time = highest.time;
       check.acting = si<Stress>(range);
       check.resisting = limit;
+      check.safety_factor = factor;
       check.source = "EN 1993-1-9:2005+AC:2009, 8(1), equation 8.1";
       CheckBasis& basis = *worst->result.basis;
       basis.highest = highest;
@@ -325,11 +323,15 @@ std::optional<StressCheck> plain_throat(const Project& project,
   check.source = "EN 1993-1-8:2005, 4.5.3.2(6), equation 4.1";
   CheckBasis& basis = *found.result.basis;
   basis.weld = {*tensile, joined.beta_w, 1.0};
-  found.use = largest.value / weld_shear_strength(basis.weld).value();
   basis.cut_at_time = basis.cut_at_highest = basis.cut_at_lowest = worst->history.at(largest.time);
   basis.stress_at_time = stress_at(point.influence, basis.cut_at_time);
   basis.highest = basis.lowest = {largest.time, basis.stress_at_time.shear.value(), basis.running};
   return found;
+}
+
+bool governs_still(const Project& project, const StressCheck& of) {
+  return of.channels.empty() || project.situations.size() == 1 ||
+         life_of(project, of.channels).governing == of.governing;
 }
 
 CheckResult with_partial_factors(const Project& project, StressCheck of) {
@@ -347,11 +349,8 @@ CheckResult with_partial_factors(const Project& project, StressCheck of) {
     check.resisting = weld_shear_strength(basis.weld);
     check.safety_factor = check.resisting / check.acting;
     check.required = strength.required;
-  } else if (check.criterion == Criterion::stress_range) {
-    check.acting = si<Stress>(project.fatigue.demand.gamma_Ff * check.acting.value());
-    check.safety_factor = check.resisting / check.acting;
-  } else {
-    take_life(project, of.channels, check, basis);
+  } else if (check.criterion != Criterion::stress_range) {
+    take_life(project, of.channels, life_of(project, of.channels), check, basis);
     if (check.criterion == Criterion::combined_fatigue) {
       check.acting = basis.damage;
       check.resisting = 1.0;

@@ -227,7 +227,7 @@ CheckResult DistortionRanges::fatigue_check(std::size_t place, const DistortedPo
   check.situation = project_->situations[life.governing].name;
   DistortionBasis& basis = result.distortion.emplace();
   basis.stress.point = of.point;
-  take_life(*project_, channels, check, basis.stress);
+  take_life(*project_, channels, life, check, basis.stress);
   check.acting = basis.stress.damage;
   check.resisting = 1.0;
   const Sequence& governing = sequence_of(life.governing);

@@ -133,7 +133,7 @@ class LugLife {
     tired.life.stress_factor = lug_->detail.stress_factor;
     tired.life.highest = highest;
     tired.life.lowest = lowest;
-    take_life(*project_, {of.channel}, check, tired.life);
+    take_life(*project_, {of.channel}, of.life, check, tired.life);
     check.acting = range;
     check.resisting = Stress(check.safety_factor * range);
     if (by_range) {

@@ -79,11 +79,10 @@ OuterProfileUse in_strength(const Project& project, const std::deque<SituationRu
   return worst;
 }
 
-/// The same in fatigue at some places.
-OuterProfileUse in_fatigue(const Project& project, const std::deque<SituationRun>& runs,
-                           const std::vector<BendingZone>& zones,
-                           const std::vector<Station>& stations) {
-  OuterProfileUse worst;
+/// In fatigue at some places.
+void add_in_fatigue(const Project& project, const std::deque<SituationRun>& runs,
+                    const std::vector<BendingZone>& zones, const std::vector<Station>& stations,
+                    std::vector<StressCheck>& all) {
   for (const Station& station : stations) {
     const Section section = section_at(project.beam, station);
     const AreaSums sums = sums_of(outline_of(section.outer));
@@ -93,11 +92,9 @@ OuterProfileUse in_fatigue(const Project& project, const std::deque<SituationRun
         continue;
       point.influence.normal = normal_influence(sums, point.y.value(), point.z.value()).normal;
       PointHistory history(project, histories, point);
-      if (const auto of = plain_fatigue(history, Criterion::fatigue))
-        worst.take({of->use, station});
+      if (auto of = plain_fatigue(history, Criterion::fatigue)) all.push_back(*std::move(of));
     }
   }
-  return worst;
 }
 
 }  // namespace
@@ -112,14 +109,17 @@ NestedProfiles look_at_nested_profiles(const Project& project, const std::deque<
     if (!project.fatigue.asked) continue;
     std::vector<Station> stations{{segment.start, Side::behind}, {segment.end(), Side::before}};
     if (here.use > 0.0) stations.push_back(here.station);
-    of.in_fatigue.take(in_fatigue(project, runs, zones, stations));
+    add_in_fatigue(project, runs, zones, stations, of.in_fatigue);
   }
   return of;
 }
 
 void say_of_nested_profiles(const Project& project, const NestedProfiles& of, PatchChecks& found) {
   OuterProfileUse worst = of.in_strength;
-  worst.take({of.in_fatigue.use * asked_of_life(project), of.in_fatigue.station});
+  for (const StressCheck& at : of.in_fatigue) {
+    const Check check = with_partial_factors(project, at).check;
+    worst.take({check.utilisation(), check.station});
+  }
   if (!(worst.use > 1.0)) return;
   const bool tires = worst.use > of.in_strength.use;
   found.not_judged.push_back(

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <deque>
+#include <vector>
 
 #include "boxbeam/verification/bending_zones.hpp"
 #include "boxbeam/verification/patch_checks.hpp"
 #include "boxbeam/verification/situation_run.hpp"
+#include "stress_check.hpp"
 
 namespace boxbeam {
 
@@ -23,8 +25,8 @@ struct OuterProfileUse {
 /// ties the inner one to it stands with the verdict: at the ends of segments, and wherever
 /// something comes onto the beam. Source: sigma = N/A + M/W of the outer profile alone.
 struct NestedProfiles {
-  OuterProfileUse in_strength;  ///< with what is asked for
-  OuterProfileUse in_fatigue;   ///< with partial factors of 1, and 1 asked for
+  OuterProfileUse in_strength;          ///< with what is asked for
+  std::vector<StressCheck> in_fatigue;  ///< of all places that are looked at
 };
 
 NestedProfiles look_at_nested_profiles(const Project& project, const std::deque<SituationRun>& runs,

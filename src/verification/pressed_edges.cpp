@@ -109,7 +109,8 @@ bool PressedEdges::shear_may_count(const PressedEdge& edge, double k) const {
   }
   // Between instants and situations; from one sense to the other.
   constexpr double more = 1.5, both_ways = 2.0;
-  return k * more * both_ways * known->second > *curve.cut_off;
+  const FatigueDemand& demand = project_->fatigue.demand;
+  return k * demand.gamma_Ff * demand.gamma_Mf * more * both_ways * known->second > *curve.cut_off;
 }
 
 const std::vector<LifeChannel>& PressedEdges::shear_at(const PressedEdge& edge) const {

@@ -44,8 +44,7 @@ class PressedEdges {
   /// Fillets of diaphragms.
   static const Resisting& weld();
 
-  /// Whether shear there can do damage with the loads taken k times, partial factors of 1: by the
-  /// largest cut forces.
+  /// Whether shear there can do damage with the loads taken k times: by the largest cut forces.
   bool shear_may_count(const PressedEdge& edge, double k) const;
   /// The cycles of the shear stresses there, each one of them with what resists it.
   const std::vector<LifeChannel>& shear_at(const PressedEdge& edge) const;

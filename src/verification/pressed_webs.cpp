@@ -288,22 +288,28 @@ void PressedWebs::for_all_at(const Place& place, const Look& look) const {
   }
 }
 
-bool PressedWebs::name(const Place& place, CheckResult& result) const {
+const PressedWebs::Named& PressedWebs::named_at(const Place& place) const {
+  const auto [known, is_new] = named_.try_emplace(place);
+  Named& of = known->second;
+  if (!is_new) return of;
   std::vector<std::string> names;
-  const PressedWeb* most = nullptr;
-  bool turned = true;
   const Source* last = nullptr;
   for_all_at(place, [&](const Source& source, const PressedWeb& web) {
-    if (most == nullptr || abs(web.stress) > abs(most->stress)) most = &web;
+    if (of.most == nullptr || abs(web.stress) > abs(of.most->stress)) of.most = &web;
     if (&source == last) return;
     last = &source;
-    turned = turned && source.at_high.has_value();
+    of.turned = of.turned && source.at_high.has_value();
     if (std::find(names.begin(), names.end(), source.name) == names.end())
       names.push_back(source.name);
   });
   constexpr std::size_t few = 3;
-  const std::string all = names.size() > few ? names.front() + " to " + names.back()
-                                             : fmt::format("{}", fmt::join(names, " and "));
+  of.all = names.size() > few ? names.front() + " to " + names.back()
+                              : fmt::format("{}", fmt::join(names, " and "));
+  return of;
+}
+
+bool PressedWebs::name(const Place& place, CheckResult& result) const {
+  const auto& [all, most, turned] = named_at(place);
   Check& check = result.check;
   PressedBasis& basis = *result.pressed;
   const std::string web = project_->in_space || is_flange(place.web) ? to_text(place.web) : "web";
@@ -348,12 +354,19 @@ const Turns& PressedWebs::turns_at(const Place& place) const {
   return turns;
 }
 
-std::optional<PressedWebs::Plain> PressedWebs::check_at(const Place& place, Turns turns,
-                                                        bool unsaid_as_fillets) const {
-  const PressedEdge edge{place.s, place.web, unsaid_as_fillets};
+const PressedEdges::Resisting& PressedWebs::resisting_at(const Place& place,
+                                                         const PressedEdge& edge) const {
+  return place.diaphragm != nullptr ? PressedEdges::weld() : edges_.at(edge);
+}
+
+const std::optional<PressedWebs::Pressed>& PressedWebs::pressed_at(const Place& place,
+                                                                   bool unsaid_as_fillets) const {
+  const auto [known, is_new] = pressed_.try_emplace({place, unsaid_as_fillets});
+  if (!is_new) return known->second;
   const PressedEdges::Resisting& resisting =
-      place.diaphragm != nullptr ? PressedEdges::weld() : edges_.at(edge);
+      resisting_at(place, {place.s, place.web, unsaid_as_fillets});
   const double factor = resisting.detail->stress_factor;
+  Turns turns = turns_at(place);
   for (SituationTurns& of : turns) {
     of.begin *= factor;
     of.end *= factor;
@@ -368,15 +381,25 @@ std::optional<PressedWebs::Plain> PressedWebs::check_at(const Place& place, Turn
       channel.spectrum.push_back(std::move(row));
     }
   }
-  if (largest < PressedEdges::no_stress) return std::nullopt;
-  std::vector<LifeChannel> channels{std::move(channel)};
+  if (largest >= PressedEdges::no_stress)
+    known->second = Pressed{std::move(turns), std::move(channel)};
+  return known->second;
+}
+
+std::optional<CheckResult> PressedWebs::check_at(const Place& place, bool unsaid_as_fillets) const {
+  const std::optional<Pressed>& pressed = pressed_at(place, unsaid_as_fillets);
+  if (!pressed) return std::nullopt;
+  const PressedEdge edge{place.s, place.web, unsaid_as_fillets};
+  const PressedEdges::Resisting& resisting = resisting_at(place, edge);
+  const Turns& turns = pressed->turns;
+  std::vector<LifeChannel> channels{pressed->channel};
   ChannelLife life = life_of(*project_, channels);
   std::vector<LifeChannel> both{channels.front(), {}};
   static const std::vector<LifeChannel> none;
-  const bool sheared = place.diaphragm == nullptr && edges_.shear_may_count(edge, life.plain);
+  const bool sheared = place.diaphragm == nullptr && edges_.shear_may_count(edge, life.factor);
   for (const LifeChannel& shear : sheared ? edges_.shear_at(edge) : none) {
     both.back() = shear;
-    if (ChannelLife of = life_of(*project_, both); of.plain < life.plain) {
+    if (ChannelLife of = life_of(*project_, both); of.factor < life.factor) {
       life = of;
       channels = both;
     }
@@ -394,18 +417,11 @@ std::optional<PressedWebs::Plain> PressedWebs::check_at(const Place& place, Turn
   basis.throat = resisting.throat;
   basis.life.point.in_plate = resisting.detail;
   basis.life.point.detail = resisting.detail.get();
-  basis.life.stress_factor = factor;
+  basis.life.stress_factor = resisting.detail->stress_factor;
   basis.life.highest = highest;
   basis.life.lowest = lowest;
-  return Plain{std::move(result), std::move(channels), life};
-}
-
-CheckResult PressedWebs::with_partial_factors(const Plain& of) const {
-  CheckResult result = of.result;
-  Check& check = result.check;
-  CheckBasis& basis = result.pressed->life;
-  take_life(*project_, of.channels, check, basis);
-  const Stress range = si<Stress>(basis.highest.value - basis.lowest.value);
+  take_life(*project_, channels, life, check, basis.life);
+  const Stress range = si<Stress>(highest.value - lowest.value);
   check.acting = range;
   check.resisting = Stress(check.safety_factor * range);
   return result;
@@ -415,7 +431,7 @@ template <class Take>
 void PressedWebs::look(Place place, const std::vector<double>& places, bool any_unsaid,
                        std::vector<Used>& used, const Take& take) const {
   const std::vector<bool> ways = any_unsaid ? std::vector{false, true} : std::vector{false};
-  std::map<std::pair<bool, bool>, Plain> worst;
+  std::map<std::pair<bool, bool>, CheckResult> worst;
   for (const double s : places) {
     place.s = s;
     const Turns& turns = turns_at(place);
@@ -425,23 +441,23 @@ void PressedWebs::look(Place place, const std::vector<double>& places, bool any_
     };
     if (std::none_of(turns.begin(), turns.end(), pressed)) continue;
     for (const bool as_fillets : ways) {
-      auto at = check_at(place, turns, as_fillets);
+      auto at = check_at(place, as_fillets);
       if (!at) continue;
-      if (!as_fillets) used.push_back({place, at->use()});
+      if (!as_fillets) used.push_back({place, at->check.utilisation()});
       const bool given = place.diaphragm != nullptr || search_->is_given_at(si<Length>(s));
       const auto key = std::pair(given, as_fillets);
       const auto known = worst.find(key);
       if (known == worst.end())
         worst.emplace(key, *std::move(at));
-      else if (at->use() > known->second.use())
+      else if (at->check.utilisation() > known->second.check.utilisation())
         known->second = *std::move(at);
     }
   }
   for (auto& [key, of] : worst) {
-    place.s = of.result.check.station.s.value();
+    place.s = of.check.station.s.value();
     // A kink comes in on an edge whatever the case says of its loads, but where a diaphragm is.
-    const bool turned = name(place, of.result) && place.diaphragm == nullptr;
-    take(PlainFound{std::move(of), key.first && !turned, key.second, turned});
+    const bool turned = name(place, of) && place.diaphragm == nullptr;
+    take(Found{std::move(of), key.first && !turned, key.second, turned});
   }
 }
 
@@ -480,12 +496,12 @@ void PressedWebs::look_at(BoxPlate web, const Diaphragm* diaphragm, bool any_uns
   }
 }
 
-std::optional<PressedWebs::Used> PressedWebs::square_of(std::vector<Used> used) const {
+std::optional<std::pair<Check, double>> PressedWebs::square_of(std::vector<Used> used) const {
   const double near = 1e-3 * project_->beam.length().value();
   std::sort(used.begin(), used.end(),
             [](const Used& a, const Used& b) { return a.place.s < b.place.s; });
   const Used* worst = nullptr;
-  double most = 0.0;
+  double most = 1.0;
   for (std::size_t i = 0; i < used.size(); ++i) {
     for (std::size_t j = i + 1; j < used.size() && used[j].place.s - used[i].place.s <= near; ++j) {
       const Used &one = used[i], &other = used[j];
@@ -496,23 +512,27 @@ std::optional<PressedWebs::Used> PressedWebs::square_of(std::vector<Used> used) 
     }
   }
   if (worst == nullptr) return std::nullopt;
-  return Used{worst->place, most};
+  auto result = check_at(worst->place, false);
+  name(worst->place, *result);
+  return std::pair(result->check, most);
 }
 
-PressedWebs::PlainChecks PressedWebs::plain_checks() const {
-  PlainChecks all;
-  std::vector<PlainFound>& found = all.found;
+PressedWebs::Checks PressedWebs::checks() const {
+  Checks all;
+  std::vector<Found>& found = all.found;
+  if (std::none_of(runs_.begin(), runs_.end(), [](const Run& of) { return of.counted; }))
+    return all;
   std::vector<Used> used;
   const std::vector<double> at = places();
-  const auto take = [&](PlainFound more) {
+  const auto take = [&](Found more) {
     // Forces that push to and fro are of both senses.
-    const auto same = std::find_if(found.begin(), found.end(), [&](const PlainFound& of) {
+    const auto same = std::find_if(found.begin(), found.end(), [&](const Found& of) {
       return of.given == more.given && of.unsaid == more.unsaid &&
-             of.check.result.check.id == more.check.result.check.id;
+             of.result.check.id == more.result.check.id;
     });
     if (same == found.end())
       found.push_back(std::move(more));
-    else if (more.check.use() > same->check.use())
+    else if (more.result.check.utilisation() > same->result.check.utilisation())
       *same = std::move(more);
   };
   const auto unsaid_in = [](const Section& of) {
@@ -529,23 +549,6 @@ PressedWebs::PlainChecks PressedWebs::plain_checks() const {
       if (of.throat > Length{}) look_at(web, &of, false, {of.s.value()}, used, take);
   }
   all.square = square_of(std::move(used));
-  return all;
-}
-
-PressedWebs::Checks PressedWebs::checks() const {
-  Checks all;
-  if (std::none_of(runs_.begin(), runs_.end(), [](const Run& of) { return of.counted; }))
-    return all;
-  if (!plain_) plain_ = plain_checks();
-  for (const PlainFound& of : plain_->found)
-    all.found.push_back({with_partial_factors(of.check), of.given, of.unsaid, of.turned});
-  if (!plain_->square) return all;
-  const auto& [place, by_both] = *plain_->square;
-  const double use = by_both * asked_of_life(*project_);
-  if (!(use > 1.0)) return all;
-  CheckResult result = with_partial_factors(*check_at(place, turns_at(place), false));
-  name(place, result);
-  all.square = std::pair(std::move(result.check), use);
   return all;
 }
 

@@ -67,10 +67,10 @@ class PressedWebs {
     std::optional<std::pair<Check, double>> square;
   };
   Checks checks() const;
-  /// What resists has become another, but for partial factors and what is asked for in fatigue.
+  /// What resists has become another.
   void forget_resistance() {
     edges_.forget_resistance();
-    plain_.reset();
+    pressed_.clear();
   }
 
  private:
@@ -121,27 +121,10 @@ class PressedWebs {
       return web_.plate == web && web_.diaphragm == diaphragm && web_.weld.to_flange == to_flange;
     }
   };
-  /// How much of a place is used, with partial factors of 1.
+  /// How much of a place is used.
   struct Used {
     Place place;
     double use = 0.0;
-  };
-  /// A check but for partial factors.
-  struct Plain {
-    CheckResult result;
-    std::vector<LifeChannel> channels;
-    ChannelLife life;
-
-    double use() const { return 1.0 / life.plain; }
-  };
-  struct PlainFound {
-    Plain check;
-    bool given = true, unsaid = false, turned = false;  ///< as of Found
-  };
-  /// `Checks`, but for partial factors.
-  struct PlainChecks {
-    std::vector<PlainFound> found;
-    std::optional<Used> square;  ///< its place, and the use by both
   };
   struct Series {
     std::vector<double> times, values;
@@ -168,14 +151,27 @@ class PressedWebs {
   template <class Take>
   void look(Place place, const std::vector<double>& places, bool any_unsaid,
             std::vector<Used>& used, const Take& take) const;
-  std::optional<Used> square_of(std::vector<Used> used) const;
-  PlainChecks plain_checks() const;
-  CheckResult with_partial_factors(const Plain& of) const;
+  std::optional<std::pair<Check, double>> square_of(std::vector<Used> used) const;
   template <class Look>
   void for_all_at(const Place& place, const Look& look) const;
   /// Found once, for it does not depend on what resists.
   const Turns& turns_at(const Place& place) const;
-  std::optional<Plain> check_at(const Place& place, Turns turns, bool unsaid_as_fillets) const;
+  /// What turns at a place and resists there, found once but for partial factors; nothing where it
+  /// is hardly pressed.
+  struct Pressed {
+    Turns turns;  ///< times the factor of the detail
+    LifeChannel channel;
+  };
+  const std::optional<Pressed>& pressed_at(const Place& place, bool unsaid_as_fillets) const;
+  const PressedEdges::Resisting& resisting_at(const Place& place, const PressedEdge& edge) const;
+  std::optional<CheckResult> check_at(const Place& place, bool unsaid_as_fillets) const;
+  /// What presses a place, in words, and most of it.
+  struct Named {
+    std::string all;
+    const PressedWeb* most = nullptr;
+    bool turned = true;  ///< by a kink, all of it
+  };
+  const Named& named_at(const Place& place) const;
   /// Returns whether a kink turns all that presses there.
   bool name(const Place& place, CheckResult& result) const;
 
@@ -186,7 +182,8 @@ class PressedWebs {
   std::vector<Source> sources_;
   bool sides_differ_ = false;  ///< of a kink, at some instant
   mutable std::map<Place, Turns> turns_;
-  mutable std::optional<PlainChecks> plain_;
+  mutable std::map<Place, Named> named_;
+  mutable std::map<std::pair<Place, bool>, std::optional<Pressed>> pressed_;
   std::map<std::tuple<std::string, bool, double, std::size_t>, std::size_t> numbers_;
 };
 

@@ -41,6 +41,18 @@ LoadedStation::LoadedStation(const Project& project, const std::deque<SituationR
       samples(project, histories, keep),
       fields(StressFields::Keep::all) {}
 
+const std::vector<StressPoint>& LoadedStation::points_in(const Project& project,
+                                                         const std::vector<BendingZone>& zones,
+                                                         const Station& station) {
+  if (!points_) points_ = stress_points_at(project, zones, station, fields);
+  return *points_;
+}
+
+void LoadedStation::forget_points() {
+  points_.reset();
+  checks.reset();
+}
+
 void StationMemory::turn_to(const Project& project, Change change) {
   // Histories at so many instants, 48 bytes each.
   constexpr std::size_t most_samples = 1'000'000;
@@ -48,15 +60,11 @@ void StationMemory::turn_to(const Project& project, Change change) {
     known_.clear();
     kept_samples_ = 0;
   }
-  // Plates that buckle use partial factors otherwise than as a factor on all their uses.
-  const bool same_places = change == Change::fatigue_factors ||
-                           (change == Change::factors && verified && !verified->plates_buckle);
   if (change != Change::fatigue_factors) gates.reset();
-  if (same_places) return;
+  if (change != Change::any) return;
   project_ = &project;
   ++design_;
-  verified.reset();
-  for (auto& [at, known] : known_) known.station->checks.reset();
+  for (auto& [at, known] : known_) known.station->forget_points();
 }
 
 LoadedStation& StationMemory::at(const Station& station) {

@@ -10,6 +10,7 @@
 #include "boxbeam/fatigue/range_limit.hpp"
 #include "boxbeam/section/equivalent_stress.hpp"
 #include "boxbeam/strength/weld_throat.hpp"
+#include "boxbeam/strength/yield.hpp"
 #include "boxbeam/verification/life_cycles.hpp"
 #include "boxbeam/verification/turning_samples.hpp"
 #include "boxbeam/verification/whole_life.hpp"
@@ -341,15 +342,19 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
 
   Utilisations found;
   constexpr NoDerivation plainly;
-  if (yield && equivalent >= 1e-9 * point.yield_strength.value())
-    found.of(Criterion::yield) = equivalent / point.yield_strength.value();
+  const StrengthDemand& strength = project_->strength;
+  if (yield && equivalent >= 1e-9 * point.yield_strength.value()) {
+    const Stress resistance = yield_resistance(plainly, point.yield_strength, strength.gamma_M0);
+    found.of(Criterion::yield) = strength.required * equivalent / resistance.value();
+  }
   const PlateOf& joined = point.joined;
   const auto tensile =
       weld ? tensile_strength_of(*joined.material, joined.thickness) : std::optional<Stress>{};
   if (tensile) {
-    const WeldStrength of{*tensile, joined.material->beta_w, 1.0};
-    found.of(Criterion::weld) = throat / weld_shear_strength(of).value();
+    const WeldStrength of{*tensile, joined.material->beta_w, strength.gamma_M2};
+    found.of(Criterion::weld) = strength.required * throat / weld_shear_strength(of).value();
   }
+  const FatigueDemand& demand = project_->fatigue.demand;
   if (range) {
     // A range of shear stress counts sqrt(3) times, by which its limit is the lower.
     const Stress limit = range_limit(plainly, point.yield_strength, StressKind::direct);
@@ -359,11 +364,10 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
     if (along) {
       largest = std::max(largest, std::numbers::sqrt3 * largest_range_of(*project_, shear_turns));
     }
-    found.of(Criterion::stress_range) = largest / limit.value();
+    found.of(Criterion::stress_range) = demand.gamma_Ff * largest / limit.value();
   }
-  const FatigueDemand& demand = project_->fatigue.demand;
+  const double required = project_->fatigue.required;
   if (whole_ != nullptr) {
-    const double gammas = demand.gamma_Ff * demand.gamma_Mf;
     std::vector<std::pair<WholePlace, SnCurve>> together;
     const auto look = [&](Criterion criterion, const Turns& turns, const Detail& detail,
                           const std::array<double, cut_force::count>& of, double factor,
@@ -371,7 +375,7 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
       if (largest_range_of(*project_, turns) < no_stress_at(point)) return;
       together.emplace_back(whole_->place_of(unit_cuts_, of, factor, reduced), curve_of(detail));
       if (asked(criterion))
-        found.of(criterion) = 1.0 / (gammas * whole_->factor_of({&together.back(), 1}));
+        found.of(criterion) = required / whole_->factor_of({&together.back(), 1});
     };
     if (direct && (asked(Criterion::fatigue) || combined)) {
       look(Criterion::fatigue, direct_turns, point.detail->detail, influence.normal, stress_factor,
@@ -381,10 +385,9 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
       look(Criterion::shear_fatigue, shear_turns, *point.shear_detail, influence.shear, 1.0, false);
     }
     if (combined && together.size() == 2)
-      found.of(Criterion::combined_fatigue) = 1.0 / (gammas * whole_->factor_of(together));
+      found.of(Criterion::combined_fatigue) = required / whole_->factor_of(together);
     return found;
   }
-  const FatigueDemand without_factors{demand.loading, 1.0, 1.0};
   std::array<FatigueLoad, 2> loads;
   std::size_t channels = 0;
   const auto look = [&](Criterion criterion, const Turns& turns, const Detail& detail,
@@ -394,7 +397,7 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
     if (largest_range_of(counted) < no_stress_at(point)) return;
     loads[channels] = {counted, &line_of(detail, point.in_plate)};
     if (asked(criterion))
-      found.of(criterion) = 1.0 / largest_factor({&loads[channels], 1}, without_factors);
+      found.of(criterion) = required / largest_factor({&loads[channels], 1}, demand);
     ++channels;
   };
   if (direct && (asked(Criterion::fatigue) || combined)) {
@@ -403,7 +406,7 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
   if (along && (asked(Criterion::shear_fatigue) || combined))
     look(Criterion::shear_fatigue, shear_turns, *point.shear_detail, false);
   if (combined && channels == 2)
-    found.of(Criterion::combined_fatigue) = 1.0 / largest_factor(loads, without_factors);
+    found.of(Criterion::combined_fatigue) = required / largest_factor(loads, demand);
   return found;
 }
 

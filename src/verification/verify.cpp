@@ -117,14 +117,8 @@ struct StressStage {
 StressStage judge_along(const Project& project, const std::deque<SituationRun>& runs,
                         const ModelChoice& model, StationMemory* memory) {
   std::vector<BendingZone> zones = bending_zones_of(project, runs);
-  if (memory != nullptr) {
-    if (!memory->verified) memory->verified = search_stations(project, runs, zones, memory);
-    const VerifiedStations& known = *memory->verified;
-    BeamChecks beam = check_beam(project, runs, zones, known, model, memory);
-    return {std::move(zones), known.stations, known.search, std::move(beam)};
-  }
-  VerifiedStations verified = search_stations(project, runs, zones);
-  BeamChecks beam = check_beam(project, runs, zones, verified, model);
+  VerifiedStations verified = search_stations(project, runs, zones, memory);
+  BeamChecks beam = check_beam(project, runs, zones, verified, model, memory);
   if (const WholeLife* const whole = whole_life_of(runs)) {
     // Where estimates were far off, the places were looked for by them: once more by better ones.
     constexpr double far = 2e-3;

@@ -13,7 +13,6 @@
 #include "boxbeam/verification/gates.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/station_samples.hpp"
-#include "boxbeam/verification/verified_stations.hpp"
 
 namespace boxbeam {
 
@@ -34,7 +33,8 @@ class StationExtremes {
   ExactMemo<2 * cut_force::count, std::vector<TurningPoint>> largest_;
 };
 
-struct StressCheck;
+/// The checks of a station but for partial factors, each by what it is of.
+class KnownChecks;
 
 /// A station under the loads of all situations.
 struct LoadedStation {
@@ -43,12 +43,22 @@ struct LoadedStation {
   LoadedStation(const LoadedStation&) = delete;
   LoadedStation& operator=(const LoadedStation&) = delete;
 
+  /// Its points, found once for all designs that differ in partial factors alone.
+  const std::vector<StressPoint>& points_in(const Project& project,
+                                            const std::vector<BendingZone>& zones,
+                                            const Station& station);
+  /// What is resisted has become another, but for partial factors.
+  void forget_points();
+
   std::vector<SituationHistory> histories;
   StationSamples samples;
   StationExtremes extremes;
   std::optional<StationEnvelope> envelope;
-  std::shared_ptr<std::vector<StressCheck>> checks;  ///< but for partial factors, if known
-  StressFields fields;                               ///< of sections that the station has had
+  std::shared_ptr<KnownChecks> checks;  ///< where some are known
+  StressFields fields;                  ///< of sections that the station has had
+
+ private:
+  std::optional<std::vector<StressPoint>> points_;
 };
 
 /// The stations of one beam at which it has been judged, for designs under the same loads. Not for
@@ -73,9 +83,12 @@ class StationMemory {
   /// Stays until the next design.
   LoadedStation& at(const Station& station);
 
-  /// What was found along the beam, where it is that of this design.
-  std::optional<VerifiedStations> verified;
-  std::optional<PlateGates> gates;  ///< of its plates, before its checks
+  /// Of the plates at these stations, before the checks, with this strength.
+  struct GatesAt {
+    std::vector<Station> stations;
+    PlateGates gates;
+  };
+  std::optional<GatesAt> gates;
 
  private:
   struct Known {

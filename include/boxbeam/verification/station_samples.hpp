@@ -63,13 +63,13 @@ struct SampledInstants {
 /// The cut forces of one station at the instants of every motion, against which many places of its
 /// section are judged.
 ///
-/// It is the same judgement as that of the checks but for partial factors, which change no place:
-/// the cycles of the whole life by rainflow counting, their curves, load factors. Only the extremes
-/// over time are not solved for but those of the parabola through each extreme instant and its
-/// neighbours, so that a place costs little; what lies between instants belongs to the loads and
-/// hardly changes from one place to the next. Places that come near the largest are then checked
-/// exactly. Of long records the fatigue is as far as it has been counted, and estimated from that.
-/// Not for several threads at once.
+/// It is the same judgement as that of the checks: the cycles of the whole life by rainflow
+/// counting, their curves and partial factors, load factors. Only the extremes over time are not
+/// solved for but those of the parabola through each extreme instant and its neighbours, so that a
+/// place costs little; what lies between instants belongs to the loads and hardly changes from one
+/// place to the next. Places that come near the largest are then checked exactly. Of long records
+/// the fatigue is as far as it has been counted, and estimated from that. Not for several threads
+/// at once.
 class StationSamples {
  public:
   /// Whether what the cut forces do to stresses is kept, for designs under the same loads.
@@ -81,8 +81,7 @@ class StationSamples {
   /// The same station of another design whose situations run as this one's do.
   void turn_to(const Project& project);
 
-  /// Utilisations of a point by the criteria asked for, with partial factors and required factors
-  /// of 1: these multiply that of a criterion at all places alike.
+  /// Utilisations of a point by the criteria asked for.
   Utilisations judge(const StressPoint& point,
                      CriterionSet by = {Criterion::yield, Criterion::fatigue,
                                         Criterion::shear_fatigue, Criterion::combined_fatigue,

@@ -30,8 +30,6 @@ struct VerifiedStations {
   SearchSummary search = {};
   /// What was found of their points, for the checks: at all cuts.
   std::map<std::pair<double, Side>, StationPoints> points = {};
-  /// Whether plates that may buckle had a say, whose use is not in proportion to partial factors.
-  bool plates_buckle = false;
 };
 
 /// All cuts of the beam, both sides where something differs on them (beam_cuts_of), and the places
