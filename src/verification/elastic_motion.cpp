@@ -471,7 +471,10 @@ std::optional<BeamLoads> ElasticMotion::loads_between(double time) const {
   const Added& reference = added_[first % n];
   BeamLoads loads = rigid_on(reference.bent), apart;
   apart.lines = loads.lines;
-  for (LineLoad& line : apart.lines) line.force = line.couple = {};
+  for (LineLoad& line : apart.lines) {
+    line.force = {};
+    line.couple = {};
+  }
   for (std::size_t i = 0; i < nodes; ++i) {
     const Added& at = added_[(first + i) % n];
     if (!act_at_same_places(at.bent, reference.bent)) return std::nullopt;
