@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -48,6 +49,44 @@ LoadedPosture standing_posture(const RigidMotion& rigid, const ElasticBody& elas
         state.time);
   }
   return posture;
+}
+
+/// How large loads are: the largest force of all that is in them, moments over a length [N].
+double size_of(const BeamLoads& loads, double length) {
+  double size = 0.0;
+  for (const PointLoad& load : loads.points)
+    size = std::max({size, load.force.norm(), load.moment.norm() / length});
+  double along = 0.0;
+  for (const LineLoad& line : loads.lines) {
+    const double part = line.length.value();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      along += part * std::abs(line.force[axis](0.0)) + part * std::abs(line.force[axis](part)) +
+               part / length * std::abs(line.couple[axis](0.0)) +
+               part / length * std::abs(line.couple[axis](part));
+    }
+  }
+  return std::max(size, along);
+}
+
+bool act_at_same_places(const BeamLoads& a, const BeamLoads& b) {
+  return a.lines.size() == b.lines.size() &&
+         std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
+                    [](const PointLoad& one, const PointLoad& other) { return one.s == other.s; });
+}
+
+/// The weights of values at 0, 1, ... n - 1 in the polynomial through them, at u. Lagrange.
+template <std::size_t n>
+std::array<double, n> lagrange_weights(double u) {
+  std::array<double, n> weights{};
+  for (std::size_t i = 0; i < n; ++i) {
+    double weight = 1.0;
+    for (std::size_t j = 0; j < n; ++j) {
+      if (j == i) continue;
+      weight *= (u - static_cast<double>(j)) / (static_cast<double>(i) - static_cast<double>(j));
+    }
+    weights[i] = weight;
+  }
+  return weights;
 }
 
 /// Largest axial force over the motion, by the one that buckles a pinned beam of the least bending
@@ -129,29 +168,43 @@ ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t
     solve_once();
 }
 
-ModalPosture ElasticMotion::passed_at(const planar::State& state, const BeamLoads& rigid,
-                                      double time) const {
-  const LoadedPosture loaded = posture_at(state, rigid, time);
-  auto [at, turn] = aligned_at(loaded, time);
+ModalPosture ElasticMotion::passed_in(const planar::State& state, const LoadedPosture& loaded,
+                                      const Aligned& aligned) {
+  const PostureModes& at = aligned.modes;
   FrameTerms frame = frame_terms(at, state);
   ModalPosture posture;
   posture.squares = squares_of(at);
-  posture.damping = std::move(at.damping);
+  posture.damping = at.damping;
   posture.of_rate = std::move(frame.of_rate);
   posture.of_size = std::move(frame.of_size);
   posture.force = modal_loads(at, loaded);
-  posture.turn = std::move(turn);
+  posture.turn = aligned.turn;
   return posture;
+}
+
+ModalPosture ElasticMotion::passed_at(const planar::State& state, const BeamLoads& rigid,
+                                      double time) const {
+  const LoadedPosture loaded = posture_at(state, rigid, time);
+  return passed_in(state, loaded, aligned_at(loaded, time));
 }
 
 void ElasticMotion::solve_periodic() {
   const planar::Motion& motion = *rigid_.motion;
   const auto stride = static_cast<std::size_t>(stride_of(motion.states.size(), count_));
+  // Of more the loads at all of them would take much memory.
+  constexpr std::size_t most_kept = 1024;
+  const std::size_t instants = motion.states.size() / stride;
   std::vector<ModalPosture> postures;
-  for (std::size_t i = 0; i < motion.states.size() / stride; ++i) {
+  for (std::size_t i = 0; i < instants; ++i) {
     const planar::State& state = motion.states[i * stride];
-    postures.push_back(passed_at(state, rigid_.loads(si<Time>(state.time)), state.time));
+    const BeamLoads rigid = rigid_.loads(si<Time>(state.time));
+    const LoadedPosture loaded = posture_at(state, rigid, state.time);
+    const Aligned aligned = aligned_at(loaded, state.time);
+    postures.push_back(passed_in(state, loaded, aligned));
     lowest_ = std::min(lowest_, std::sqrt(postures.back().squares[0]) / full_turn);
+    if (instants > most_kept) continue;
+    added_.push_back(added_in(loaded, aligned, state.time));
+    largest_load_ = std::max(largest_load_, size_of(rigid, elastic_.length));
   }
   ModalMotion solved = solve_modal_motion(postures, motion.period);
   eta_ = std::move(solved.eta);
@@ -226,7 +279,81 @@ ElasticMotion::Moment ElasticMotion::moment_at(double time) const {
   return {std::move(loads), std::move(aligned), std::move(statically)};
 }
 
+ElasticMotion::Added ElasticMotion::added_in(const LoadedPosture& posture, const Aligned& aligned,
+                                             double time) const {
+  Added added{time, second_order_of(posture).loads, {}};
+  for (Eigen::Index m = 0; m < aligned.turn.cols(); ++m) {
+    BeamLoads& of = added.modes.emplace_back(aligned.modes.loads.front());
+    for (PointLoad& load : of.points) {
+      load.force *= aligned.turn(0, m);
+      load.moment *= aligned.turn(0, m);
+    }
+    for (LineLoad& line : of.lines) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        line.force[axis] = aligned.turn(0, m) * line.force[axis];
+        line.couple[axis] = aligned.turn(0, m) * line.couple[axis];
+      }
+    }
+    for (Eigen::Index j = 1; j < aligned.turn.rows(); ++j)
+      add_mode(of, aligned.turn(j, m), aligned.modes.loads[static_cast<std::size_t>(j)]);
+  }
+  return added;
+}
+
+/// At an instant that is known as it was found; between them by the polynomial through what
+/// elasticity adds at twelve of them around, where one through ten says the same. Nothing where it
+/// does not, as beside a jump of the loads.
+std::optional<BeamLoads> ElasticMotion::loads_between(double time) const {
+  constexpr std::size_t nodes = 12;
+  constexpr double same = 1e-7, beside = 1e-3;
+  const std::size_t n = added_.size();
+  if (n < 2 * nodes) return std::nullopt;
+  const auto count = static_cast<double>(n);
+  double place = (time - rigid_.motion->begin) / rigid_.motion->period * count;
+  place -= count * std::floor(place / count);
+  const auto nearest = static_cast<std::size_t>(std::lround(place)) % n;
+  const Eigen::VectorXd dynamic = dynamic_at(time);
+  const auto add_to = [&](BeamLoads& sum, double factor, const Added& of) {
+    add_mode(sum, factor, of.bent);
+    for (std::size_t m = 0; m < of.modes.size(); ++m)
+      add_mode(sum, factor * dynamic[static_cast<Eigen::Index>(m)], of.modes[m]);
+  };
+  const auto rigid_on = [&](const BeamLoads& finer) {
+    BeamLoads loads = rigid_.loads(si<Time>(time));
+    loads.lines = on_stretches_of(loads.lines, finer.lines);
+    return loads;
+  };
+  if (time == added_[nearest].time) {
+    BeamLoads loads = rigid_on(added_[nearest].bent);
+    add_to(loads, 1.0, added_[nearest]);
+    return loads;
+  }
+  const double within = place - std::floor(place);
+  if (std::min(within, 1.0 - within) < beside) return std::nullopt;
+  const std::size_t first = static_cast<std::size_t>(std::floor(place)) + n - (nodes / 2 - 1);
+  const double u = static_cast<double>(nodes / 2 - 1) + within;
+  const std::array<double, nodes> weights = lagrange_weights<nodes>(u);
+  const std::array<double, nodes - 2> fewer = lagrange_weights<nodes - 2>(u - 1.0);
+  const Added& reference = added_[first % n];
+  BeamLoads loads = rigid_on(reference.bent), apart;
+  apart.lines = loads.lines;
+  for (LineLoad& line : apart.lines) {
+    line.force = {};
+    line.couple = {};
+  }
+  for (std::size_t i = 0; i < nodes; ++i) {
+    const Added& at = added_[(first + i) % n];
+    if (!act_at_same_places(at.bent, reference.bent)) return std::nullopt;
+    const bool among_fewer = i > 0 && i + 1 < nodes;
+    add_to(loads, weights[i], at);
+    add_to(apart, weights[i] - (among_fewer ? fewer[i - 1] : 0.0), at);
+  }
+  if (!(size_of(apart, elastic_.length) <= same * largest_load_)) return std::nullopt;
+  return loads;
+}
+
 BeamLoads ElasticMotion::loads_at(Time time) const {
+  if (auto known = loads_between(time.value())) return *std::move(known);
   const bool behind =
       transient_ && !axial_ && time.value() > rigid_.motion->begin + rigid_.motion->period;
   if (behind && !at_end_) at_end_ = std::make_shared<const Moment>(moment_at(time.value()));

@@ -178,9 +178,8 @@ std::vector<NotJudged> vibration_beside_of(const Project& project, const ModelCh
                                            const std::deque<SituationRun>& runs,
                                            const std::function<bool(const SituationRun&)>& looked) {
   for (const SituationRun& run : runs) {
-    if (!looked(run)) continue;
     std::vector<NotJudged> beside = vibration_beside_of(project, model, run);
-    if (!beside.empty()) return beside;
+    if (!beside.empty() && looked(run)) return beside;
   }
   return {};
 }

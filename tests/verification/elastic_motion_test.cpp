@@ -4,6 +4,7 @@
 #include "boxbeam/verification/elastic_motion.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <numbers>
@@ -57,7 +58,50 @@ Beam turning(double r, int instants) {
   return of;
 }
 
+/// It swings far about its start under gravity.
+Beam swinging(double r, int instants) {
+  Beam of;
+  of.mechanism.gravity = {0.0, -9.81};
+  planar::Pin pin;
+  pin.a = of.start();
+  of.mechanism.joints = {{"shaft", pin}};
+  of.mechanism.joints.push_back(
+      driven(of, planar::Coordinate::angle,
+             HarmonicDriver{0.3, 0.7, 2 * pi * r * first_frequency(), 0.0}));
+  of.solve(instants);
+  return of;
+}
+
 }  // namespace
+
+// Independent: with twice as many instants the postures at the middles are solved, not
+// interpolated, and the vibration is resolved twice as finely.
+TEST_CASE("between instants the loads are those of postures that are solved there",
+          "[elastic_motion]") {
+  for (const double r : {0.1, 0.22}) {
+    const Beam coarse = swinging(r, 96), fine = swinging(r, 192);
+    const ElasticMotion between(coarse.rigid(), coarse.elastic(), 2);
+    const ElasticMotion solved(fine.rigid(), fine.elastic(), 2);
+    const auto cuts_in = [](const ElasticMotion& of, Time time, double s) {
+      return cut_forces_of(of.loads_at(time)).at({si<Length>(s), Side::behind});
+    };
+    for (const double s : {0.0, 0.4 * L}) {
+      double largest = 0.0;
+      for (int i = 0; i < 192; ++i) {
+        const Time time = si<Time>(coarse.motion.begin + coarse.motion.period * i / 192.0);
+        largest = std::max(largest, std::abs(cuts_in(solved, time, s).M_y.value()));
+      }
+      for (int i = 1; i < 192; i += 2) {
+        const Time time = si<Time>(fine.motion.states[static_cast<std::size_t>(i)].time);
+        const CutForces found = cuts_in(between, time, s), expected = cuts_in(solved, time, s);
+        INFO("r = " << r << ", s = " << s << ", instant " << i);
+        CHECK(found.M_y.value() == Approx(expected.M_y.value()).margin(1e-6 * largest));
+        CHECK(found.V_z.value() == Approx(expected.V_z.value()).margin(1e-6 * largest / L));
+        CHECK(found.N.value() == Approx(expected.N.value()).margin(1e-5 * largest / L));
+      }
+    }
+  }
+}
 
 // Euler and Bernoulli; shear and rotary inertia change the frequency by 1e-4 at L/h = 120.
 TEST_CASE("a beam on a shaking base vibrates as the closed solution says", "[elastic_motion]") {

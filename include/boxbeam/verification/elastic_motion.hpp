@@ -98,8 +98,19 @@ class ElasticMotion {
   };
   LoadedPosture posture_at(const planar::State& state, const BeamLoads& rigid, double time) const;
   Aligned aligned_at(const LoadedPosture& posture, double time) const;
+  static ModalPosture passed_in(const planar::State& state, const LoadedPosture& loaded,
+                                const Aligned& aligned);
   ModalPosture passed_at(const planar::State& state, const BeamLoads& rigid, double time) const;
   Moment moment_at(double time) const;
+  /// What elasticity adds at an instant of a motion that repeats: bending, and what each mode of
+  /// the basis does per unit, turned from the posture's own.
+  struct Added {
+    double time = 0.0;  ///< [s]
+    BeamLoads bent;
+    std::vector<BeamLoads> modes;
+  };
+  Added added_in(const LoadedPosture& posture, const Aligned& aligned, double time) const;
+  std::optional<BeamLoads> loads_between(double time) const;
   Eigen::VectorXd dynamic_at(double time) const;
   void solve_periodic();
   void solve_once();
@@ -114,6 +125,8 @@ class ElasticMotion {
   std::shared_ptr<const ModalTransient> transient_;
   double lowest_ = 1e300;
   mutable std::shared_ptr<const Moment> at_end_;  ///< at rest behind the end
+  std::vector<Added> added_;   ///< at equal steps of a motion that repeats, or none
+  double largest_load_ = 0.0;  ///< at these, of the rigid beam (`size_of`) [N]
 };
 
 /// Loads on the beam of a planar case by a model of it: those of rigid bodies, or with vibration.
