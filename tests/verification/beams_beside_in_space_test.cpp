@@ -234,6 +234,45 @@ TEST_CASE("an arm in two beams joined rigidly vibrates as one", "[beams_beside]"
   }
 }
 
+TEST_CASE("an arm in four beams vibrates as one, whichever is verified", "[beams_beside]") {
+  const char* const names[] = {"inner", "second", "third", "last"};
+  const auto text = [&](bool cut) {
+    std::string of = mechanism(9.81), beams;
+    const char* const of_parts[] = {"root", "thin", "root", "thin"};
+    if (cut) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        of += body(names[k], 1.0);
+        if (k > 0)
+          of += fmt::format("[joints.cut{0}]\nkind = \"fixed\"\nconnect = [\"{1}.B\", \"{2}.A\"]\n",
+                            k, names[k - 1], names[k]);
+        beams += beam(names[k], segment(1.0, of_parts[k]));
+      }
+    } else {
+      of += body("inner", 4.0);
+      std::string segments;
+      for (const char* section : of_parts) segments += segment(1.0, section);
+      beams = beam("inner", segments);
+    }
+    return of + hinge({0.48, -0.6, 0.64}, 0.3, 1.0) + load_at(cut ? "last.B" : "inner.B") +
+           sections + beams + demands;
+  };
+  const Moved whole = moved(text(false));
+  const std::vector<frame::BeamMode> modes = whole.modes(16, 6);
+  const ElasticMotionInSpace expected = whole.by(3, 16);
+  for (std::size_t k = 0; k < 4; ++k) {
+    CAPTURE(names[k]);
+    const Moved of = moved(text(true), k);
+    const std::vector<frame::BeamMode> found = of.modes(4, 6);
+    REQUIRE(found.size() == 6);
+    for (std::size_t j = 0; j < 6; ++j)
+      CHECK(found[j].frequency == Approx(modes[j].frequency).epsilon(1e-8));
+    if (k % 2 == 0) continue;
+    const ElasticMotionInSpace elastic = of.by(3, 4);
+    const Cuts by_whole = cuts_of(expected.loads_at(whole.at(0.13)), static_cast<double>(k) + 0.6);
+    check_alike(cuts_of(elastic.loads_at(of.at(0.13)), 0.6), by_whole, by_whole, 1e-6);
+  }
+}
+
 TEST_CASE("what rigid bodies miss of an arm in two beams is what they miss of the whole",
           "[beams_beside]") {
   const auto text = [](bool cut) {
