@@ -123,7 +123,8 @@ std::vector<double> borders_of(const RigidMotion& rigid) {
 
 LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic, LoadsAt axial) {
   auto states = std::make_shared<planar::StatesAround>(*rigid.mechanism, *rigid.motion);
-  return [rigid, elastic, states, axial = std::move(axial)](Time time) {
+  return [rigid, elastic = elastic.with_straight_rods(), states,
+          axial = std::move(axial)](Time time) {
     BeamLoads loads = rigid.loads(time);
     const BeamLoads borne = axial ? axial(time) : loads;
     const BeamLoads bent =
