@@ -141,6 +141,7 @@ struct BesideBeam {
     beside.centre = mass.centre;
     beside.angle = std::atan2(line.y(), line.x());
     beside.stretches.front().mass = *mass.along();
+    beside.between_pins = bending_of(planar_of(project), rod).empty();
     SegmentMass along;
     along.mass = *mass.along();
     beside.laid_out = {rod.from.body,      &of.beam,    {along},

@@ -132,7 +132,8 @@ Eigen::VectorXd allowed_of(const Eigen::VectorXd& largest, Eigen::Index k) {
 
 LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic, LoadsAt axial) {
   auto states = std::make_shared<planar::StatesAround>(*rigid.mechanism, *rigid.motion);
-  return [rigid, elastic, states, axial = std::move(axial)](Time time) {
+  return [rigid, elastic = elastic.with_straight_rods(), states,
+          axial = std::move(axial)](Time time) {
     BeamLoads loads = rigid.loads(time);
     const BeamLoads borne = axial ? axial(time) : loads;
     const BeamLoads bent =

@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <numbers>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/forces.hpp"
@@ -52,6 +53,30 @@ std::string dry_friction_in_space(const std::deque<SituationRun>& rigid) {
 RigidMotion rigid_motion_of(const Project& project, const SituationRun& run) {
   return {&planar_in(project, *run.situation), &planar_motion_of(run), &project.beam,
           [&run](Time time) { return run.loads.loads_at(time); }};
+}
+
+/// A rod between pins that is pressed by more than what buckles it in the plane of motion by
+/// itself, pi^2 E I/l^2; "" where there is none.
+std::string rod_beyond_euler(const Project& project, const std::deque<SituationRun>& rigid) {
+  constexpr double nearly = 0.98;
+  const ElasticBody elastic = elastic_body_of(project, 8);
+  for (const ElasticBody& rod : elastic.beside) {
+    if (!rod.between_pins) continue;
+    const double critical =
+        std::pow(std::numbers::pi / rod.length, 2) * rod.stretches.front().EI(0.0);
+    for (const SituationRun& run : rigid) {
+      const planar::Mechanism& mechanism = planar_in(project, *run.situation);
+      for (const planar::State& state : planar_motion_of(run).states) {
+        const CutForceDiagram cut =
+            cut_forces_of(planar::beam_loads_of(mechanism, state, rod.laid_out));
+        for (const CutForcePiece& piece : cut.pieces) {
+          if (-std::min(piece.N(0.0), piece.N(piece.length.value())) > nearly * critical)
+            return mechanism.bodies[static_cast<std::size_t>(rod.body)].name;
+        }
+      }
+    }
+  }
+  return "";
 }
 
 /// The estimate of the situation in which rigid bodies miss most.
@@ -422,6 +447,13 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
   }
   if (second.in_plane.part >= 1.0) {
     choice.reason = "rigid bodies: " + second_order_text(second);
+    return choice;
+  }
+  const std::string pressed = rod_beyond_euler(project, rigid);
+  if (!pressed.empty()) {
+    choose_unvibrated(
+        project, fmt::format("body {}, a rod, buckles by itself in the plane of motion", pressed),
+        choice);
     return choice;
   }
   const VibrationEstimate estimate = worst_estimate(project, rigid);

@@ -52,6 +52,9 @@ struct RodMass {
 /// Of a rod in the plane.
 RodMass mass_of(const Body& body, const PlanarRod& rod);
 
+/// What turns a rod in the plane or loads it beside its ends: the names of joints and forces.
+std::vector<std::string> bending_of(const planar::Mechanism& mechanism, const PlanarRod& rod);
+
 /// What joints with pins and rods bear in one situation, by rigid bodies: all that the checks of
 /// neighbours ask of a mechanism, in the plane or in space. Looks at the run, which stays.
 class NeighbourLoads {

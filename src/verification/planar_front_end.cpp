@@ -147,8 +147,8 @@ class PlanarMotion : public SolvedMotion {
     if (!holds) return {};
     if (!stopped_) {
       constexpr int parts = 16;
-      stopped_.emplace(
-          Stopped{elastic_body_of(*project_, parts), planar::StatesAround(*mechanism_, motion)});
+      stopped_.emplace(Stopped{elastic_body_of(*project_, parts).with_straight_rods(),
+                               planar::StatesAround(*mechanism_, motion)});
       // Nothing moves: no mass counts.
       const auto without_mass = [](ElasticBody& body) {
         for (flexible::LinkStretch& of : body.stretches) {

@@ -176,7 +176,7 @@ flexible::Link link_of(const StoppedMechanism& posture, std::size_t index) {
     return link;
   }
   const ElasticBody& elastic = *bends;
-  link.kind = flexible::LinkKind::full;
+  link.kind = elastic.kind;
   link.angle += elastic.angle;
   link.origin -= elastic.centre * Eigen::Vector2d(std::cos(link.angle), std::sin(link.angle));
   link.length = elastic.length;
@@ -248,6 +248,13 @@ Eigen::Vector3d force_in(const planar::Mechanism& mechanism, const planar::State
   for (const std::size_t axis : {0U, 1U, 2U})
     if (joint.stiffness[axis] == 0.0) force[static_cast<Eigen::Index>(axis)] = 0.0;
   return force;
+}
+
+ElasticBody ElasticBody::with_straight_rods() const {
+  ElasticBody straight = *this;
+  for (ElasticBody& other : straight.beside)
+    if (other.between_pins) other.kind = flexible::LinkKind::axial;
+  return straight;
 }
 
 Eigen::Vector2d ElasticBody::on_axis(const Eigen::Vector2d& p) const {

@@ -137,39 +137,8 @@ class PlanarNeighbours : public NeighbourLoads {
   }
 
   std::vector<std::string> bending_of(const RodInput& input) override {
-    std::vector<std::string> names;
-    if (std::holds_alternative<RodLink>(input.place)) return names;
-    const PlanarRod& rod = ends_of(input);
-    const int body = rod.from.body;
-    const auto beside = [&](const planar::Attachment& at) {
-      return at.body == body && !is_at(at.p, rod.from, rod) && !is_at(at.p, rod.to, rod);
-    };
-    for (const planar::Joint& joint : mechanism_->joints) {
-      const auto [a, b] = planar::ends_of(joint);
-      if (a.body != body && b.body != body) continue;
-      const auto [hold, other] = planar::holds_of(joint);
-      // In a slot the rod's end turns; what slides along the rod bends it.
-      const bool turns_freely =
-          hold == planar::Hold::place &&
-          (other == planar::Hold::place || (other == planar::Hold::guide && b.body != body));
-      if (!turns_freely || beside(a) || beside(b)) names.push_back(joint.name);
-    }
-    for (const planar::AppliedForce& force : mechanism_->forces) {
-      const bool bends = std::visit(
-          [&](const auto& kind) {
-            using Kind = std::decay_t<decltype(kind)>;
-            if constexpr (std::is_same_v<Kind, planar::PointForce>) {
-              return beside(kind.at);
-            } else if constexpr (std::is_same_v<Kind, planar::Spring>) {
-              return beside(kind.a) || beside(kind.b);
-            } else {
-              return kind.a.body == body || kind.b.body == body;
-            }
-          },
-          force.kind);
-      if (bends) names.push_back(force.name);
-    }
-    return names;
+    if (std::holds_alternative<RodLink>(input.place)) return {};
+    return boxbeam::bending_of(*mechanism_, ends_of(input));
   }
 
   double largest_force(double time) override {
@@ -219,6 +188,40 @@ class PlanarNeighbours : public NeighbourLoads {
 };
 
 }  // namespace
+
+std::vector<std::string> bending_of(const planar::Mechanism& mechanism, const PlanarRod& rod) {
+  std::vector<std::string> names;
+  const int body = rod.from.body;
+  const auto beside = [&](const planar::Attachment& at) {
+    return at.body == body && !is_at(at.p, rod.from, rod) && !is_at(at.p, rod.to, rod);
+  };
+  for (const planar::Joint& joint : mechanism.joints) {
+    const auto [a, b] = planar::ends_of(joint);
+    if (a.body != body && b.body != body) continue;
+    const auto [hold, other] = planar::holds_of(joint);
+    // In a slot the rod's end turns; what slides along the rod bends it.
+    const bool turns_freely =
+        hold == planar::Hold::place &&
+        (other == planar::Hold::place || (other == planar::Hold::guide && b.body != body));
+    if (!turns_freely || beside(a) || beside(b)) names.push_back(joint.name);
+  }
+  for (const planar::AppliedForce& force : mechanism.forces) {
+    const bool bends = std::visit(
+        [&](const auto& kind) {
+          using Kind = std::decay_t<decltype(kind)>;
+          if constexpr (std::is_same_v<Kind, planar::PointForce>) {
+            return beside(kind.at);
+          } else if constexpr (std::is_same_v<Kind, planar::Spring>) {
+            return beside(kind.a) || beside(kind.b);
+          } else {
+            return kind.a.body == body || kind.b.body == body;
+          }
+        },
+        force.kind);
+    if (bends) names.push_back(force.name);
+  }
+  return names;
+}
 
 std::unique_ptr<NeighbourLoads> planar_neighbour_loads(const Project& project,
                                                        const SituationRun& run) {

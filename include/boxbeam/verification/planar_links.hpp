@@ -26,7 +26,9 @@ struct ElasticBody {
   std::vector<flexible::LinkStretch> stretches;
   double retardation = 0.0;  ///< [s]
   int parts = 8;
-  double angle = 0.0;                    ///< of its axis in the body's axes [rad]
+  double angle = 0.0;  ///< of its axis in the body's axes [rad]
+  flexible::LinkKind kind = flexible::LinkKind::full;
+  bool between_pins = false;             ///< a rod that nothing bends but its own mass
   planar::BeamBody laid_out = {};        ///< of those beside: its mass along its axis
   std::vector<ElasticBody> beside = {};  ///< other beams of the mechanism, and rods that are bodies
   std::vector<ElasticLine> lines = {};
@@ -34,6 +36,9 @@ struct ElasticBody {
 
   /// Whether the beam alone is elastic.
   bool alone() const { return beside.empty() && lines.empty() && joints.empty(); }
+  /// The same where nothing vibrates: rods between pins stay straight, for how these bow is felt by
+  /// nothing else, and whether they buckle is their own check.
+  ElasticBody with_straight_rods() const;
   /// A place of the body, from its centre of mass in its axes, from the start of its axis.
   Eigen::Vector2d on_axis(const Eigen::Vector2d& p) const;
 };
