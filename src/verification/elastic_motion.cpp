@@ -52,7 +52,7 @@ LoadedPosture standing_posture(const RigidMotion& rigid, const ElasticBody& elas
 }
 
 /// How large loads are: the largest force of all that is in them, moments over a length [N].
-double size_of(const BeamLoads& loads, double length) {
+double size_of_loads(const BeamLoads& loads, double length) {
   double size = 0.0;
   for (const PointLoad& load : loads.points)
     size = std::max({size, load.force.norm(), load.moment.norm() / length});
@@ -205,7 +205,7 @@ void ElasticMotion::solve_periodic() {
     lowest_ = std::min(lowest_, std::sqrt(postures.back().squares[0]) / full_turn);
     if (instants > most_kept) continue;
     added_.push_back(added_in(loaded, aligned, state.time));
-    largest_load_ = std::max(largest_load_, size_of(rigid, elastic_.length));
+    largest_load_ = std::max(largest_load_, size_of_loads(rigid, elastic_.length));
   }
   ModalMotion solved = solve_modal_motion(postures, motion.period);
   eta_ = std::move(solved.eta);
@@ -349,7 +349,7 @@ std::optional<BeamLoads> ElasticMotion::loads_between(double time) const {
     add_to(loads, weights[i], at);
     add_to(apart, weights[i] - (among_fewer ? fewer[i - 1] : 0.0), at);
   }
-  if (!(size_of(apart, elastic_.length) <= same * largest_load_)) return std::nullopt;
+  if (!(size_of_loads(apart, elastic_.length) <= same * largest_load_)) return std::nullopt;
   return loads;
 }
 

@@ -30,6 +30,10 @@ void take_factors(const Project& from, StationMemory::Change change, Project& to
   to.fatigue.demand = from.fatigue.demand;
   to.fatigue.required = from.fatigue.required;
   if (change == StationMemory::Change::fatigue_factors) return;
+  for (std::size_t i = 0; i < to.situations.size(); ++i) {
+    to.situations[i].cycles = from.situations[i].cycles;
+    to.situations[i].spectrum = from.situations[i].spectrum;
+  }
   to.strength = from.strength;
   // Which have those of the strength where the case says no others.
   to.pins = from.pins;
@@ -45,12 +49,17 @@ std::vector<VerifiedBeam> KeptRuns::verify(std::vector<Project> beams,
   for (const std::string& change : set) {
     const std::string_view key = key_set_by(change);
     if (is_factor_in_fatigue(key)) continue;
-    (is_partial_factor_of_strength(key) ? now.of_strength : now.places) += change + '\n';
+    std::string& of = key == "fatigue.cycles"              ? now.cycles
+                      : is_partial_factor_of_strength(key) ? now.of_strength
+                                                           : now.places;
+    of += change + '\n';
   }
   Change change = Change::any;
   if (before_ && before_->places == now.places) {
     const bool same_strength = before_->of_strength == now.of_strength;
-    change = same_strength ? Change::fatigue_factors : Change::factors;
+    change = before_->cycles != now.cycles ? Change::cycles
+             : same_strength               ? Change::fatigue_factors
+                                           : Change::factors;
   }
   before_ = std::move(now);
   if (beams_.empty())

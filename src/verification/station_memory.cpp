@@ -61,6 +61,8 @@ void StationMemory::turn_to(const Project& project, Change change) {
     kept_samples_ = 0;
   }
   if (change != Change::fatigue_factors) gates.reset();
+  if (change == Change::cycles)
+    for (auto& [at, known] : known_) known.station->checks.reset();
   if (change != Change::any) return;
   project_ = &project;
   ++design_;

@@ -29,7 +29,7 @@ class KnownChecks {
   const std::optional<StressCheck>& of(const Project& project, Criterion criterion,
                                        const StressPoint& point, const Find& find) {
     // A search that ends elsewhere with every design finds ever new places.
-    constexpr std::size_t most = 4096;
+    constexpr std::size_t most = 512;
     std::string key = key_of(project, criterion, point);
     if (const auto known = checks_.find(key); known != checks_.end()) return known->second;
     if (checks_.size() >= most) checks_.clear();

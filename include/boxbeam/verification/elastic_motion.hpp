@@ -126,7 +126,7 @@ class ElasticMotion {
   double lowest_ = 1e300;
   mutable std::shared_ptr<const Moment> at_end_;  ///< at rest behind the end
   std::vector<Added> added_;   ///< at equal steps of a motion that repeats, or none
-  double largest_load_ = 0.0;  ///< at these, of the rigid beam (`size_of`) [N]
+  double largest_load_ = 0.0;  ///< at these, of the rigid beam [N]
 };
 
 /// Loads on the beam of a planar case by a model of it: those of rigid bodies, or with vibration.

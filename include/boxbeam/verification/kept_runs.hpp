@@ -23,9 +23,9 @@ class KeptRuns {
   /// As `verify_beams`, without figures and advice; it looks at what is kept, until the next design
   /// is asked for. `set`: what the design is read with (`CaseSource::read_beams`). The first design
   /// runs. Precondition of those behind it: they differ from it in nothing that `runs_depend_on`.
-  /// Where they differ from the one before in partial factors and what is asked for in fatigue
-  /// alone, its places and what happens there are taken from it. Throws AnalysisError; behind that
-  /// no further design is to be asked for.
+  /// Where they differ from the one before in cycles, partial factors and what is asked for in
+  /// fatigue alone, points of stress are taken from it, and without cycles what happens there.
+  /// Throws AnalysisError; behind that no further design is to be asked for.
   std::vector<VerifiedBeam> verify(std::vector<Project> beams, const std::vector<std::string>& set);
 
  private:
@@ -40,9 +40,9 @@ class KeptRuns {
     BeamMemory memory{moved.runs};
     bool has_run = false;
   };
-  /// What is set but for factors on what resists, and these.
+  /// What is set: where and what is looked at, how often it is repeated, partial factors.
   struct Set {
-    std::string places, of_strength;
+    std::string places, cycles, of_strength;
   };
   Verification judge_by(OfBeam& beam, const Project& project, StationMemory::Change change);
 

@@ -43,11 +43,11 @@ struct LoadedStation {
   LoadedStation(const LoadedStation&) = delete;
   LoadedStation& operator=(const LoadedStation&) = delete;
 
-  /// Its points, found once for all designs that differ in partial factors alone.
+  /// Its points, found once for all designs that differ in partial factors and cycles alone.
   const std::vector<StressPoint>& points_in(const Project& project,
                                             const std::vector<BendingZone>& zones,
                                             const Station& station);
-  /// What is resisted has become another, but for partial factors.
+  /// What resists has become another, but for partial factors and cycles.
   void forget_points();
 
   std::vector<SituationHistory> histories;
@@ -71,13 +71,14 @@ class StationMemory {
   /// How a design differs from the one before.
   enum class Change {
     any,              ///< in whatever resists
+    cycles,           ///< in how often situations are repeated, and as below
     factors,          ///< in partial factors and what is asked for in fatigue alone
     fatigue_factors,  ///< in those of fatigue alone
   };
 
   /// From now on the stations are those of this design, whose situations run as they do. But after
-  /// a change of any kind it is the project of the design before, in which these factors have been
-  /// changed: what is kept looks at it.
+  /// `Change::any` it is the project of the design before, in which that has been changed: what is
+  /// kept looks at it.
   void turn_to(const Project& project, Change change);
 
   /// Stays until the next design.
