@@ -186,13 +186,13 @@ class SpatialMotion : public SolvedMotion {
   }
 
   LoadHistory loads() const override {
-    const LoadSpan time = span();
+    const LoadSpan looked_at = span();
     auto body = spatial::beam_body_of(project_->beam, placement_in(*project_, chain_->mechanism()),
                                       chain_->mechanism());
     LoadsAt rigid = staying_on(project_->beam, [chain = chain_, states = states_, body](Time time) {
       return spatial::beam_loads_of(*chain, states->at(time.value()), body);
     });
-    return elastic_loads_in_space(*project_, *chain_, time, model_, std::move(rigid));
+    return elastic_loads_in_space(*project_, *chain_, looked_at, model_, std::move(rigid));
   }
 
   /// The time of the motion.
