@@ -35,6 +35,8 @@ template <class... Visitors>
 struct ByFactors : Visitors... {
   using Visitors::operator()...;
 };
+template <class... Visitors>
+ByFactors(Visitors...) -> ByFactors<Visitors...>;
 
 }  // namespace
 
