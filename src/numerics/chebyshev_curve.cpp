@@ -47,9 +47,12 @@ ChebyshevCurve::ChebyshevCurve(const Function& f, const Division& division,
   std::vector<Piece> open;  // the first of them last
   for (std::size_t i = 1; i < division.borders.size(); ++i) {
     const double from = division.borders[i - 1], length = division.borders[i] - from;
-    const double count = std::max(1.0, std::ceil(length / division.longest - 1e-9));
-    for (double k = 0.0; k < count; k += 1.0)
-      open.push_back(piece_of(f, from + length * k / count, from + length * (k + 1.0) / count));
+    const auto count = std::max(1L, std::lround(std::ceil(length / division.longest - 1e-9)));
+    const double part = length / static_cast<double>(count);
+    for (long k = 0; k < count; ++k)
+      open.push_back(
+          piece_of(f, from + part * static_cast<double>(k),
+                   k + 1 < count ? from + part * static_cast<double>(k + 1) : division.borders[i]));
   }
   std::reverse(open.begin(), open.end());
   largest_ = Eigen::VectorXd::Zero(open.front().values.rows());

@@ -158,9 +158,10 @@ void MjcfElements::read_class(const XmlElement& element, const std::string& pare
 MjcfElement MjcfElements::with_class(const XmlElement& element, const std::string& childclass) {
   MjcfElement with{{&element, called(element)}, {}};
   const std::string* const given = element.attribute("class");
-  const auto found = classes_.find(given == nullptr ? childclass : *given);
+  const std::string& name = given == nullptr ? childclass : *given;
+  const auto found = classes_.find(name);
   if (found == classes_.end())
-    file_->problem(with.of, fmt::format("there is no class \"{}\"", *given),
+    file_->problem(with.of, fmt::format("there is no class \"{}\"", name),
                    "write it in <default>, or leave it out");
   else if (const auto of_tag = found->second.find(element.tag); of_tag != found->second.end())
     with.attributes = of_tag->second;
