@@ -21,7 +21,7 @@ VerifiedDesign DesignTrials::verify(const std::vector<std::string>& set) const {
   if (beams.size() == 1) beams.front().beam_name.clear();
   if (all) return {nullptr, verify_beams(std::move(beams))};
   auto kept = std::make_unique<Kept>(take(std::move(looked_at)));
-  std::vector<VerifiedBeam> verified = kept->runs->verify(std::move(beams), set);
+  std::vector<VerifiedBeam> verified = kept->runs->verify(std::move(beams));
   const auto back = [this](Kept* of) { put_back(std::move(*std::unique_ptr<Kept>(of))); };
   return {std::shared_ptr<Kept>(kept.release(), back), std::move(verified)};
 }

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,7 +18,6 @@
 #include "boxbeam/verification/station_memory.hpp"
 #include "boxbeam/verification/weld_checks.hpp"
 #include "boxbeam/verification/worst_place.hpp"
-#include "stress_check.hpp"
 
 namespace boxbeam {
 namespace {
@@ -27,14 +25,12 @@ namespace {
 /// The checks of one station as they are gathered.
 class StationChecks {
  public:
-  /// `extremes`, `known`: where what they are is kept.
-  StationChecks(const Project& project, const LoadedStation& loaded, StationExtremes* extremes,
-                KnownChecks* known)
+  /// `extremes`: where what they are is kept.
+  StationChecks(const Project& project, const LoadedStation& loaded, StationExtremes* extremes)
       : project_(&project),
         histories_(&loaded.histories),
         samples_(&loaded.samples),
-        extremes_(extremes),
-        known_(known) {}
+        extremes_(extremes) {}
 
   /// Every criterion at every point; along walls where each is worst. In the plane, where most of
   /// a section is level or has its maximum at a named point, only where it is worse there.
@@ -100,30 +96,22 @@ class StationChecks {
   }
 
   void add(Criterion criterion, PointHistory& of) {
-    if (known_ == nullptr) {
-      if (std::optional<StressCheck> found = plain_check(criterion, of))
-        results.push_back(with_partial_factors(*project_, *std::move(found)));
-      return;
-    }
-    const std::optional<StressCheck>& found =
-        known_->of(*project_, criterion, *of.point, [&] { return plain_check(criterion, of); });
-    if (!found) return;
-    results.push_back(with_partial_factors(
-        *project_, governs_still(*project_, *found) ? *found : *plain_check(criterion, of)));
-  }
-
-  std::optional<StressCheck> plain_check(Criterion criterion, PointHistory& of) const {
-    if (criterion == Criterion::yield) return plain_yield(of);
-    if (criterion == Criterion::weld) return plain_throat(*project_, *histories_, *of.point);
-    if (criterion == Criterion::stress_range) return plain_range(of);
-    return plain_fatigue(of, criterion);
+    std::optional<CheckResult> result;
+    if (criterion == Criterion::yield)
+      result = check_yield(of);
+    else if (criterion == Criterion::weld)
+      result = check_throat(*project_, *histories_, *of.point);
+    else if (criterion == Criterion::stress_range)
+      result = check_range(of);
+    else
+      result = check_fatigue(of, criterion);
+    if (result) results.push_back(std::move(*result));
   }
 
   const Project* project_;
   const std::vector<SituationHistory>* histories_;
   const StationSamples* samples_;
   StationExtremes* extremes_;
-  KnownChecks* known_;
 };
 
 void append(std::vector<CheckResult> more, std::vector<CheckResult>& checks) {
@@ -152,19 +140,14 @@ void add_route(const Project& project, const Station& station, PlateRoute route,
 
 /// Every criterion at every point of a station.
 void check_station(const Project& project, const std::vector<BendingZone>& zones,
-                   const Station& station, LoadedStation& loaded, bool keep,
+                   const Station& station, const LoadedStation& loaded, StationExtremes* extremes,
                    const StationPoints* known, StressFields& fields, BeamChecks& beam) {
   const std::vector<SituationHistory>& histories = loaded.histories;
-  if (keep && !loaded.checks) loaded.checks = std::make_shared<KnownChecks>();
-  StationChecks checks(project, loaded, keep ? &loaded.extremes : nullptr,
-                       keep ? loaded.checks.get() : nullptr);
-  if (known != nullptr)
-    checks.look_at(*known);
-  else if (keep)
-    checks.look_at(station_points_of(loaded.samples, loaded.points_in(project, zones, station)));
-  else
-    checks.look_at(
-        station_points_of(loaded.samples, stress_points_at(project, zones, station, fields)));
+  StationChecks checks(project, loaded, extremes);
+  checks.look_at(
+      known != nullptr
+          ? *known
+          : station_points_of(loaded.samples, stress_points_at(project, zones, station, fields)));
   append(std::move(checks.results), beam.checks);
   if (const auto plates = slender_plates_at(project, zones, station)) {
     PlateChecks of = check_plates(project, station, plates, histories);
@@ -305,10 +288,7 @@ BeamChecks check_beam(const Project& project, const std::deque<SituationRun>& ru
                       const ModelChoice& model, StationMemory* memory) {
   const bool computed = project.given_stresses.empty();
   BeamChecks beam;
-  // They look at the zones, which are those of this design alone.
-  const bool knows_gates =
-      memory != nullptr && memory->gates && memory->gates->stations == verified.stations;
-  PlateGates gates = knows_gates ? memory->gates->gates : PlateGates(project, zones, model);
+  PlateGates gates(project, zones, model);
   StressFields fields;
   const auto add_outside = [&](const Station& station) {
     beam.stations.push_back(envelope_at(project, station, histories_at(runs, station)));
@@ -322,12 +302,11 @@ BeamChecks check_beam(const Project& project, const std::deque<SituationRun>& ru
     beam.stations.push_back(*loaded.envelope);
     if (!computed) continue;
     const auto known = verified.points.find({station.s.value(), station.side});
-    check_station(project, zones, station, loaded, memory != nullptr,
-                  known != verified.points.end() ? &known->second : nullptr, fields, beam);
-    if (!knows_gates) gates.look_at(station, loaded.histories);
+    check_station(project, zones, station, loaded, memory != nullptr ? &loaded.extremes : nullptr,
+                  known != verified.points.end() ? &known->second : nullptr,
+                  memory != nullptr ? loaded.fields : fields, beam);
+    gates.look_at(station, loaded.histories);
   }
-  if (memory != nullptr && !knows_gates)
-    memory->gates = StationMemory::GatesAt{verified.stations, gates};
   add_outside({project.beam.length(), Side::behind});
   if (!computed) {
     beam.checks = check_given_stresses(project);

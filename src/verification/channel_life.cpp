@@ -129,7 +129,6 @@ ChannelLife life_of(const Project& project, const std::vector<LifeChannel>& chan
   const PreparedChannels prepared(channels);
   ChannelLife life;
   life.factor = largest_factor(prepared.loads(), project.fatigue.demand);
-  if (project.situations.size() == 1) return life;
   // Just above the factor, where the life is used up: at it a range may stand below the cut-off.
   life.governing = governing_situation(
       project, spectrum_at(project, channels, prepared, life.factor * (1.0 + 1e-9)));

@@ -12,8 +12,8 @@
 #include "boxbeam/strength/yield.hpp"
 #include "boxbeam/verification/drawn_samples.hpp"
 #include "boxbeam/verification/station_memory.hpp"
+#include "channel_life.hpp"
 #include "check_sources.hpp"
-#include "stress_check.hpp"
 
 namespace boxbeam {
 namespace {
@@ -197,7 +197,15 @@ std::string id_of(Criterion criterion, const Station& station, const std::string
   return fmt::format("{}/{}/{}", one_word(to_text(criterion)), to_text(station), one_word(point));
 }
 
-std::optional<StressCheck> plain_yield(PointHistory& of) {
+std::optional<CheckResult> check_yield(const Project& project,
+                                       const std::vector<SituationHistory>& histories,
+                                       const StressPoint& point) {
+  PointHistory of(project, histories, point);
+  return check_yield(of);
+}
+
+std::optional<CheckResult> check_yield(PointHistory& of) {
+  const Project& project = *of.project;
   const std::vector<SituationHistory>& histories = *of.histories;
   const StressPoint& point = *of.point;
   const SituationHistory* worst = &histories.front();
@@ -211,20 +219,31 @@ std::optional<StressCheck> plain_yield(PointHistory& of) {
     largest = in;
   }
   if (largest.value < 1e-9 * point.yield_strength.value()) return std::nullopt;
-  StressCheck found{start(Criterion::yield, *of.project, point, *worst, normal_stress(point))};
-  Check& check = found.result.check;
+  CheckResult result = start(Criterion::yield, project, point, *worst, normal_stress(point));
+  Check& check = result.check;
   check.time = largest.time;
   check.acting = si<Stress>(largest.value);
+  constexpr NoDerivation plainly;
+  check.resisting = yield_resistance(plainly, point.yield_strength, project.strength.gamma_M0);
+  check.safety_factor = check.resisting / check.acting;
+  check.required = project.strength.required;
   check.source = yield_source(*point.first_to_yield.material);
-  CheckBasis& basis = *found.result.basis;
+  CheckBasis& basis = *result.basis;
   basis.cut_at_time = basis.cut_at_highest = basis.cut_at_lowest = worst->history.at(largest.time);
   basis.stress_at_time = stress_at(point.influence, basis.cut_at_time);
   const double normal = basis.stress_at_time.normal.value();
   basis.highest = basis.lowest = {largest.time, normal, basis.running};
-  return found;
+  return result;
 }
 
-std::optional<StressCheck> plain_fatigue(PointHistory& of, Criterion criterion) {
+std::optional<CheckResult> check_fatigue(const Project& project,
+                                         const std::vector<SituationHistory>& histories,
+                                         const StressPoint& point, Criterion criterion) {
+  PointHistory of(project, histories, point);
+  return check_fatigue(of, criterion);
+}
+
+std::optional<CheckResult> check_fatigue(PointHistory& of, Criterion criterion) {
   const Project& project = *of.project;
   const std::vector<SituationHistory>& histories = *of.histories;
   const StressPoint& point = *of.point;
@@ -235,37 +254,64 @@ std::optional<StressCheck> plain_fatigue(PointHistory& of, Criterion criterion) 
   std::vector<LifeChannel> lives;
   for (Channel& channel : channels) lives.push_back(std::move(channel.life));
   const ChannelLife life = life_of(project, lives);
-  const auto [highest, lowest] = extremes_in(project, life.governing, *channels.front().turns);
+  const std::size_t governing = life.governing;
+  const auto [highest, lowest] = extremes_in(project, governing, *channels.front().turns);
   const bool upper = std::abs(highest.value) >= std::abs(lowest.value);
   const auto in = [&](const Extreme& extreme) -> const SituationHistory& {
     return history_of(histories, project.situations[extreme.situation]);
   };
 
   const bool shear = criterion == Criterion::shear_fatigue;
-  StressCheck found{
+  CheckResult result =
       start(criterion, project, point, in(upper ? highest : lowest),
-            shear ? shear_stress(point) : detail_stress(point, point.detail->stress_factor))};
-  found.channels = std::move(lives);
-  found.governing = life.governing;
-  Check& check = found.result.check;
-  CheckBasis& basis = *found.result.basis;
-  check.situation = project.situations[life.governing].name;
+            shear ? shear_stress(point) : detail_stress(point, point.detail->stress_factor));
+  Check& check = result.check;
+  CheckBasis& basis = *result.basis;
+  check.situation = project.situations[governing].name;
   check.time = (upper ? highest : lowest).time;
+  take_life(project, lives, life, check, basis);
+  if (together) {
+    check.acting = basis.damage;
+    check.resisting = 1.0;
+  } else {
+    // The range that the life allows, partial factors applied; of a spectrum, its largest range.
+    const Stress range = si<Stress>(highest.value - lowest.value);
+    check.acting = range;
+    check.resisting = life.factor * range;
+  }
   basis.highest = highest;
   basis.lowest = lowest;
   basis.cut_at_highest = in(highest).history.at(highest.time);
   basis.cut_at_lowest = in(lowest).history.at(lowest.time);
   basis.cut_at_time = upper ? basis.cut_at_highest : basis.cut_at_lowest;
   basis.stress_at_time = stress_at(point.influence, basis.cut_at_time);
-  return found;
+  return result;
 }
 
-std::optional<StressCheck> plain_range(PointHistory& of) {
+std::vector<WholePlace> whole_places_of(const std::vector<SituationHistory>& histories,
+                                        const StressPoint& point, Criterion criterion) {
+  const WholeLife& whole = *whole_life_of(histories);
+  std::vector<WholePlace> places;
+  if (point.detail != nullptr && criterion != Criterion::shear_fatigue)
+    places.push_back(whole_place_of(whole, histories, point, StressKind::direct));
+  if (point.shear_detail != nullptr && criterion != Criterion::fatigue)
+    places.push_back(whole_place_of(whole, histories, point, StressKind::shear));
+  return places;
+}
+
+std::optional<CheckResult> check_range(const Project& project,
+                                       const std::vector<SituationHistory>& histories,
+                                       const StressPoint& point) {
+  PointHistory of(project, histories, point);
+  return check_range(of);
+}
+
+std::optional<CheckResult> check_range(PointHistory& of) {
   const Project& project = *of.project;
   const std::vector<SituationHistory>& histories = *of.histories;
   const StressPoint& point = *of.point;
   constexpr NoDerivation plainly;
-  std::optional<StressCheck> worst;
+  std::optional<CheckResult> worst;
   const auto look = [&](const StressFunction& stress, const Turns& turns) {
     const Stress limit = range_limit(plainly, point.yield_strength, stress.kind);
     for (std::size_t i = 0; i < project.situations.size(); ++i) {
@@ -274,18 +320,18 @@ std::optional<StressCheck> plain_range(PointHistory& of) {
       const double range = project.fatigue.demand.gamma_Ff * (highest.value - lowest.value);
       if (range < no_stress_at(point)) continue;
       const double factor = limit.value() / range;
-      if (worst && factor >= worst->result.check.safety_factor) continue;
+      if (worst && factor >= worst->check.safety_factor) continue;
       const Situation& running = project.situations[highest.situation];
       const SituationHistory& history = history_of(histories, running);
-      worst = StressCheck{start(Criterion::stress_range, project, point, history, stress)};
-      Check& check = worst->result.check;
+      worst = start(Criterion::stress_range, project, point, history, stress);
+      Check& check = worst->check;
       check.situation = project.situations[i].name;
       check.time = highest.time;
       check.acting = si<Stress>(range);
       check.resisting = limit;
       check.safety_factor = factor;
       check.source = "EN 1993-1-9:2005+AC:2009, 8(1), equation 8.1";
-      CheckBasis& basis = *worst->result.basis;
+      CheckBasis& basis = *worst->basis;
       basis.highest = highest;
       basis.lowest = lowest;
       basis.cut_at_highest = basis.cut_at_time = history.history.at(highest.time);
@@ -300,7 +346,7 @@ std::optional<StressCheck> plain_range(PointHistory& of) {
   return worst;
 }
 
-std::optional<StressCheck> plain_throat(const Project& project,
+std::optional<CheckResult> check_throat(const Project& project,
                                         const std::vector<SituationHistory>& histories,
                                         const StressPoint& point) {
   const SituationHistory* worst = &histories.front();
@@ -316,111 +362,21 @@ std::optional<StressCheck> plain_throat(const Project& project,
   const Material& joined = *point.joined.material;
   const auto tensile = tensile_strength_of(joined, point.joined.thickness);
   if (!tensile || largest.value < no_stress_at(point)) return std::nullopt;
-  StressCheck found{start(Criterion::weld, project, point, *worst, shear_stress(point))};
-  Check& check = found.result.check;
+  CheckResult result = start(Criterion::weld, project, point, *worst, shear_stress(point));
+  Check& check = result.check;
   check.time = largest.time;
   check.acting = si<Stress>(largest.value);
+  const WeldStrength strength{*tensile, joined.beta_w, project.strength.gamma_M2};
+  check.resisting = weld_shear_strength(strength);
+  check.safety_factor = check.resisting / check.acting;
+  check.required = project.strength.required;
   check.source = "EN 1993-1-8:2005, 4.5.3.2(6), equation 4.1";
-  CheckBasis& basis = *found.result.basis;
-  basis.weld = {*tensile, joined.beta_w, 1.0};
+  CheckBasis& basis = *result.basis;
+  basis.weld = strength;
   basis.cut_at_time = basis.cut_at_highest = basis.cut_at_lowest = worst->history.at(largest.time);
   basis.stress_at_time = stress_at(point.influence, basis.cut_at_time);
   basis.highest = basis.lowest = {largest.time, basis.stress_at_time.shear.value(), basis.running};
-  return found;
-}
-
-bool governs_still(const Project& project, const StressCheck& of) {
-  return of.channels.empty() || project.situations.size() == 1 ||
-         life_of(project, of.channels).governing == of.governing;
-}
-
-CheckResult with_partial_factors(const Project& project, StressCheck of) {
-  CheckResult& result = of.result;
-  Check& check = result.check;
-  CheckBasis& basis = *result.basis;
-  const StrengthDemand& strength = project.strength;
-  if (check.criterion == Criterion::yield) {
-    constexpr NoDerivation plainly;
-    check.resisting = yield_resistance(plainly, basis.point.yield_strength, strength.gamma_M0);
-    check.safety_factor = check.resisting / check.acting;
-    check.required = strength.required;
-  } else if (check.criterion == Criterion::weld) {
-    basis.weld.gamma_M2 = strength.gamma_M2;
-    check.resisting = weld_shear_strength(basis.weld);
-    check.safety_factor = check.resisting / check.acting;
-    check.required = strength.required;
-  } else if (check.criterion != Criterion::stress_range) {
-    take_life(project, of.channels, life_of(project, of.channels), check, basis);
-    if (check.criterion == Criterion::combined_fatigue) {
-      check.acting = basis.damage;
-      check.resisting = 1.0;
-    } else {
-      // The range that the life allows, partial factors applied; of a spectrum, its largest range.
-      const Stress range = si<Stress>(basis.highest.value - basis.lowest.value);
-      check.acting = range;
-      check.resisting = check.safety_factor * range;
-    }
-  }
-  return std::move(result);
-}
-
-namespace {
-
-std::optional<CheckResult> finished_check(const Project& project, std::optional<StressCheck> of) {
-  if (!of) return std::nullopt;
-  return with_partial_factors(project, *std::move(of));
-}
-
-}  // namespace
-
-std::optional<CheckResult> check_yield(const Project& project,
-                                       const std::vector<SituationHistory>& histories,
-                                       const StressPoint& point) {
-  PointHistory of(project, histories, point);
-  return check_yield(of);
-}
-
-std::optional<CheckResult> check_yield(PointHistory& of) {
-  return finished_check(*of.project, plain_yield(of));
-}
-
-std::optional<CheckResult> check_fatigue(const Project& project,
-                                         const std::vector<SituationHistory>& histories,
-                                         const StressPoint& point, Criterion criterion) {
-  PointHistory of(project, histories, point);
-  return check_fatigue(of, criterion);
-}
-
-std::optional<CheckResult> check_fatigue(PointHistory& of, Criterion criterion) {
-  return finished_check(*of.project, plain_fatigue(of, criterion));
-}
-
-std::optional<CheckResult> check_range(const Project& project,
-                                       const std::vector<SituationHistory>& histories,
-                                       const StressPoint& point) {
-  PointHistory of(project, histories, point);
-  return check_range(of);
-}
-
-std::optional<CheckResult> check_range(PointHistory& of) {
-  return finished_check(*of.project, plain_range(of));
-}
-
-std::optional<CheckResult> check_throat(const Project& project,
-                                        const std::vector<SituationHistory>& histories,
-                                        const StressPoint& point) {
-  return finished_check(project, plain_throat(project, histories, point));
-}
-
-std::vector<WholePlace> whole_places_of(const std::vector<SituationHistory>& histories,
-                                        const StressPoint& point, Criterion criterion) {
-  const WholeLife& whole = *whole_life_of(histories);
-  std::vector<WholePlace> places;
-  if (point.detail != nullptr && criterion != Criterion::shear_fatigue)
-    places.push_back(whole_place_of(whole, histories, point, StressKind::direct));
-  if (point.shear_detail != nullptr && criterion != Criterion::fatigue)
-    places.push_back(whole_place_of(whole, histories, point, StressKind::shear));
-  return places;
+  return result;
 }
 
 }  // namespace boxbeam

@@ -11,10 +11,20 @@
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/verification/stress_points.hpp"
-#include "stress_check.hpp"
 
 namespace boxbeam {
 namespace {
+
+/// The use of an outer profile alone.
+struct Alone {
+  double use = 0.0;
+  Station station;
+  bool in_fatigue = false;
+
+  void take(const Alone& other) {
+    if (other.use > use) *this = other;
+  }
+};
 
 /// Outer profiles alone at stations: the corners of what surrounds them, by their yield strengths.
 class OuterAlone {
@@ -54,9 +64,9 @@ class OuterAlone {
 };
 
 /// The worst place of a segment in strength.
-OuterProfileUse in_strength(const Project& project, const std::deque<SituationRun>& runs,
-                            const Segment& segment) {
-  OuterProfileUse worst;
+Alone in_strength(const Project& project, const std::deque<SituationRun>& runs,
+                  const Segment& segment) {
+  Alone worst;
   OuterAlone outer(project);
   for (const SituationRun& run : runs) {
     const double scale =
@@ -64,7 +74,7 @@ OuterProfileUse in_strength(const Project& project, const std::deque<SituationRu
     for (std::size_t i = 0; i < run.loads.instants(); ++i) {
       const CutForceDiagram diagram = run.loads.diagram(i);
       const auto look = [&](const Station& at) {
-        worst.take({scale * outer.use_at(at, diagram.at(at)), at});
+        worst.take({scale * outer.use_at(at, diagram.at(at)), at, false});
       };
       look({segment.start, Side::behind});
       look({segment.end(), Side::before});
@@ -79,10 +89,10 @@ OuterProfileUse in_strength(const Project& project, const std::deque<SituationRu
   return worst;
 }
 
-/// In fatigue at some places.
-void add_in_fatigue(const Project& project, const std::deque<SituationRun>& runs,
-                    const std::vector<BendingZone>& zones, const std::vector<Station>& stations,
-                    std::vector<StressCheck>& all) {
+/// The same in fatigue at some places.
+Alone in_fatigue(const Project& project, const std::deque<SituationRun>& runs,
+                 const std::vector<BendingZone>& zones, const std::vector<Station>& stations) {
+  Alone worst;
   for (const Station& station : stations) {
     const Section section = section_at(project.beam, station);
     const AreaSums sums = sums_of(outline_of(section.outer));
@@ -91,41 +101,32 @@ void add_in_fatigue(const Project& project, const std::deque<SituationRun>& runs
       if (point.part != SectionPart::fibre || point.detail == nullptr || point.concentration)
         continue;
       point.influence.normal = normal_influence(sums, point.y.value(), point.z.value()).normal;
-      PointHistory history(project, histories, point);
-      if (auto of = plain_fatigue(history, Criterion::fatigue)) all.push_back(*std::move(of));
+      if (const auto of = check_fatigue(project, histories, point, Criterion::fatigue))
+        worst.take({of->check.utilisation(), station, true});
     }
   }
+  return worst;
 }
 
 }  // namespace
 
-NestedProfiles look_at_nested_profiles(const Project& project, const std::deque<SituationRun>& runs,
-                                       const std::vector<BendingZone>& zones) {
-  NestedProfiles of;
+void check_nested_profiles(const Project& project, const std::deque<SituationRun>& runs,
+                           const std::vector<BendingZone>& zones, PatchChecks& found) {
+  Alone worst;
   for (const Segment& segment : project.beam.segments) {
     if (!segment.from.inner) continue;
-    const OuterProfileUse here = in_strength(project, runs, segment);
-    of.in_strength.take(here);
+    const Alone here = in_strength(project, runs, segment);
+    worst.take(here);
     if (!project.fatigue.asked) continue;
     std::vector<Station> stations{{segment.start, Side::behind}, {segment.end(), Side::before}};
     if (here.use > 0.0) stations.push_back(here.station);
-    add_in_fatigue(project, runs, zones, stations, of.in_fatigue);
-  }
-  return of;
-}
-
-void say_of_nested_profiles(const Project& project, const NestedProfiles& of, PatchChecks& found) {
-  OuterProfileUse worst = of.in_strength;
-  for (const StressCheck& at : of.in_fatigue) {
-    const Check check = with_partial_factors(project, at).check;
-    worst.take({check.utilisation(), check.station});
+    worst.take(in_fatigue(project, runs, zones, stations));
   }
   if (!(worst.use > 1.0)) return;
-  const bool tires = worst.use > of.in_strength.use;
   found.not_judged.push_back(
-      {tires ? Criterion::fatigue : Criterion::yield, "what ties the inner profile",
+      {worst.in_fatigue ? Criterion::fatigue : Criterion::yield, "what ties the inner profile",
        fmt::format("the outer alone is used by {:.3g}{} at s = {} m", worst.use,
-                   tires ? " in fatigue" : "", to_text(worst.station))});
+                   worst.in_fatigue ? " in fatigue" : "", to_text(worst.station))});
 }
 
 }  // namespace boxbeam

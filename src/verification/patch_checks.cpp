@@ -391,13 +391,12 @@ namespace {
 /// What is found in walls and plates that are no webs of boxes or paths. Returns whether walls of
 /// round tubes are said not to be judged.
 bool check_beside_webs(const Project& project, const std::deque<SituationRun>& runs,
-                       const std::vector<BendingZone>& zones, const NestedProfiles& nested,
-                       PatchChecks& found) {
+                       const std::vector<BendingZone>& zones, PatchChecks& found) {
   check_hollow_forces(project, runs, found);
   const bool walls_said = !found.gates.empty() || !found.not_judged.empty();
   check_tube_kinks(project, runs, zones, found);
   check_pressed_solids(project, runs, found);
-  say_of_nested_profiles(project, nested, found);
+  check_nested_profiles(project, runs, zones, found);
   return walls_said;
 }
 
@@ -422,8 +421,7 @@ bool have_same_places(const FatigueInput& some, const FatigueInput& other) {
 PatchChecks check_patches(const Project& project, const std::deque<SituationRun>& runs,
                           const std::vector<BendingZone>& zones) {
   PatchChecks found;
-  const bool walls_said =
-      check_beside_webs(project, runs, zones, look_at_nested_profiles(project, runs, zones), found);
+  const bool walls_said = check_beside_webs(project, runs, zones, found);
   LookedAtPatches(project, runs, zones).add_to(found, walls_said);
   return found;
 }
@@ -437,34 +435,26 @@ struct KeptPatches::Looked {
 
   Project project;
   std::vector<BendingZone> zones;
-  NestedProfiles nested;
   std::optional<LookedAtPatches> patches;
 };
 
 KeptPatches::KeptPatches() = default;
 KeptPatches::~KeptPatches() = default;
 
-PatchChecks KeptPatches::of(const Project& project, std::deque<SituationRun>& runs,
-                            bool factors_alone) {
+PatchChecks KeptPatches::of(const Project& project, std::deque<SituationRun>& runs) {
   const bool known = looked_ != nullptr && have_same_strength(looked_->project, project) &&
                      have_same_places(looked_->project.fatigue, project.fatigue);
   if (!known) looked_ = std::make_unique<Looked>(project, runs);
   Project& own = looked_->project;
-  turn_to(own, runs);
-  if (known && factors_alone) {
-    own.fatigue.demand = project.fatigue.demand;
-    own.fatigue.required = project.fatigue.required;
-  } else {
-    own.fatigue = project.fatigue;
-    for (std::size_t i = 0; i < own.situations.size(); ++i) {
-      own.situations[i].cycles = project.situations[i].cycles;
-      own.situations[i].spectrum = project.situations[i].spectrum;
-    }
-    looked_->patches->forget_resistance();
-    looked_->nested = look_at_nested_profiles(own, runs, looked_->zones);
+  own.fatigue = project.fatigue;
+  for (std::size_t i = 0; i < own.situations.size(); ++i) {
+    own.situations[i].cycles = project.situations[i].cycles;
+    own.situations[i].spectrum = project.situations[i].spectrum;
   }
+  looked_->patches->forget_resistance();
+  turn_to(own, runs);
   PatchChecks found;
-  const bool walls_said = check_beside_webs(own, runs, looked_->zones, looked_->nested, found);
+  const bool walls_said = check_beside_webs(own, runs, looked_->zones, found);
   looked_->patches->add_to(found, walls_said);
   turn_to(project, runs);
   return found;

@@ -288,28 +288,22 @@ void PressedWebs::for_all_at(const Place& place, const Look& look) const {
   }
 }
 
-const PressedWebs::Named& PressedWebs::named_at(const Place& place) const {
-  const auto [known, is_new] = named_.try_emplace(place);
-  Named& of = known->second;
-  if (!is_new) return of;
+bool PressedWebs::name(const Place& place, CheckResult& result) const {
   std::vector<std::string> names;
+  const PressedWeb* most = nullptr;
+  bool turned = true;
   const Source* last = nullptr;
   for_all_at(place, [&](const Source& source, const PressedWeb& web) {
-    if (of.most == nullptr || abs(web.stress) > abs(of.most->stress)) of.most = &web;
+    if (most == nullptr || abs(web.stress) > abs(most->stress)) most = &web;
     if (&source == last) return;
     last = &source;
-    of.turned = of.turned && source.at_high.has_value();
+    turned = turned && source.at_high.has_value();
     if (std::find(names.begin(), names.end(), source.name) == names.end())
       names.push_back(source.name);
   });
   constexpr std::size_t few = 3;
-  of.all = names.size() > few ? names.front() + " to " + names.back()
-                              : fmt::format("{}", fmt::join(names, " and "));
-  return of;
-}
-
-bool PressedWebs::name(const Place& place, CheckResult& result) const {
-  const auto& [all, most, turned] = named_at(place);
+  const std::string all = names.size() > few ? names.front() + " to " + names.back()
+                                             : fmt::format("{}", fmt::join(names, " and "));
   Check& check = result.check;
   PressedBasis& basis = *result.pressed;
   const std::string web = project_->in_space || is_flange(place.web) ? to_text(place.web) : "web";
@@ -354,19 +348,12 @@ const Turns& PressedWebs::turns_at(const Place& place) const {
   return turns;
 }
 
-const PressedEdges::Resisting& PressedWebs::resisting_at(const Place& place,
-                                                         const PressedEdge& edge) const {
-  return place.diaphragm != nullptr ? PressedEdges::weld() : edges_.at(edge);
-}
-
-const std::optional<PressedWebs::Pressed>& PressedWebs::pressed_at(const Place& place,
-                                                                   bool unsaid_as_fillets) const {
-  const auto [known, is_new] = pressed_.try_emplace({place, unsaid_as_fillets});
-  if (!is_new) return known->second;
+std::optional<CheckResult> PressedWebs::check_at(const Place& place, Turns turns,
+                                                 bool unsaid_as_fillets) const {
+  const PressedEdge edge{place.s, place.web, unsaid_as_fillets};
   const PressedEdges::Resisting& resisting =
-      resisting_at(place, {place.s, place.web, unsaid_as_fillets});
+      place.diaphragm != nullptr ? PressedEdges::weld() : edges_.at(edge);
   const double factor = resisting.detail->stress_factor;
-  Turns turns = turns_at(place);
   for (SituationTurns& of : turns) {
     of.begin *= factor;
     of.end *= factor;
@@ -381,18 +368,8 @@ const std::optional<PressedWebs::Pressed>& PressedWebs::pressed_at(const Place& 
       channel.spectrum.push_back(std::move(row));
     }
   }
-  if (largest >= PressedEdges::no_stress)
-    known->second = Pressed{std::move(turns), std::move(channel)};
-  return known->second;
-}
-
-std::optional<CheckResult> PressedWebs::check_at(const Place& place, bool unsaid_as_fillets) const {
-  const std::optional<Pressed>& pressed = pressed_at(place, unsaid_as_fillets);
-  if (!pressed) return std::nullopt;
-  const PressedEdge edge{place.s, place.web, unsaid_as_fillets};
-  const PressedEdges::Resisting& resisting = resisting_at(place, edge);
-  const Turns& turns = pressed->turns;
-  std::vector<LifeChannel> channels{pressed->channel};
+  if (largest < PressedEdges::no_stress) return std::nullopt;
+  std::vector<LifeChannel> channels{std::move(channel)};
   ChannelLife life = life_of(*project_, channels);
   std::vector<LifeChannel> both{channels.front(), {}};
   static const std::vector<LifeChannel> none;
@@ -417,7 +394,7 @@ std::optional<CheckResult> PressedWebs::check_at(const Place& place, bool unsaid
   basis.throat = resisting.throat;
   basis.life.point.in_plate = resisting.detail;
   basis.life.point.detail = resisting.detail.get();
-  basis.life.stress_factor = resisting.detail->stress_factor;
+  basis.life.stress_factor = factor;
   basis.life.highest = highest;
   basis.life.lowest = lowest;
   take_life(*project_, channels, life, check, basis.life);
@@ -441,7 +418,7 @@ void PressedWebs::look(Place place, const std::vector<double>& places, bool any_
     };
     if (std::none_of(turns.begin(), turns.end(), pressed)) continue;
     for (const bool as_fillets : ways) {
-      auto at = check_at(place, as_fillets);
+      auto at = check_at(place, turns, as_fillets);
       if (!at) continue;
       if (!as_fillets) used.push_back({place, at->check.utilisation()});
       const bool given = place.diaphragm != nullptr || search_->is_given_at(si<Length>(s));
@@ -512,7 +489,7 @@ std::optional<std::pair<Check, double>> PressedWebs::square_of(std::vector<Used>
     }
   }
   if (worst == nullptr) return std::nullopt;
-  auto result = check_at(worst->place, false);
+  auto result = check_at(worst->place, turns_at(worst->place), false);
   name(worst->place, *result);
   return std::pair(result->check, most);
 }

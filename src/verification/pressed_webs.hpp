@@ -68,10 +68,7 @@ class PressedWebs {
   };
   Checks checks() const;
   /// What resists has become another.
-  void forget_resistance() {
-    edges_.forget_resistance();
-    pressed_.clear();
-  }
+  void forget_resistance() { edges_.forget_resistance(); }
 
  private:
   /// A force at an instant.
@@ -156,22 +153,8 @@ class PressedWebs {
   void for_all_at(const Place& place, const Look& look) const;
   /// Found once, for it does not depend on what resists.
   const Turns& turns_at(const Place& place) const;
-  /// What turns at a place and resists there, found once but for partial factors; nothing where it
-  /// is hardly pressed.
-  struct Pressed {
-    Turns turns;  ///< times the factor of the detail
-    LifeChannel channel;
-  };
-  const std::optional<Pressed>& pressed_at(const Place& place, bool unsaid_as_fillets) const;
-  const PressedEdges::Resisting& resisting_at(const Place& place, const PressedEdge& edge) const;
-  std::optional<CheckResult> check_at(const Place& place, bool unsaid_as_fillets) const;
-  /// What presses a place, in words, and most of it.
-  struct Named {
-    std::string all;
-    const PressedWeb* most = nullptr;
-    bool turned = true;  ///< by a kink, all of it
-  };
-  const Named& named_at(const Place& place) const;
+  std::optional<CheckResult> check_at(const Place& place, Turns turns,
+                                      bool unsaid_as_fillets) const;
   /// Returns whether a kink turns all that presses there.
   bool name(const Place& place, CheckResult& result) const;
 
@@ -182,8 +165,6 @@ class PressedWebs {
   std::vector<Source> sources_;
   bool sides_differ_ = false;  ///< of a kink, at some instant
   mutable std::map<Place, Turns> turns_;
-  mutable std::map<Place, Named> named_;
-  mutable std::map<std::pair<Place, bool>, std::optional<Pressed>> pressed_;
   std::map<std::tuple<std::string, bool, double, std::size_t>, std::size_t> numbers_;
 };
 

@@ -41,32 +41,15 @@ LoadedStation::LoadedStation(const Project& project, const std::deque<SituationR
       samples(project, histories, keep),
       fields(StressFields::Keep::all) {}
 
-const std::vector<StressPoint>& LoadedStation::points_in(const Project& project,
-                                                         const std::vector<BendingZone>& zones,
-                                                         const Station& station) {
-  if (!points_) points_ = stress_points_at(project, zones, station, fields);
-  return *points_;
-}
-
-void LoadedStation::forget_points() {
-  points_.reset();
-  checks.reset();
-}
-
-void StationMemory::turn_to(const Project& project, Change change) {
+void StationMemory::turn_to(const Project& project) {
   // Histories at so many instants, 48 bytes each.
   constexpr std::size_t most_samples = 1'000'000;
   if (kept_samples_ > most_samples) {
     known_.clear();
     kept_samples_ = 0;
   }
-  if (change != Change::fatigue_factors) gates.reset();
-  if (change == Change::cycles)
-    for (auto& [at, known] : known_) known.station->checks.reset();
-  if (change != Change::any) return;
   project_ = &project;
   ++design_;
-  for (auto& [at, known] : known_) known.station->forget_points();
 }
 
 LoadedStation& StationMemory::at(const Station& station) {

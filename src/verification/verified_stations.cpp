@@ -121,11 +121,10 @@ class AlongBeam {
         memory_ != nullptr ? memory_->at(station) : once.emplace(*project_, *runs_, station);
     const std::vector<SituationHistory>& histories = loaded.histories;
     const StationSamples& samples = loaded.samples;
-    std::vector<StressPoint> own;
-    if (memory_ == nullptr) own = stress_points_at(*project_, *zones_, station, fields_);
-    const std::vector<StressPoint>& points =
-        memory_ == nullptr ? own : loaded.points_in(*project_, *zones_, station);
-    std::vector<std::vector<StressPoint>> on_edges = worst_on_edges(samples, points);
+    StationPoints of_station =
+        station_points_of(samples, stress_points_at(*project_, *zones_, station,
+                                                    memory_ != nullptr ? loaded.fields : fields_));
+    const std::vector<StressPoint>& points = of_station.points;
     FunctionValues values(group_of_.size());
     add_cut_forces(samples, values);
     values[of_class] = class_3_use_at(*project_, station, histories);
@@ -148,7 +147,7 @@ class AlongBeam {
     Utilisations named;
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (points[i].stretch) continue;
-      const Utilisations found = judge(samples, points[i], on_edges[i]);
+      const Utilisations found = judge(samples, points[i], of_station.on_edges[i]);
       add(points[i].name, found);
       for (const Criterion criterion : stress_criteria)
         named.of(criterion) = std::max(named.of(criterion), found.of(criterion));
@@ -158,10 +157,7 @@ class AlongBeam {
     for (const Criterion criterion : stress_criteria)
       on_walls.of(criterion) = walls.worst(criterion).utilisation;
     add("walls", on_walls);
-    if (keep) {
-      kept.insert_or_assign({station.s.value(), station.side},
-                            StationPoints{without_edges(points), std::move(on_edges)});
-    }
+    if (keep) kept.insert_or_assign({station.s.value(), station.side}, std::move(of_station));
     return values;
   }
 

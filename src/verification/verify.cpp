@@ -43,18 +43,9 @@ std::vector<CheckResult> all_checks(std::vector<CheckResult> of_beam,
 }
 
 void sort_worst_first(std::vector<CheckResult>& checks) {
-  std::vector<std::pair<double, std::size_t>> order;
-  order.reserve(checks.size());
-  for (std::size_t i = 0; i < checks.size(); ++i)
-    order.emplace_back(checks[i].check.utilisation(), i);
-  // Of equal ones the first stays the first.
-  std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
-    return a.first > b.first || (a.first == b.first && a.second < b.second);
+  std::stable_sort(checks.begin(), checks.end(), [](const CheckResult& a, const CheckResult& b) {
+    return a.check.utilisation() > b.check.utilisation();
   });
-  std::vector<CheckResult> sorted;
-  sorted.reserve(checks.size());
-  for (const auto& [use, i] : order) sorted.push_back(std::move(checks[i]));
-  checks = std::move(sorted);
 }
 
 std::vector<Gate> all_gates(std::vector<Gate> of_beam, std::vector<Gate> of_neighbours,
@@ -99,13 +90,6 @@ std::optional<planar::EquivalentMass> equivalent_mass_in(const Project& project,
                                     demand.joint, demand.on, demand.adjust, demand.wanted.value());
 }
 
-KnownOfLoads known_of_loads(const Project& project, const std::deque<SituationRun>& runs,
-                            const ModelChoice& model) {
-  return {envelope_lines(runs), motion_summaries_of(project, runs),
-          equivalent_mass_in(project, runs.front()),
-          unestimated_vibration_of(project, model, runs)};
-}
-
 /// What the stresses along the beam come to.
 struct StressStage {
   std::vector<BendingZone> zones;
@@ -140,10 +124,8 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
   auto& [zones, stations, search, beam] = along;
   PatchChecks patches;
   if (project.given_stresses.empty()) {
-    patches = memory != nullptr
-                  ? memory->patches.of(project, *memory->runs,
-                                       memory->change == StationMemory::Change::fatigue_factors)
-                  : check_patches(project, runs, zones);
+    patches = memory != nullptr ? memory->patches.of(project, *memory->runs)
+                                : check_patches(project, runs, zones);
   }
   append(std::move(patches.checks), beam.checks);
   append(std::move(patches.gates), beam.gates);
@@ -162,10 +144,6 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
          {},
          {}});
   }
-  std::optional<KnownOfLoads> once;
-  std::optional<KnownOfLoads>& known = memory != nullptr ? memory->of_loads : once;
-  if (!known) known = known_of_loads(project, runs, model);
-  const KnownOfLoads& of_loads = *known;
   NeighbourChecks neighbours = check_neighbours(project, runs);
 
   model.second_order.twisting = twisting_load_of(project, runs, model.second_order);
@@ -200,17 +178,17 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
   append(unseen_time_of(project, runs), not_judged);
   append(slow_friction_of(project, runs), not_judged);
   append(not_judged_of_records(project), not_judged);
-  append(of_loads.unestimated_vibration, not_judged);
+  append(unestimated_vibration_of(project, model, runs), not_judged);
   append(assumed_holds_not_judged(project, model.second_order), not_judged);
   append(std::move(given_cuts.not_judged), not_judged);
   append(std::move(warping.not_judged), not_judged);
   if (project.given_stresses.empty()) append(axial_forces_not_judged(project, runs), not_judged);
 
-  const std::vector<MotionSummary>& motions = of_loads.motions;
+  std::vector<MotionSummary> motions = motion_summaries_of(project, runs);
   append(lifted_supports_of(project, motions), not_judged);
   std::vector<CriticalInstant> instants = critical_instants_of(project, beam.stations, checks);
-  Pictures pictures = pictures_of(project, runs, model.chosen, checks, instants, motions,
-                                  of_loads.envelope, figures);
+  Pictures pictures =
+      pictures_of(project, runs, model.chosen, checks, instants, motions, figures, memory);
   std::optional<ChainComparison> chain = chain_comparison_of(project, runs, instants);
   require_numbers(chain);
   std::vector<CodeResult> codes = compare_codes(project, checks);
@@ -218,7 +196,7 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
   return {.verdict = verdict,
           .model = std::move(model),
           .search = search,
-          .motions = motions,
+          .motions = std::move(motions),
           .stations = std::move(beam.stations),
           .checks = std::move(checks),
           .beside = std::move(beam.beside),
@@ -229,7 +207,7 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
           .unsaid_welds = std::move(patches.unsaid_welds),
           .critical_instants = std::move(instants),
           .codes = std::move(codes),
-          .equivalent_mass = of_loads.equivalent_mass,
+          .equivalent_mass = equivalent_mass_in(project, runs.front()),
           .chain = std::move(chain),
           .beam_mass = mass_properties_of(project.beam),
           .tapers = taper_slopes_of(project.beam),

@@ -286,25 +286,15 @@ std::vector<StressPoint> at_worst_edges(const StationSamples& samples, const Str
   return moved;
 }
 
-std::vector<std::vector<StressPoint>> worst_on_edges(const StationSamples& samples,
-                                                     const std::vector<StressPoint>& points) {
-  std::vector<std::vector<StressPoint>> worst;
-  worst.reserve(points.size());
-  for (const StressPoint& point : points) {
-    std::vector<StressPoint>& of = worst.emplace_back();
-    if (!point.edges.empty()) of = at_worst_edges(samples, point, stress_criteria);
+StationPoints station_points_of(const StationSamples& samples, std::vector<StressPoint> points) {
+  StationPoints of{std::move(points), {}};
+  for (StressPoint& point : of.points) {
+    std::vector<StressPoint>& worst = of.on_edges.emplace_back();
+    if (point.edges.empty()) continue;
+    worst = at_worst_edges(samples, point, stress_criteria);
+    point.edges.clear();
   }
-  return worst;
-}
-
-std::vector<StressPoint> without_edges(std::vector<StressPoint> points) {
-  for (StressPoint& point : points) point.edges.clear();
-  return points;
-}
-
-StationPoints station_points_of(const StationSamples& samples,
-                                const std::vector<StressPoint>& points) {
-  return {without_edges(points), worst_on_edges(samples, points)};
+  return of;
 }
 
 StressPoint at_worst_on_stretch(const StationSamples& samples, const StressPoint& point,

@@ -77,7 +77,7 @@ void verify_kept_runs(benchmark::State& bench) {
   KeptRuns kept;
   for (auto _ : bench) {
     std::vector<Project> beams{project};
-    benchmark::DoNotOptimize(kept.verify(std::move(beams), {}));
+    benchmark::DoNotOptimize(kept.verify(std::move(beams)));
   }
 }
 

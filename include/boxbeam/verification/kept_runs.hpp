@@ -1,8 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,12 +19,10 @@ class KeptRuns {
   KeptRuns& operator=(const KeptRuns&) = delete;
 
   /// As `verify_beams`, without figures and advice; it looks at what is kept, until the next design
-  /// is asked for. `set`: what the design is read with (`CaseSource::read_beams`). The first design
-  /// runs. Precondition of those behind it: they differ from it in nothing that `runs_depend_on`.
-  /// Where they differ from the one before in cycles, partial factors and what is asked for in
-  /// fatigue alone, points of stress are taken from it, and without cycles what happens there.
-  /// Throws AnalysisError; behind that no further design is to be asked for.
-  std::vector<VerifiedBeam> verify(std::vector<Project> beams, const std::vector<std::string>& set);
+  /// is asked for. The first design runs. Precondition of those behind it: they differ from it in
+  /// nothing that `runs_depend_on`. Throws AnalysisError; behind that no further design is to be
+  /// asked for.
+  std::vector<VerifiedBeam> verify(std::vector<Project> beams);
 
  private:
   struct OfBeam {
@@ -34,21 +30,15 @@ class KeptRuns {
     OfBeam(const OfBeam&) = delete;
     OfBeam& operator=(const OfBeam&) = delete;
 
-    Project seen;                     ///< at which motions look, as they see it
-    std::unique_ptr<Project> design;  ///< the last one, at which all that is kept of it looks
+    Project seen;  ///< at which motions look, as they see it
     ModelledRuns moved;
     BeamMemory memory{moved.runs};
     bool has_run = false;
   };
-  /// What is set: where and what is looked at, how often it is repeated, partial factors.
-  struct Set {
-    std::string places, cycles, of_strength;
-  };
-  Verification judge_by(OfBeam& beam, const Project& project, StationMemory::Change change);
+  Verification judge_by(OfBeam& beam, const Project& project);
 
   SharedMotions shared_;
   std::vector<std::unique_ptr<OfBeam>> beams_;
-  std::optional<Set> before_;  ///< of the last design
 };
 
 /// Whether the model and the loads depend on what stands under a key of the case. They do not on

@@ -74,10 +74,9 @@ class KeptPatches {
   KeptPatches(const KeptPatches&) = delete;
   KeptPatches& operator=(const KeptPatches&) = delete;
 
-  /// As `check_patches`; the runs are always the same ones, those of the design. `factors_alone`:
-  /// it differs from the one before in the partial factors of fatigue and what is asked for in it,
-  /// and in nothing else. What it gives looks at what is kept, until the next design.
-  PatchChecks of(const Project& project, std::deque<SituationRun>& runs, bool factors_alone);
+  /// As `check_patches`; the runs are always the same ones, those of the design. What it gives
+  /// looks at what is kept, until the next design.
+  PatchChecks of(const Project& project, std::deque<SituationRun>& runs);
 
  private:
   struct Looked;

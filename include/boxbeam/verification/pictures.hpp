@@ -31,12 +31,14 @@ struct Pictures {
   std::optional<SectionFigure> section;  ///< where the governing check rests on cut forces
 };
 
-/// The checks stand worst first; `envelope`: of the cut forces (`envelope_lines`).
+struct BeamMemory;
+
+/// The checks stand worst first. What is drawn of the loads alone is taken from `memory`.
 Pictures pictures_of(const Project& project, const std::deque<SituationRun>& runs,
                      const ElasticModel& model, const std::vector<CheckResult>& checks,
                      const std::vector<CriticalInstant>& instants,
-                     const std::vector<MotionSummary>& motions,
-                     const std::vector<CutForceLine>& envelope, Figures figures);
+                     const std::vector<MotionSummary>& motions, Figures figures,
+                     BeamMemory* memory = nullptr);
 
 /// The situation, as an index in the case, in which the worst check that rests on cut forces is
 /// worst; without one, the first that runs.

@@ -10,7 +10,6 @@
 
 #include "boxbeam/numerics/exact_memo.hpp"
 #include "boxbeam/verification/cut_force_envelope.hpp"
-#include "boxbeam/verification/gates.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/station_samples.hpp"
 
@@ -33,9 +32,6 @@ class StationExtremes {
   ExactMemo<2 * cut_force::count, std::vector<TurningPoint>> largest_;
 };
 
-/// The checks of a station but for partial factors, each by what it is of.
-class KnownChecks;
-
 /// A station under the loads of all situations.
 struct LoadedStation {
   LoadedStation(const Project& project, const std::deque<SituationRun>& runs,
@@ -43,22 +39,11 @@ struct LoadedStation {
   LoadedStation(const LoadedStation&) = delete;
   LoadedStation& operator=(const LoadedStation&) = delete;
 
-  /// Its points, found once for all designs that differ in partial factors and cycles alone.
-  const std::vector<StressPoint>& points_in(const Project& project,
-                                            const std::vector<BendingZone>& zones,
-                                            const Station& station);
-  /// What resists has become another, but for partial factors and cycles.
-  void forget_points();
-
   std::vector<SituationHistory> histories;
   StationSamples samples;
   StationExtremes extremes;
   std::optional<StationEnvelope> envelope;
-  std::shared_ptr<KnownChecks> checks;  ///< where some are known
-  StressFields fields;                  ///< of sections that the station has had
-
- private:
-  std::optional<std::vector<StressPoint>> points_;
+  StressFields fields;  ///< of sections that the station has had
 };
 
 /// The stations of one beam at which it has been judged, for designs under the same loads. Not for
@@ -68,28 +53,11 @@ class StationMemory {
   /// Looks at the runs, which stay.
   explicit StationMemory(const std::deque<SituationRun>& runs) : runs_(&runs) {}
 
-  /// How a design differs from the one before.
-  enum class Change {
-    any,              ///< in whatever resists
-    cycles,           ///< in how often situations are repeated, and as below
-    factors,          ///< in partial factors and what is asked for in fatigue alone
-    fatigue_factors,  ///< in those of fatigue alone
-  };
-
-  /// From now on the stations are those of this design, whose situations run as they do. But after
-  /// `Change::any` it is the project of the design before, in which that has been changed: what is
-  /// kept looks at it.
-  void turn_to(const Project& project, Change change);
+  /// From now on the stations are those of this design, whose situations run as they do.
+  void turn_to(const Project& project);
 
   /// Stays until the next design.
   LoadedStation& at(const Station& station);
-
-  /// Of the plates at these stations, before the checks, with this strength.
-  struct GatesAt {
-    std::vector<Station> stations;
-    PlateGates gates;
-  };
-  std::optional<GatesAt> gates;
 
  private:
   struct Known {

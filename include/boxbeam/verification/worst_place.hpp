@@ -22,13 +22,7 @@ struct StationPoints {
   std::vector<std::vector<StressPoint>> on_edges;
 };
 
-StationPoints station_points_of(const StationSamples& samples,
-                                const std::vector<StressPoint>& points);
-
-/// The second part of it alone, and the first.
-std::vector<std::vector<StressPoint>> worst_on_edges(const StationSamples& samples,
-                                                     const std::vector<StressPoint>& points);
-std::vector<StressPoint> without_edges(std::vector<StressPoint> points);
+StationPoints station_points_of(const StationSamples& samples, std::vector<StressPoint> points);
 
 /// A point on a stretch of wall moved to the place where a criterion is worst. Each local maximum
 /// on a grid (10 degrees of a round tube, a twelfth of a straight wall) that may be the largest is
