@@ -305,7 +305,7 @@ ElasticMotion::Added ElasticMotion::added_in(const LoadedPosture& posture, const
 /// elasticity adds at twelve of them around, where one through ten says the same. Nothing where it
 /// does not, as beside a jump of the loads.
 std::optional<BeamLoads> ElasticMotion::loads_between(double time) const {
-  constexpr std::size_t nodes = 12;
+  constexpr std::size_t nodes = 12, before = nodes / 2 - 1;
   constexpr double same = 1e-7, beside = 1e-3;
   const std::size_t n = added_.size();
   if (n < 2 * nodes) return std::nullopt;
@@ -331,8 +331,8 @@ std::optional<BeamLoads> ElasticMotion::loads_between(double time) const {
   }
   const double within = place - std::floor(place);
   if (std::min(within, 1.0 - within) < beside) return std::nullopt;
-  const std::size_t first = static_cast<std::size_t>(std::floor(place)) + n - (nodes / 2 - 1);
-  const double u = static_cast<double>(nodes / 2 - 1) + within;
+  const std::size_t first = static_cast<std::size_t>(std::floor(place)) + n - before;
+  const double u = static_cast<double>(before) + within;
   const std::array<double, nodes> weights = lagrange_weights<nodes>(u);
   const std::array<double, nodes - 2> fewer = lagrange_weights<nodes - 2>(u - 1.0);
   const Added& reference = added_[first % n];
