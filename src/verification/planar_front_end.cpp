@@ -233,7 +233,7 @@ class PlanarFrontEnd : public FrontEnd {
       if (freedom.undriven > 0) {
         return "forces decide the motion: with its drivers held the mechanism is free to move";
       }
-      const std::string held = obstacle_to_start(planar_motion_of(run));
+      std::string held = obstacle_to_start(planar_motion_of(run));
       if (!held.empty()) return held;
       if (planar::time_span_of(mechanism).steeper)
         return "the edges of a table of forces are steeper than the instants looked at";
