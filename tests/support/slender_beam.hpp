@@ -31,6 +31,7 @@ struct Beam {
   boxbeam::planar::Motion motion;
   boxbeam::planar::BeamBody body;
   std::shared_ptr<boxbeam::planar::StatesAround> finder;
+  double centre = 0.5 * L;  ///< of mass, from its start [m]
 
   explicit Beam(double density = rho) {
     using namespace boxbeam;
@@ -47,7 +48,7 @@ struct Beam {
     body = planar::beam_body_of(beam, 0);
   }
 
-  boxbeam::planar::Attachment start() const { return {0, {-0.5 * L, 0.0}}; }
+  boxbeam::planar::Attachment start() const { return {0, {-centre, 0.0}}; }
 
   void solve(int instants) {
     motion = boxbeam::planar::solve_motion(mechanism, instants);
@@ -62,7 +63,7 @@ struct Beam {
 
   boxbeam::ElasticBody elastic(double modulus = E, double shear_modulus = G,
                                double retardation = 0.0) const {
-    return {0,           0.5 * L, L, boxbeam::link_stretches_of(beam, modulus, shear_modulus),
+    return {0,           centre, L, boxbeam::link_stretches_of(beam, modulus, shear_modulus),
             retardation, 16};
   }
 
@@ -102,6 +103,27 @@ inline Beam carried(boxbeam::Driver driver, int instants, double length = 0.0) {
 inline Beam shaken(double r, int instants, double amplitude = 0.01) {
   const double omega = 2 * std::numbers::pi * r * first_frequency();
   return carried(boxbeam::HarmonicDriver{0.0, amplitude, omega, 0.0}, instants);
+}
+
+/// It narrows to 60 x 50 mm, and its start is a pin about which a driver turns it; `length`: how
+/// long it is looked at, where the driver does not say so [s].
+inline Beam tapered_and_turned(boxbeam::Driver driver, double length = 0.0) {
+  using namespace boxbeam;
+  Beam of;
+  of.beam.segments.front().to = {
+      symmetric_box(0.06 * metre, 0.05 * metre, plate * metre, plate * metre), {}};
+  const MassProperties properties = mass_properties_of(of.beam);
+  of.centre = properties.centre.value();
+  Body& body = of.mechanism.bodies.front();
+  body.mass = properties.mass.value();
+  body.inertia = properties.inertia.value();
+  body.sketch.centre = {of.centre, 0.0};
+  of.body = planar::beam_body_of(of.beam, 0);
+  planar::Pin pin;
+  pin.a = of.start();
+  of.mechanism.joints = {{"base", pin}, driven(of, planar::Coordinate::angle, std::move(driver))};
+  of.mechanism.duration.length = length;
+  return of;
 }
 
 }  // namespace test::slender

@@ -96,32 +96,11 @@ TEST_CASE("what turning adds is the virtual work of a body's masses", "[elastic_
 TEST_CASE("a motion of the plane written in space has the plane's vibration", "[elastic_motion]") {
   using namespace test::slender;
   const double frequency = 0.15, amplitude = 0.5;
-  test::slender::Beam plane;
-  const Section root{symmetric_box(w * metre, h * metre, ::test::slender::plate * metre,
-                                   ::test::slender::plate * metre),
-                     {}};
-  const Section tip{symmetric_box(0.06 * metre, 0.05 * metre, ::test::slender::plate * metre,
-                                  ::test::slender::plate * metre),
-                    {}};
-  plane.beam.segments = {{"", Length{}, si<Length>(L), root, tip}};
-  const MassProperties properties = mass_properties_of(plane.beam);
-  boxbeam::Body& body = plane.mechanism.bodies.front();
-  body.mass = properties.mass.value();
-  body.inertia = properties.inertia.value();
-  const double centre = properties.centre.value();
-  body.sketch.centre = {centre, 0.0};
-  plane.body = planar::beam_body_of(plane.beam, 0);
-  planar::Pin pin;
-  pin.a = {0, {-centre, 0.0}};
-  plane.mechanism.joints = {{"base", pin}};
-  planar::Driven turning;
-  turning.point = {0, {-centre, 0.0}};
-  turning.coordinate = planar::Coordinate::angle;
-  turning.driver = HarmonicDriver{0.0, amplitude, 2.0 * pi * frequency, 0.0};
-  plane.mechanism.joints.push_back({"drive", turning});
+  test::slender::Beam plane =
+      tapered_and_turned(HarmonicDriver{0.0, amplitude, 2.0 * pi * frequency, 0.0});
   plane.solve(48);
-  const ElasticBody elastic{
-      0, centre, L, link_stretches_of(plane.beam, test::slender::E, test::slender::G), 0.0, 384};
+  ElasticBody elastic = plane.elastic();
+  elastic.parts = 384;
   const ElasticMotion vibrating(plane.rigid(), elastic, 2);
   const LoadsAt bent = bent_statically(plane.rigid(), elastic);
   const Moved of(slender({0.0, -1.0, 0.0}, swinging(amplitude, frequency), 60, 50, 81.0));

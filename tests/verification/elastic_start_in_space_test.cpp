@@ -97,34 +97,10 @@ TEST_CASE("starts and stops of the plane written in space vibrate as the plane's
       {"at once", PolynomialDriver{{0.0, 0.0, 0.04}}},
       {"brake", PolynomialDriver{{0.0, w, -0.5 * w / T}}}};
   for (const Once& once : all) {
-    test::slender::Beam plane;
-    const Section root{
-        symmetric_box(::test::slender::w * metre, h * metre, ::test::slender::plate * metre,
-                      ::test::slender::plate * metre),
-        {}};
-    const Section tip{symmetric_box(0.06 * metre, 0.05 * metre, ::test::slender::plate * metre,
-                                    ::test::slender::plate * metre),
-                      {}};
-    plane.beam.segments = {{"", Length{}, si<Length>(L), root, tip}};
-    const MassProperties properties = mass_properties_of(plane.beam);
-    boxbeam::Body& body = plane.mechanism.bodies.front();
-    body.mass = properties.mass.value();
-    body.inertia = properties.inertia.value();
-    const double centre = properties.centre.value();
-    body.sketch.centre = {centre, 0.0};
-    plane.body = planar::beam_body_of(plane.beam, 0);
-    planar::Pin pin;
-    pin.a = {0, {-centre, 0.0}};
-    plane.mechanism.joints = {{"base", pin}};
-    planar::Driven turning;
-    turning.point = {0, {-centre, 0.0}};
-    turning.coordinate = planar::Coordinate::angle;
-    turning.driver = once.driver;
-    plane.mechanism.joints.push_back({"drive", turning});
-    plane.mechanism.duration.length = T;
+    test::slender::Beam plane = tapered_and_turned(once.driver, T);
     plane.solve(32);
-    const ElasticBody elastic{
-        0, centre, L, link_stretches_of(plane.beam, test::slender::E, test::slender::G), 0.0, 384};
+    ElasticBody elastic = plane.elastic();
+    elastic.parts = 384;
     const ElasticMotion vibrating(plane.rigid(), elastic, 2);
     const LoadsAt bent = bent_statically(plane.rigid(), elastic);
     Project project = parse_project(

@@ -20,6 +20,7 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 #include "support/slender_beam.hpp"
+#include "support/space_arm.hpp"
 #include "support/space_elements.hpp"
 
 namespace vibration_in_space_test {
@@ -107,41 +108,12 @@ kind = "fixed"
 connect = ["arm.tip", "load.c"]
 )";
 
-/// A column that drivers turn about an axis that lies as it will, on a ground that is turned.
 std::string slewing(const std::string& ground_turn) {
-  return fmt::format(R"(
-[bodies.base]
-points = {{ o = ["0 m", "0 m", "0 m"] }}
-[bodies.column]
-mass = "50 kg"
-centre = ["0 m", "0 m", "0.5 m"]
-inertia = ["4 kg m^2", "4 kg m^2", "1 kg m^2"]
-points = {{ a = ["0 m", "0 m", "0 m"], b = ["0 m", "0 m", "1 m"] }}
-
-[joints.base]
-kind = "fixed"
-connect = ["ground", "base.o"]
-at = ["1 m", "-2 m", "3 m"]
-{}
-
-[joints.slew]
-kind = "revolute"
-connect = ["base.o", "column.a"]
-axis = [0.48, -0.6, 0.64]
-
-[joints.root]
-kind = "fixed"
-connect = ["column.b", "arm.heel"]
-turn = [["y", "-20 deg"], ["x", "30 deg"]]
-
-[drivers.slewing]
-joint = "slew"
-kind = "harmonic"
+  return test::space_arm::slewing(ground_turn, R"(kind = "harmonic"
 mean = "10 deg"
 amplitude = "40 deg"
 frequency = "0.3 Hz"
-)",
-                     ground_turn);
+)");
 }
 
 ModelChoice chosen(const std::string& text) {
