@@ -21,6 +21,7 @@
 #include "boxbeam/verification/unsaid.hpp"
 #include "catch.hpp"
 #include "src/verification/elastic_motion_in_space.hpp"
+#include "src/verification/fast_loads.hpp"
 #include "src/verification/vibration_in_space.hpp"
 #include "support/space_elements.hpp"
 
@@ -788,6 +789,27 @@ TEST_CASE("of a case with two beams in space both are elastic in each other's mo
     // Nothing of it is left to be said.
     CHECK(unestimated_vibration_of(project, found.model, found.runs).empty());
   }
+}
+
+// Where nobody estimates vibration an oscillator bounds it. Of an arm in two beams its length, mass
+// and least stiffness are those of the whole arm, and at its root so are the stresses.
+TEST_CASE("an arm in two beams may vibrate where the whole arm may", "[beams_beside]") {
+  int apart = 0;
+  for (const double frequency : {0.1, 0.2, 0.4, 0.6, 0.8, 1.2, 1.8, 2.5, 4.0}) {
+    CAPTURE(frequency);
+    const std::string driven = hinge({0.0, 0.0, 1.0}, 0.02, frequency);
+    const auto may = [](Project project) {
+      const Moved of(std::move(project));
+      return may_vibrate(of.project, of.chain().mechanism(), of.rigid());
+    };
+    const bool whole = may(parse_beams("arm.toml", arm(false, driven + load_at("inner.B")))[0]);
+    Project inner = parse_beams("arm.toml", arm(true, driven + load_at("outer.B")))[0];
+    CHECK(may(inner) == whole);
+    inner.elastic_beside.clear();
+    if (may(std::move(inner)) != whole) ++apart;
+  }
+  // The inner beam alone is stiffer.
+  CHECK(apart > 0);
 }
 
 TEST_CASE("what slides along another elastic beam is an obstacle to modes", "[beams_beside]") {
