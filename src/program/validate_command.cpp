@@ -71,6 +71,7 @@ void add_mechanism(Parts& parts, const spatial::Mechanism& mechanism) {
   parts.add("bodies", listed(names_of(mechanism.bodies)));
   parts.add("joints", listed(joints));
   parts.add("closing loops", listed(names_of(mechanism.closing)));
+  if (!mechanism.branches.empty()) parts.add("loops", listed(names_of(mechanism.branches)));
   parts.add("driven", listed(driven));
   if (!forced.empty()) parts.add("moved by forces", listed(forced));
   parts.add("forces", listed(forces));

@@ -24,16 +24,17 @@ void refuse_planar_parts(TableReader& root, const Project& project, Known known)
   for (const char* key :
        {"loops", "newton_chain", "equivalent_mass", "pins", "rods", "deflection"}) {
     const std::string_view name = key;
-    const bool deflection = name == "deflection", neighbours = name == "pins" || name == "rods";
+    const bool deflection = name == "deflection", neighbours = name == "pins" || name == "rods",
+               loops = name == "loops";
     if ((known.deflection && deflection) || (known.neighbours && neighbours) ||
-        !root.has_misplaced(key))
+        (known.loops && loops) || !root.has_misplaced(key))
       continue;
     root.problem(
         key,
         fmt::format("\"{}\" is known for {}", key,
-                    deflection   ? "rigid mechanisms, static and loads cases only"
-                    : neighbours ? "rigid mechanisms only"
-                                 : "rigid mechanisms in the plane only"),
+                    deflection            ? "rigid mechanisms, static and loads cases only"
+                    : neighbours || loops ? "rigid mechanisms only"
+                                          : "rigid mechanisms in the plane only"),
         fmt::format("remove it from this case of kind = \"{}\"", kind_word_of(project.mechanism)));
   }
 }

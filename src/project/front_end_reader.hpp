@@ -73,7 +73,7 @@ Changeable changeable_of_bodies(const std::string& beam_body);
 
 /// Which parts of rigid mechanisms in the plane another kind of case knows as well.
 struct Known {
-  bool deflection = false, neighbours = false;
+  bool deflection = false, neighbours = false, loops = false;
 };
 
 /// Notes the parts that it does not know.

@@ -147,6 +147,7 @@ Mechanism read_chain(TableReader& root, const std::vector<std::string>& beam_bod
         "write [motion] with duration = \"2 s\", and settle = \"1 s\" for a time before it");
   }
   read_chain_loads(root, mechanism, tables);
+  read_chain_branches(root, mechanism);
   check_functions(root, functions_of(mechanism), mechanism.duration, {"joints", "forces"});
   if (root.problems().empty()) fit_creep(mechanism, joints_without_creep(root, mechanism));
   return mechanism;

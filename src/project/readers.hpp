@@ -113,6 +113,8 @@ bool read_chain_joints(TableReader& root, spatial::Mechanism& mechanism, TimeTab
 
 /// [forces] on the bodies of a mechanism in space.
 void read_chain_loads(TableReader& root, spatial::Mechanism& mechanism, TimeTables& tables);
+/// [loops]: which assemblies are wanted.
+void read_chain_branches(TableReader& root, spatial::Mechanism& mechanism);
 
 /// Where the beam lies in its body: "start", "axis" and "z" of [beam].
 spatial::BeamPlacement read_placement(TableReader& beam, const spatial::Mechanism& mechanism,

@@ -56,7 +56,7 @@ class SpatialReader : public FrontEndReader {
       for (const char* key : {"start", "axis", "z"}) static_cast<void>(beam.has(key));
     }
     beam.finish();
-    refuse_planar_parts(root, *project_, {.deflection = true, .neighbours = true});
+    refuse_planar_parts(root, *project_, {.deflection = true, .neighbours = true, .loops = true});
     if (root.problems().empty()) {
       project_->elastic_beside = place_others(root, mechanism);
       place_beam(root, project_->beam, project_->placement, mechanism);

@@ -166,6 +166,13 @@ std::string motion_text(const Project& project, const ChainMotionResult& motion)
         fmt::join(loops.closing, ", "), loops.equations, loops.equations == 1 ? "" : "s",
         loops.equations == 1 ? "decides" : "decide", loops.freedoms, loops.freedoms == 1 ? "" : "s",
         loops.repeating == 0 ? "" : fmt::format(", {} of them repeat others", loops.repeating)));
+    std::vector<std::string> branches;
+    for (const spatial::Branch& branch : spatial_of(project).branches)
+      branches.push_back(fmt::format("loop {} {}", branch.name, branch.sign > 0 ? "+" : "-"));
+    if (!branches.empty())
+      out += layout::paragraph(fmt::format(
+          "The branch is that which the case asks for at t = 0, {}, and is followed from there.",
+          fmt::join(branches, ", ")));
     if (!loops.not_unique.empty()) {
       out += layout::paragraph(fmt::format(
           "How {} share their loads depends on their elasticity: their forces are not printed. One "

@@ -85,9 +85,7 @@ void put_state(Fields& to, const InstantResult& state) {
 void put_state(Fields& to, const ChainInstant& state) {
   to.number("time", "s", state.time);
   // A chain without loops is explicit: it has no branch, and nothing is left open.
-  std::vector<std::pair<std::string, int>> branch;
-  if (state.branch != 0) branch.emplace_back("loops", state.branch);
-  put_branch(to, branch);
+  put_branch(to, state.branch);
   to.number({"residual", "largest error of the loops' equations"}, "1", state.residual);
   to.number({"condition", "of the loops' equations"}, "1", state.condition);
   to.named("bodies", state.bodies, name_of<ChainBody>, [](Fields& of, const ChainBody& body) {

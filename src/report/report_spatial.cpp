@@ -165,6 +165,19 @@ Entries entries_of(const Project& project) {
                          fmt::format("{}: length = {}", spatial::driver_text(joint),
                                      function_text(joint.length, "m")));
   }
+  for (const spatial::Branch& branch : mechanism.branches) {
+    const std::string over =
+        branch.via ? "over " + place_text(mechanism, *branch.via) + " to " : "to ";
+    entries.emplace_back(
+        "branch",
+        fmt::format("loop {}: at t = 0 from {} {}{} {} {} of {}, and followed from "
+                    "there",
+                    branch.name, place_text(mechanism, branch.from), over,
+                    place_text(mechanism, branch.to),
+                    branch.via ? (branch.sign > 0 ? "right-handed about" : "left-handed about")
+                               : (branch.sign > 0 ? "along" : "against"),
+                    direction_text(branch.direction), axes_text(mechanism, branch.axes)));
+  }
   for (const spatial::FrictionContact& contact : spatial::friction_contacts_of(mechanism)) {
     entries.emplace_back("friction",
                          fmt::format("{}: {}", spatial::name_of_contact(mechanism, contact),

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/spatial/branch.hpp"
 #include "boxbeam/mechanism/spatial/chain.hpp"
 #include "boxbeam/project/quantity_text.hpp"
 
@@ -171,7 +172,8 @@ ChainInstant instant_of(const Project& project, const spatial::Chain& chain,
   for (std::size_t j = 0; j < state.friction.size(); ++j)
     instant.joints[chain.contacts()[j].joint].friction = state.friction[j];
   if (const spatial::Loops* loops = chain.loops()) {
-    instant.branch = loops->branch();
+    instant.branch = spatial::branch_signs_of(mechanism, state);
+    if (loops->branch() != 0) instant.branch.emplace_back("loops", loops->branch());
     instant.residual = loops->residual_of(chain.tree(), state);
     instant.condition = loops->condition_of(chain.tree(), state);
     for (std::size_t i = 0; i < instant.joints.size(); ++i)

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "boxbeam/project/project.hpp"
@@ -51,7 +52,9 @@ struct ChainInstant {
   std::vector<ChainBody> bodies;
   std::vector<ChainPoint> points;
   std::vector<ChainJoint> joints;  ///< those that carry bodies, then those that close loops
-  int branch = 0;          ///< sign of the loops' equations, see spatial::Loops; 0 without loops
+  /// Signs of the loops that the case names, and behind them, as "loops", that of the equations of
+  /// all (`spatial::Loops::branch`); none without loops.
+  std::vector<std::pair<std::string, int>> branch;
   double residual = 0.0;   ///< largest error of the loops' equations
   double condition = 1.0;  ///< of the loops' equations
 };

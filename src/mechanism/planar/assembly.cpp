@@ -4,28 +4,12 @@
 #include <cmath>
 
 #include "boxbeam/core/angle.hpp"
+#include "boxbeam/numerics/halton.hpp"
 
 namespace boxbeam::planar {
 namespace {
 
 constexpr int most_iterations = 400;
-
-/// Term `index` of the van der Corput sequence in a base, in [0, 1): fills the interval evenly
-/// without randomness. Source: Halton (1960).
-double van_der_corput(int index, int base) {
-  double value = 0.0;
-  double digit = 1.0 / base;
-  for (; index > 0; index /= base, digit /= base) value += digit * (index % base);
-  return value;
-}
-
-int next_prime(int after) {
-  for (int candidate = after + 1;; ++candidate) {
-    bool prime = true;
-    for (int d = 2; d * d <= candidate; ++d) prime = prime && candidate % d != 0;
-    if (prime) return candidate;
-  }
-}
 
 /// The distance over which the mechanism spreads [m].
 double reach_of(const Mechanism& mechanism) {
@@ -179,12 +163,9 @@ double distance_between(const Eigen::VectorXd& a, const Eigen::VectorXd& b, doub
 Eigen::VectorXd other_start(const Mechanism& mechanism, const Eigen::VectorXd& sketch, int index) {
   const double reach = reach_of(mechanism);
   Eigen::VectorXd start = sketch;
-  int prime = 1;
-  for (Eigen::Index i = 0; i < start.size(); ++i) {
-    prime = next_prime(prime);
-    const double spread = van_der_corput(index, prime) - 0.5;
-    start[i] += i % 3 == 2 ? full_turn * spread : reach * spread;
-  }
+  const std::vector<double> at = halton_point(index, static_cast<int>(start.size()));
+  for (Eigen::Index i = 0; i < start.size(); ++i)
+    start[i] += (i % 3 == 2 ? full_turn : reach) * (at[static_cast<std::size_t>(i)] - 0.5);
   return start;
 }
 

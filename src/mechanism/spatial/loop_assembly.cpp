@@ -8,11 +8,14 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
 
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/spatial/branch.hpp"
+#include "boxbeam/numerics/halton.hpp"
 #include "boxbeam/numerics/singular_values.hpp"
 #include "loop_factors.hpp"
 #include "loop_rows.hpp"
@@ -21,6 +24,15 @@ namespace boxbeam::spatial {
 namespace {
 
 using Jacobian = Eigen::SparseMatrix<double>;
+
+constexpr double closed = 1e-8;  ///< largest error of an equation, without units
+/// Starts tried beside those that are given, in rounds of which each reaches twice as far.
+constexpr int other_starts = 128, rounds = 4;
+
+bool all_stand_right(const Mechanism& mechanism, const State& state) {
+  return std::all_of(mechanism.closing.begin(), mechanism.closing.end(),
+                     [&](const ClosingJoint& joint) { return stands_right(joint, state); });
+}
 
 /// Rows that are as independent of each other as they can be, as many as columns.
 std::vector<std::size_t> independent_rows(const Jacobian& J) {
@@ -120,15 +132,11 @@ Loops::Loops(const Tree& tree) : rows_(rows_of(tree.mechanism())) {
   samples_.push_back(with_rates(tree, state, q));
 }
 
-/// The position nearest to the start in which all is closed, by Levenberg's and Marquardt's method.
-void Loops::assemble(const Tree& tree, State& state) const {
+/// By Levenberg's and Marquardt's method.
+Eigen::VectorXd Loops::nearest_closed(const Tree& tree, State& state, Eigen::VectorXd q) const {
   constexpr int most = 500;
   constexpr double longest = 0.5;
-  const Mechanism& mechanism = tree.mechanism();
-  const auto columns = static_cast<Eigen::Index>(free_.size());
-  Eigen::VectorXd q(columns);
-  for (Eigen::Index k = 0; k < columns; ++k)
-    q[k] = mechanism.joints[free_[static_cast<std::size_t>(k)]].start;
+  const Eigen::Index columns = q.size();
   set(state, {0.0, q, {}, {}});
   tree.move(state);
   Eigen::VectorXd values = open(tree, state, all_);
@@ -161,8 +169,69 @@ void Loops::assemble(const Tree& tree, State& state) const {
     set(state, {0.0, q, {}, {}});
     tree.move(state);
   }
+  return values;
+}
+
+/// Around the starts, ever wider: of the first round that finds any the one that is nearest.
+bool Loops::assemble_elsewhere(const Tree& tree, State& state,
+                               const Eigen::VectorXd& starts) const {
+  const Mechanism& mechanism = tree.mechanism();
+  double least = std::numeric_limits<double>::infinity();
+  Eigen::VectorXd nearest;
+  for (int index = 1; index <= other_starts; ++index) {
+    const int round = (index - 1) * rounds / other_starts;
+    if (nearest.size() > 0 && (index - 1) % (other_starts / rounds) == 0) break;
+    const double reach = full_turn * std::pow(0.5, rounds - 1 - round);
+    const std::vector<double> at = halton_point(index, static_cast<int>(starts.size()));
+    Eigen::VectorXd q = starts;
+    for (Eigen::Index k = 0; k < q.size(); ++k)
+      q[k] += column_scale_[k] * reach * (at[static_cast<std::size_t>(k)] - 0.5);
+    if (nearest_closed(tree, state, q).cwiseAbs().maxCoeff() > closed) continue;
+    if (!all_stand_right(mechanism, state) || !loops_off_branch(mechanism, state).empty()) continue;
+    double away = 0.0;
+    q = sample_of(state).q;
+    for (Eigen::Index k = 0; k < q.size(); ++k) {
+      const double by = (q[k] - starts[k]) / column_scale_[k];
+      const JointKind kind = mechanism.joints[free_[static_cast<std::size_t>(k)]].kind;
+      away = std::hypot(away, kind == JointKind::revolute ? std::remainder(by, full_turn) : by);
+    }
+    if (away >= least) continue;
+    least = away;
+    nearest = q;
+  }
+  if (nearest.size() == 0) return false;
+  set(state, {0.0, nearest, {}, {}});
+  tree.move(state);
+  return true;
+}
+
+/// The position nearest to the start in which all is closed, on the branch that is wanted.
+void Loops::assemble(const Tree& tree, State& state) const {
+  const Mechanism& mechanism = tree.mechanism();
+  const auto columns = static_cast<Eigen::Index>(free_.size());
+  Eigen::VectorXd starts(columns);
+  for (Eigen::Index k = 0; k < columns; ++k)
+    starts[k] = mechanism.joints[free_[static_cast<std::size_t>(k)]].start;
+  const Eigen::VectorXd values = nearest_closed(tree, state, starts);
   Eigen::Index worst = 0;
-  if (values.cwiseAbs().maxCoeff(&worst) > 1e-8) {
+  const bool is_closed = values.cwiseAbs().maxCoeff(&worst) <= closed;
+  const std::string off = loops_off_branch(mechanism, state);
+  if (is_closed && off.empty() && all_stand_right(mechanism, state)) return;
+  if (!mechanism.branches.empty()) {
+    if (assemble_elsewhere(tree, state, starts)) return;
+    if (is_closed && !off.empty())
+      throw AnalysisError(
+          {fmt::format("no assembly found on the wanted branch, from the starts of the free "
+                       "joints and {} other ones; change the sign that is asked for, or give "
+                       "starts near the position that is meant",
+                       other_starts),
+           off,
+           0.0,
+           {},
+           {},
+           {}});
+  }
+  if (!is_closed) {
     const LoopRow& row = rows_[static_cast<std::size_t>(worst)];
     const std::string& name = mechanism.closing[row.joint].name;
     throw AnalysisError(

@@ -111,6 +111,10 @@ class Loops {
   bool keeps_turns(const Sample& near, const State& state) const;
 
   void assemble(const Tree& tree, State& state) const;
+  /// From free coordinates; how far all is open then.
+  Eigen::VectorXd nearest_closed(const Tree& tree, State& state, Eigen::VectorXd q) const;
+  /// The nearest one to the starts that is on the wanted branch; whether there is any.
+  bool assemble_elsewhere(const Tree& tree, State& state, const Eigen::VectorXd& starts) const;
   void choose_rows(const Tree& tree, const State& state);
   void judge_uniqueness(const Tree& tree, const State& state);
   void keep_order(const Tree& tree, const State& state);

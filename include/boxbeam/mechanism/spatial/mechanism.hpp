@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -146,6 +147,18 @@ struct ClosingJoint {
   Friction friction = {};  ///< of a prismatic, cylindrical or slot joint, along its axis
 };
 
+/// Which of the assemblies of a loop is wanted at t = 0, by the sign of how far `to` lies from
+/// `from` along a direction, or, with `via`, of how the way over the three turns about it,
+/// right-handed: (via - from) x (to - from) . direction. Where branches meet later it may be zero.
+struct Branch {
+  std::string name;  ///< of the loop
+  Attachment from, to;
+  std::optional<Attachment> via;
+  int axes = ground;  ///< the body in whose axes the direction is given
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< unit vector
+  int sign = 1;                                          ///< that is wanted: +1 or -1
+};
+
 /// The place about which it is said what a closing joint does to its two bodies: that on b, or
 /// where teeth mesh.
 inline const Attachment& place_of(const ClosingJoint& joint) {
@@ -209,6 +222,7 @@ struct Mechanism {
   std::vector<Body> bodies;
   std::vector<Joint> joints;
   std::vector<ClosingJoint> closing;
+  std::vector<Branch> branches;
   std::vector<AppliedLoad> loads;
   std::vector<LineForce> line_forces;
   std::vector<Spring> springs;
