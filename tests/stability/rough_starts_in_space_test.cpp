@@ -43,11 +43,10 @@ Mechanism crank_rockers(int rows, double phi, const std::array<int, 2>& signs) {
   int from = add(mechanism, crank, false);
   Vector3d ball(r, 0.0, 0.0), at = pivot;
   for (int row = 0; row < rows; ++row) {
-    const int rocker =
-        add(mechanism, joint_of("rocker", JointKind::revolute, ground, at, Vector3d::UnitX()), true);
+    const int rocker = add(
+        mechanism, joint_of("rocker", JointKind::revolute, ground, at, Vector3d::UnitX()), true);
     set_mass(mechanism.bodies.back(), 5.0, {0.0, 0.1, 0.3}, {0.4, 0.3, 0.2});
-    ClosingJoint rod =
-        closing("rod", ClosingKind::distance, {from, ball}, {rocker, {0.0, 0.0, R}});
+    ClosingJoint rod = closing("rod", ClosingKind::distance, {from, ball}, {rocker, {0.0, 0.0, R}});
     rod.length = PolynomialDriver{{l}};
     mechanism.closing.push_back(rod);
     Branch branch;
@@ -116,7 +115,8 @@ void report(const char* what, const Tally& tally, int starts) {
 
 }  // namespace
 
-TEST_CASE("rough starts of a crank and rocker in space: the branch asked for or a refusal") {
+TEST_CASE("rough starts of a crank and rocker in space: the branch asked for or a refusal",
+          "[unsanitized]") {
   constexpr int starts = 12000;
   std::mt19937 random(1);
   std::uniform_real_distribution<double> angle(0.0, full_turn);
@@ -141,7 +141,8 @@ TEST_CASE("rough starts of a crank and rocker in space: the branch asked for or 
   CHECK(tally.without < 0.9 * starts);
 }
 
-TEST_CASE("rough starts of two rockers in a row: the branches asked for or a refusal") {
+TEST_CASE("rough starts of two rockers in a row: the branches asked for or a refusal",
+          "[unsanitized]") {
   constexpr int starts = 9000;
   std::mt19937 random(2);
   Tally tally;
@@ -155,8 +156,8 @@ TEST_CASE("rough starts of two rockers in a row: the branches asked for or a ref
         rocker_angle({r * std::cos(phi), r * std::sin(phi), 0.0}, pivot, signs[0]);
     std::optional<double> second;
     if (first) {
-      const Vector3d ball = pivot + Eigen::AngleAxisd(*first, Vector3d::UnitX()) *
-                                        Vector3d(0.3, -0.2, 0.25);
+      const Vector3d ball =
+          pivot + Eigen::AngleAxisd(*first, Vector3d::UnitX()) * Vector3d(0.3, -0.2, 0.25);
       second = rocker_angle(ball, pivot + Vector3d(0.2, 1.0, 0.1), signs[1]);
     }
     reached += second ? 1 : 0;
@@ -175,7 +176,8 @@ TEST_CASE("rough starts of two rockers in a row: the branches asked for or a ref
   CHECK(tally.without < 0.6 * starts);
 }
 
-TEST_CASE("rough starts of a slider-crank in space: the side asked for or a refusal") {
+TEST_CASE("rough starts of a slider-crank in space: the side asked for or a refusal",
+          "[unsanitized]") {
   constexpr int starts = 9000;
   std::mt19937 random(3);
   Tally tally;
