@@ -27,7 +27,7 @@ spatial::Branch read_branch(const std::string& name, TableReader& table,
                             const spatial::Mechanism& mechanism) {
   spatial::Branch branch;
   branch.name = name;
-  if (!table.says_one_of({{{"turn", "direction"}}, {{"along", "direction"}}})) {
+  if (!table.says_one_of({{{"turn"}}, {{"along"}}})) {
     table.texts("turn", false);
     table.texts("along", false);
     table.problem("", fmt::format("loop \"{}\" wants either \"turn\" or \"along\"", name),

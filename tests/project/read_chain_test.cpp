@@ -278,6 +278,38 @@ const std::string teeth = "[joints.teeth]\nkind = \"gear\"\n";
 
 }  // namespace
 
+TEST_CASE("loops in space say which assembly is meant, by places and a direction") {
+  const std::string turn = "turn = [\"arm.A\", \"arm.B\", \"load.D\"]\n";
+  const Project project =
+      read(weld + hinge + swing + "[loops.over]\n" + turn +
+           "direction = [0, 3, 4]\naxes = \"arm\"\nsign = \"-\"\n" +
+           "[loops.side]\nalong = [\"arm.A\", \"load.C\"]\n" + "direction = \"x\"\nsign = \"+\"\n");
+  const std::vector<spatial::Branch>& branches = spatial_of(project).branches;
+  REQUIRE(branches.size() == 2);
+  CHECK(branches[0].name == "over");
+  REQUIRE(branches[0].via);
+  CHECK(branches[0].via->p == Vector3d(1, 0, 0));
+  CHECK(branches[0].to.body == 1);
+  CHECK(branches[0].to.p == Vector3d(0, 2, 0));
+  CHECK(branches[0].axes == 0);
+  CHECK((branches[0].direction - Vector3d(0, 0.6, 0.8)).norm() < 1e-15);
+  CHECK(branches[0].sign == -1);
+  CHECK(!branches[1].via);
+  CHECK(branches[1].axes == spatial::ground);
+  CHECK(branches[1].sign == 1);
+
+  const auto wrong = [&](const std::string& loop) {
+    return problem_in(bodies + weld + hinge + swing + loop).message;
+  };
+  CHECK(wrong("[loops.over]\ndirection = \"x\"\nsign = \"+\"\n").find("either") !=
+        std::string::npos);
+  CHECK(wrong("[loops.over]\nturn = [\"arm.A\", \"arm.B\"]\ndirection = \"y\"\nsign = \"+\"\n")
+            .find("3 points are wanted, not 2") != std::string::npos);
+  CHECK(wrong("[loops.over]\n" + turn + "sign = \"+\"\n").find("direction") != std::string::npos);
+  CHECK(wrong("[loops.loops]\n" + turn + "direction = \"y\"\nsign = \"+\"\n")
+            .find("no loop is called") != std::string::npos);
+}
+
 TEST_CASE("screws carry bodies and close loops, right-handed by their lead") {
   const Project project = read(
       "[joints.hinge]\nkind = \"screw\"\nconnect = [\"ground\", \"arm.A\"]\naxis = \"x\"\n"
