@@ -5,7 +5,7 @@
 namespace boxbeam::readers {
 namespace {
 
-/// Places, "body.point", or "ground" with its place in "at" for one of them.
+/// Places, "body.point".
 std::vector<spatial::Attachment> places_of_branch(TableReader& table, const Key& key,
                                                   std::size_t count,
                                                   const spatial::Mechanism& mechanism) {
