@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "bent_in_space.hpp"
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/mechanism/spatial/rest.hpp"
 
@@ -75,13 +76,13 @@ std::vector<LineLoad> pieces_of_both(const std::vector<LineLoad>& lines,
   return finer;
 }
 
-/// The load of the same name and place, a millionth of the beam apart at most; else a new one
-/// there.
+/// The load of the same name and place, a millionth of the beam apart at most, for one without name
+/// any there; else a new one there.
 PointLoad& same_point(const PointLoad& load, Length beam, std::vector<PointLoad>& points) {
   const Length close = 1e-6 * beam;
   const auto same = std::find_if(points.begin(), points.end(), [&](const PointLoad& of) {
     const Length apart = of.s > load.s ? of.s - load.s : load.s - of.s;
-    return of.name == load.name && apart <= close;
+    return (load.name.empty() || of.name == load.name) && apart <= close;
   });
   if (same != points.end()) return *same;
   PointLoad& added = points.emplace_back();
@@ -409,24 +410,34 @@ Eigen::VectorXd ElasticMotionInSpace::vibrating_at(double time) const {
 
 BeamLoads ElasticMotionInSpace::loads_at(Time time) const {
   BeamLoads loads = rigid_(time);
-  const BeamLoads vibrating = loads_of(vibrating_at(time.value()));
-  const Length beam = length_of(vibrating.lines);
-  for (const PointLoad& load : vibrating.points) {
+  add_bending(loads_of(vibrating_at(time.value())), loads);
+  return loads;
+}
+
+void add_bending(const BeamLoads& bending, BeamLoads& loads) {
+  const Length beam = length_of(bending.lines);
+  for (const PointLoad& load : bending.points) {
     if (load.force.isZero(0.0) && load.moment.isZero(0.0)) continue;
     add_carried(load, same_point(load, beam, loads.points));
   }
-  const std::vector<LineLoad> pieces = pieces_of_both(loads.lines, vibrating.lines);
+  const std::vector<LineLoad> pieces = pieces_of_both(loads.lines, bending.lines);
   loads.lines = on_stretches_of(loads.lines, pieces);
-  add_lines(loads.lines, 1.0, on_stretches_of(vibrating.lines, pieces));
-  return loads;
+  add_lines(loads.lines, 1.0, on_stretches_of(bending.lines, pieces));
 }
 
 LoadHistory elastic_loads_in_space(const Project& project, const spatial::Chain& chain,
                                    const LoadSpan& span, const ElasticModel& model, LoadsAt rigid) {
+  const auto states = [&chain, &span] {
+    return std::make_shared<const spatial::StatesAround>(
+        chain,
+        spatial::Motion{span.begin.value(), span.period.value(), span.closed, span.instants});
+  };
   switch (model.level) {
-    // Statically bent the rigid beam bears what it bears straight.
-    case ModelLevel::rigid:
-    case ModelLevel::quasi_static: return {span, std::move(rigid)};
+    case ModelLevel::rigid: return {span, std::move(rigid)};
+    case ModelLevel::quasi_static:
+      return {span, bent_statically_in_space(
+                        project, chain, [of = states()](double time) { return of->at(time); },
+                        model.parts, std::move(rigid))};
     case ModelLevel::modal:
     case ModelLevel::flexible: break;
   }

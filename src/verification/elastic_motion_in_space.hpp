@@ -103,8 +103,11 @@ class ElasticMotionInSpace {
 std::string obstacle_to_modes(const spatial::Mechanism& mechanism,
                               const std::vector<spatial::BeamPlacement>& beams);
 
-/// Loads on the beam of a case in space by a model of it: those of rigid bodies, or with vibration.
-/// `span`: of the rigid bodies' loads.
+/// Adds what bending does to a beam to its loads: without a name to what stands at the same place.
+void add_bending(const BeamLoads& bending, BeamLoads& loads);
+
+/// Loads on the beam of a case in space by a model of it: those of rigid bodies, bent under them,
+/// or with vibration. `span`: of the rigid bodies' loads.
 LoadHistory elastic_loads_in_space(const Project& project, const spatial::Chain& chain,
                                    const LoadSpan& span, const ElasticModel& model, LoadsAt rigid);
 

@@ -187,6 +187,14 @@ std::string against_frequencies(const VibrationEstimate& estimate, const std::st
 /// Bodies that bend statically under their axial force, without vibration.
 constexpr ElasticModel bent{ModelLevel::quasi_static, 0, 16, {}, false};
 
+/// Whether bodies in space are pressed so far that theory of the first order does not hold, and
+/// how they bend is known. Source: EN 1993-1-1, 5.2.1(3).
+bool is_pressed_in_space(const Project& project, const SecondOrderEstimate& second) {
+  if (!std::holds_alternative<spatial::Mechanism>(project.mechanism) || !second.whole) return false;
+  const double across = second.across ? second.across->part : 0.0;
+  return second.change && std::max(second.in_plane.part, across) > first_order_below;
+}
+
 /// Where vibration is not estimated: rigid bodies, or bent ones where second order asks for them.
 void choose_unvibrated(const Project& project, const std::string& obstacle, ModelChoice& choice,
                        const std::string& known = "what vibration adds is not estimated: ") {
@@ -204,7 +212,8 @@ void choose_unvibrated(const Project& project, const std::string& obstacle, Mode
   const std::string why = fmt::format("{}{}; {}", known, obstacle, second_order_text(second));
   if (second.whole && second.change) {
     choice.weighed.push_back({{}, "second order alone", *second.change, {}});
-    if (*second.change > choice.tolerance && project.model.demand == ModelDemand::automatic) {
+    if ((*second.change > choice.tolerance || is_pressed_in_space(project, second)) &&
+        project.model.demand == ModelDemand::automatic) {
       choice.chosen = bent;
       choice.counts_second_order = true;
       choice.weighed.push_back({bent, "second order is in it", 0.0, {}});
@@ -355,14 +364,17 @@ ModelChoice choose_in_space(const Project& project, const std::deque<SituationRu
     return choice;
   }
   const double missed = estimate.without_modes.front();
+  // Elsewhere it is weighed where checks are used.
+  const double of_bending = second.whole ? second.change.value_or(0.0) : 0.0;
   const bool repeats = std::all_of(rigid.begin(), rigid.end(),
                                    [](const SituationRun& run) { return run.loads.closed(); });
   choice.weighed.push_back(
       {{},
-       fmt::format("{} the modes of the mechanism stopped in postures over its motion {}",
+       fmt::format("{} the modes of the mechanism stopped in postures over its motion {}{}",
                    repeats ? "harmonics of the loads against" : "response over time of",
-                   percent_text(missed)),
-       missed,
+                   percent_text(missed),
+                   second.whole ? ", second order " + percent_text(of_bending) : std::string()),
+       missed + of_bending,
        {}});
   const std::string misses =
       fmt::format("vibration is estimated to change the governing stress by {}, {}; tolerance {}",
@@ -387,6 +399,14 @@ ModelChoice choose_in_space(const Project& project, const std::deque<SituationRu
     if (!periods.empty()) refused = periods;
     return !periods.empty();
   };
+  if (missed <= choice.tolerance && demand == ModelDemand::automatic &&
+      (missed + of_bending > choice.tolerance || is_pressed_in_space(project, second))) {
+    choice.chosen = bent;
+    choice.counts_second_order = true;
+    choice.weighed.push_back({bent, "vibration left out", missed, {}});
+    choice.reason = fmt::format("{}: {}; rigid bodies: {}", describe(bent), against, misses);
+    return choice;
+  }
   if (missed <= choice.tolerance && demand == ModelDemand::automatic) {
     // An estimate of a motion that does not repeat, near the tolerance, is looked at.
     constexpr double verified_above = 0.7;
@@ -629,8 +649,12 @@ ModelChoice choose_for_rigid(const Project& project, const std::deque<SituationR
     return choice;
   }
   DesignedSecondOrder second = estimate_designed_second_order(project, rigid);
-  if (std::holds_alternative<spatial::Mechanism>(project.mechanism))
-    return choose_in_space(project, rigid, obstacle, shared, std::move(second.estimate));
+  if (std::holds_alternative<spatial::Mechanism>(project.mechanism)) {
+    ModelChoice choice =
+        choose_in_space(project, rigid, obstacle, shared, std::move(second.estimate));
+    if (choice.counts_second_order) choice.second_order.growth = std::move(second.beyond_once);
+    return choice;
+  }
   ModelChoice choice =
       choose_by_estimate(project, rigid, obstacle, shared, std::move(second.estimate));
   if (choice.counts_second_order) {

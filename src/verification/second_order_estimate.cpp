@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "beam_alone.hpp"
+#include "bent_in_space.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/section/normal_stress.hpp"
@@ -44,6 +45,12 @@ struct Held {
   MakePosture in_plane, across;
   BeamHolds alone;
   bool whole = false;  ///< in the plane by its mechanism
+};
+
+/// The instants of a situation that are compared.
+struct LookedAt {
+  BothCompared in_plane, across;  ///< of the beam held in its planes
+  BothCompared in_space;          ///< of the whole in space
 };
 
 /// Stress per N, M_y and M_z at a point, less N/A.
@@ -92,6 +99,8 @@ class Estimating {
         lateral_(project),
         in_plane_(project, Plane::z),
         across_(project, Plane::y) {
+    if (std::holds_alternative<spatial::Mechanism>(project.mechanism))
+      places_in_space_ = places_in_space(project.beam, loaded_places_of(project, runs));
     for (const ComparedPlace& place : places_) {
       add_section(section_at(project.beam, place.station), place.station.s);
       result_.growth.push_back({place.station});
@@ -113,22 +122,28 @@ class Estimating {
 
   void look_at(const SituationRun& run) {
     const double factor = design_factor_of(*project_, *run.situation);
-    BothCompared compared, across;
+    LookedAt all;
+    auto& [compared, across, in_space] = all;
     const std::vector<std::size_t> few = instants_of(run.loads, few_instants);
-    for (const std::size_t i : few) look_at(run, i, i == few.front(), factor, compared, across);
-    if (reaches_anything(compared, across)) {
+    for (const std::size_t i : few) look_at(run, i, i == few.front(), factor, all);
+    if (reaches_anything(all)) {
       for (const std::size_t i : instants_of(run.loads))
-        if (std::find(few.begin(), few.end(), i) == few.end())
-          look_at(run, i, false, factor, compared, across);
+        if (std::find(few.begin(), few.end(), i) == few.end()) look_at(run, i, false, factor, all);
     }
     raise_bending(compared.design, factor);
     look_sideways_at_all(run, factor);
     if (!result_.change) return;
-    result_.change = std::max(*result_.change, compared.design.relative());
+    for (const BothCompared* const of : {&compared, &in_space})
+      if (of->design.straight.rows() > 0)
+        result_.change = std::max(*result_.change, of->design.relative());
+    growth_in_space_.add(in_space.design, in_space.of_once(factor), factor);
     growth_.add(compared.design, compared.of_once(factor), factor);
     growth_across_.add(with_modulus_across(across.design),
                        with_modulus_across(across.of_once(factor)), factor);
-    if (factor > 1.0) add_beyond_once(compared, factor);
+    if (factor > 1.0) {
+      add_beyond_once(compared, factor, beyond_once_);
+      add_beyond_once(in_space, factor, beyond_in_space_);
+    }
     look_at_sway(run, factor);
     look_at_vibration(run, factor);
     // By the section modulus of the other plane, which a ratio does not know.
@@ -171,6 +186,7 @@ class Estimating {
   SecondOrderEstimate result() {
     growth_.add_to(result_.growth);
     growth_across_.add_to(result_.growth);
+    growth_in_space_.add_to(result_.growth);
     if (!result_.growth.empty()) raise_by_vibration();
     for (StressGrowth& of : result_.growth) of.range = std::max(of.range, sway_of_range_);
     return std::move(result_);
@@ -181,6 +197,7 @@ class Estimating {
     std::vector<StressGrowth> growth;
     for (const ComparedPlace& place : places_) growth.push_back({place.station});
     beyond_once_.add_to(growth);
+    beyond_in_space_.add_to(growth);
     for (StressGrowth& of : growth) of.range = 0.0;
     return growth;
   }
@@ -208,12 +225,10 @@ class Estimating {
   }
 
   /// Of an instant. `first`: what else is pressed is looked at then, if never again.
-  void look_at(const SituationRun& run, std::size_t i, bool first, double factor,
-               BothCompared& compared, BothCompared& across) {
+  void look_at(const SituationRun& run, std::size_t i, bool first, double factor, LookedAt& all) {
     const Time time = run.loads.time_of(i);
     const BeamLoads loads = run.loads.loads_at(time);
     const Held held = held_at(run, time, loads);
-    if (!held.whole) result_.whole = false;
     const std::size_t situation = index_of(*project_, *run.situation);
     const CutForceDiagram diagram = cut_forces_of(loads);
     const auto raise = [&](BucklingLoad& load, const MakePosture& make, const std::string& words,
@@ -235,7 +250,12 @@ class Estimating {
       raise(result_.in_plane, held.in_plane, alone.along_z.words, !alone.along_z.said && !whole);
     if (axial)
       raise(*result_.across, held.across, alone.along_y.words, !alone.along_y.said && !whole);
-    if (whole) raise_by_whole({*whole, time, situation, held_by_mechanism, false}, factor);
+    const BentWhole bent = bent_whole(run, time, diagram, alone, factor);
+    if (!held.whole && !bent.known) result_.whole = false;
+    if (whole)
+      raise_by_whole({*whole, time, situation, held_by_mechanism, false}, factor, bent.known);
+    if (bent.part > result_.across->part)
+      *result_.across = {bent.part, time, situation, held_by_mechanism, false};
     look_sideways(diagram, loads, held, time, situation, factor);
     result_.bending = std::max(result_.bending, factor * bending_of_yield(diagram));
     if (result_.in_plane.part >= 1.0 || result_.across->part >= 1.0) {
@@ -243,21 +263,67 @@ class Estimating {
       result_.growth.clear();
       return;
     }
-    compare(held.in_plane, held.whole, loads, factor, compared);
-    if (project_->in_space) compare(held.across, false, in_plane(loads, Plane::y), factor, across);
+    if (bent.known) {
+      compare_in_space(diagram, bent, factor, all.in_space);
+      return;
+    }
+    compare(held.in_plane, held.whole, loads, factor, all.in_plane);
+    if (project_->in_space)
+      compare(held.across, false, in_plane(loads, Plane::y), factor, all.across);
+  }
+
+  /// The whole in space, bent by its design loads and by its loads times one.
+  struct BentWhole {
+    bool known = false;
+    double part = 0.0;  ///< of the loads that buckle it, where that is one or more
+    BeamLoads design, once;
+  };
+
+  BentWhole bent_whole(const SituationRun& run, Time time, const CutForceDiagram& diagram,
+                       const BeamHolds& alone, double factor) {
+    BentWhole of;
+    // What holds it besides is in no mechanism.
+    if (!project_->in_space || alone.along_z.said || alone.along_y.said) return of;
+    const auto design = bent_scene_in(run, time, diagram, factor);
+    if (!design) return of;
+    of.known = true;
+    if (design->critical) {
+      of.part = std::max(1.0, factor / *design->critical);
+      return of;
+    }
+    result_.turn = std::max(result_.turn, factor * design->turn);
+    of.design = design->loads;
+    if (factor != 1.0)
+      if (const auto once = bent_scene_in(run, time, diagram, 1.0)) of.once = once->loads;
+    return of;
+  }
+
+  void compare_in_space(const CutForceDiagram& diagram, const BentWhole& bent, double factor,
+                        BothCompared& both) {
+    const CutForceDiagram added = cut_forces_of(bent.design);
+    const auto corners = [&](const CutForceDiagram& of) -> Eigen::ArrayXd {
+      return stresses_at(of, places_in_space_).transpose().array();
+    };
+    const Eigen::ArrayXd straight = corners(diagram);
+    both.design.add(straight, corners(added));
+    if (factor != 1.0) both.once.add(straight, corners(cut_forces_of(bent.once)));
+    Compared in_plane;
+    in_plane.add(fibre_stresses(diagram, places_), fibre_stresses(added, places_));
+    raise_bending(in_plane, factor);
   }
 
   /// Whether instants between those looked at may matter: the beam's compression and bending have
   /// no higher peak there, and a tenth of what leaves a member alone, and of what is tolerated,
   /// leaves room for postures that hold it worse.
-  bool reaches_anything(const BothCompared& compared, const BothCompared& across) const {
+  bool reaches_anything(const LookedAt& all) const {
     constexpr double slight = 0.1;
     const auto counts = [](double part) { return part > slight * no_buckling_below; };
     const auto changes = [&](const Compared& of) {
       return of.straight.rows() > 0 && of.relative() > slight * project_->model.tolerance;
     };
     return !result_.change || counts(result_.in_plane.part) || counts(result_.across->part) ||
-           result_.sway > 0.0 || changes(compared.design) || changes(across.design);
+           result_.sway > 0.0 || changes(all.in_plane.design) || changes(all.across.design) ||
+           changes(all.in_space.design);
   }
 
   Held held_at(const SituationRun& run, Time time, const BeamLoads& loads) {
@@ -358,10 +424,10 @@ class Estimating {
     }
   }
 
-  void add_beyond_once(const BothCompared& both, double factor) {
+  static void add_beyond_once(const BothCompared& both, double factor, GrowthByPlace& sum) {
     const Compared beyond{both.once.straight + both.once.change,
                           both.design.change - both.once.change};
-    beyond_once_.add(beyond, beyond, factor);
+    sum.add(beyond, beyond, factor);
   }
 
   /// Elastic links vibrate as they are when nothing presses them.
@@ -400,11 +466,12 @@ class Estimating {
   }
 
   /// By the whole, whose planes are one: where it is weaker than the beam by itself in either, that
-  /// is how it buckles, and what it bends grows as of a frame that sways.
-  void raise_by_whole(const BucklingLoad& whole, double factor) {
+  /// is how it buckles, and what it bends grows as of a frame that sways, unless it is `bent`.
+  void raise_by_whole(const BucklingLoad& whole, double factor, bool bent) {
     constexpr double alike = 1.001;
     if (!(whole.part > alike * std::max(result_.in_plane.part, result_.across->part))) return;
     *result_.across = whole;
+    if (bent && whole.part < 1.0) return;
     const auto sway = [](double part) { return part < 1.0 ? part / (1.0 - part) : unbounded; };
     result_.sway = std::max(result_.sway, sway(whole.part));
     sway_of_range_ = std::max(sway_of_range_, sway(whole.part / factor));
@@ -467,8 +534,9 @@ class Estimating {
 
   const Project* project_;
   std::vector<ComparedPlace> places_;
-  std::vector<double> yield_;           ///< of the flanges there [Pa]
-  std::vector<double> modulus_across_;  ///< W_z there [m^3]
+  std::vector<PlaceInSpace> places_in_space_;  ///< the same, of a mechanism in space
+  std::vector<double> yield_;                  ///< of the flanges there [Pa]
+  std::vector<double> modulus_across_;         ///< W_z there [m^3]
   std::vector<std::vector<ExcessPoint>> excess_;
   std::optional<Section> last_;  ///< whose values stand last
   std::array<std::size_t, 2> last_segments_{};
@@ -476,6 +544,7 @@ class Estimating {
   LateralEstimate lateral_;
   BeamAlone in_plane_, across_;
   GrowthByPlace growth_, growth_across_, beyond_once_, vibrating_;
+  GrowthByPlace growth_in_space_{stresses_of_place}, beyond_in_space_{stresses_of_place};
   double sway_of_range_ = 0.0;
   double cantilever_ = unbounded;  ///< N_cr of one as long as the beam, of its least I [N]
   SecondOrderEstimate result_;

@@ -13,19 +13,20 @@ constexpr double no_range = 1e-3;
 /// A range so much smaller than the largest of all situations does no damage beside it.
 constexpr double counts = 0.1;
 
-/// The larger of the two fibres of each place.
-Eigen::ArrayXd by_place(const Eigen::ArrayXd& fibres) {
-  const Eigen::Index places = fibres.size() / 2;
-  return fibres.reshaped(2, places).colwise().maxCoeff().transpose();
+/// The largest of so many of each place.
+Eigen::ArrayXd by_place(const Eigen::ArrayXd& all, Eigen::Index of_place) {
+  const Eigen::Index places = all.size() / of_place;
+  return all.reshaped(of_place, places).colwise().maxCoeff().transpose();
 }
 
-Eigen::ArrayXd peaks_of(const Eigen::MatrixXd& stresses) {
-  return by_place(stresses.cwiseAbs().colwise().maxCoeff().transpose().array());
+Eigen::ArrayXd peaks_of(const Eigen::MatrixXd& stresses, Eigen::Index of_place) {
+  return by_place(stresses.cwiseAbs().colwise().maxCoeff().transpose().array(), of_place);
 }
 
-Eigen::ArrayXd ranges_of(const Eigen::MatrixXd& stresses) {
+Eigen::ArrayXd ranges_of(const Eigen::MatrixXd& stresses, Eigen::Index of_place) {
   return by_place(
-      (stresses.colwise().maxCoeff() - stresses.colwise().minCoeff()).transpose().array());
+      (stresses.colwise().maxCoeff() - stresses.colwise().minCoeff()).transpose().array(),
+      of_place);
 }
 
 /// What is less than `least` counts as much.
@@ -54,8 +55,9 @@ double Compared::relative() const {
 void GrowthByPlace::add(const Compared& of, const Compared& once, double factor) {
   if (of.straight.rows() == 0) return;
   const Eigen::MatrixXd bent = once.straight + once.change;
-  const Situation here{factor * peaks_of(of.straight), factor * peaks_of(of.straight + of.change),
-                       ranges_of(once.straight), ranges_of(bent)};
+  const Situation here{factor * peaks_of(of.straight, of_place_),
+                       factor * peaks_of(of.straight + of.change, of_place_),
+                       ranges_of(once.straight, of_place_), ranges_of(bent, of_place_)};
   const auto join = [](Eigen::MatrixXd& all, const Eigen::MatrixXd& rows) {
     const Eigen::Index known = all.rows();
     all.conservativeResize(known + 2, rows.cols());
@@ -69,8 +71,8 @@ void GrowthByPlace::add(const Compared& of, const Compared& once, double factor)
 
 void GrowthByPlace::add_to(std::vector<StressGrowth>& growth) const {
   if (situations_.empty()) return;
-  Situation all{situations_.front().straight, situations_.front().bent, ranges_of(straight_),
-                ranges_of(bent_)};
+  Situation all{situations_.front().straight, situations_.front().bent,
+                ranges_of(straight_, of_place_), ranges_of(bent_, of_place_)};
   for (const Situation& of : situations_) {
     all.straight = all.straight.max(of.straight);
     all.bent = all.bent.max(of.bent);

@@ -9,7 +9,7 @@
 namespace boxbeam {
 
 /// Stresses of the straight beam and what bending changes, a row for each instant [Pa]; of each
-/// place both outer fibres.
+/// place both outer fibres, in space those of `stresses_at`.
 struct Compared {
   Eigen::MatrixXd straight, change;
 
@@ -26,9 +26,12 @@ struct BothCompared {
   const Compared& of_once(double factor) const { return factor == 1.0 ? design : once; }
 };
 
-/// Of one plane: the growth of the stresses of all situations that are looked at.
+/// Of one plane, or in space: the growth of the stresses of all situations that are looked at.
 class GrowthByPlace {
  public:
+  /// So many stresses stand for each place.
+  explicit GrowthByPlace(Eigen::Index of_place = 2) : of_place_(of_place) {}
+
   /// `factor`: the design factor of the situation, under which `of` is bent, and which fatigue, of
   /// `once`, does not count.
   void add(const Compared& of, const Compared& once, double factor);
@@ -37,11 +40,12 @@ class GrowthByPlace {
   void add_to(std::vector<StressGrowth>& growth) const;
 
  private:
-  /// Of each place, the larger fibre.
+  /// Of each place, the largest.
   struct Situation {
     Eigen::ArrayXd straight, bent, range, bent_range;
   };
 
+  Eigen::Index of_place_;
   std::vector<Situation> situations_;
   Eigen::MatrixXd straight_, bent_;  ///< smallest and largest of each situation
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "bent_in_space.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/spatial/beam_loads.hpp"
 #include "boxbeam/mechanism/spatial/chain.hpp"
@@ -246,6 +247,15 @@ class SpatialMotion : public SolvedMotion {
 
   const spatial::Chain& chain() const { return *chain_; }
 
+  std::optional<frame::BentScene> bent_at(Time time, const CutForceDiagram& diagram,
+                                          double factor) const {
+    if (!bent_) {
+      if (!obstacle_to_bending_in_space(*project_, *chain_).empty()) return {};
+      bent_.emplace(*project_, *chain_);
+    }
+    return bent_->at(states_->at(time.value()), diagram, factor);
+  }
+
  private:
   /// Behind the end of a motion that does not repeat bodies stand where it ends.
   double within(double time) const {
@@ -257,6 +267,7 @@ class SpatialMotion : public SolvedMotion {
   std::shared_ptr<const spatial::Chain> chain_;
   spatial::Motion motion_;
   std::shared_ptr<const spatial::StatesAround> states_;
+  mutable std::optional<BentInSpace> bent_;  ///< made when first asked for
 };
 
 class SpatialFrontEnd : public FrontEnd {
@@ -292,6 +303,13 @@ std::unique_ptr<const FrontEnd> front_end_for(const spatial::Mechanism&, const P
 
 const spatial::Chain& chain_of(const SituationRun& run) {
   return dynamic_cast<const SpatialMotion&>(*run.motion).chain();
+}
+
+std::optional<frame::BentScene> bent_scene_in(const SituationRun& run, Time time,
+                                              const CutForceDiagram& diagram, double factor) {
+  const auto* const motion = dynamic_cast<const SpatialMotion*>(run.motion.get());
+  if (motion == nullptr) return {};
+  return motion->bent_at(time, diagram, factor);
 }
 
 LoadSpan span_of_motion_in_space(const SituationRun& run) {

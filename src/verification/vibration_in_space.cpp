@@ -245,7 +245,7 @@ class StoppedTies {
 };
 
 std::vector<double> stations_held(const spatial::Mechanism& mechanism,
-                                  const spatial::BeamPlacement& placement) {
+                                  const spatial::BeamPlacement& placement, bool loaded) {
   std::vector<double> at;
   const auto add = [&](const Vector3d& place) {
     at.push_back(spatial::in_beam(placement, place).x());
@@ -262,19 +262,23 @@ std::vector<double> stations_held(const spatial::Mechanism& mechanism,
   for (const spatial::ClosingJoint& joint : mechanism.closing)
     if (!spatial::has_teeth(joint.kind)) add_ends(joint);
   for (const spatial::Spring& spring : mechanism.springs) add_ends(spring);
+  if (!loaded) return at;
+  for (const spatial::AppliedLoad& load : mechanism.loads)
+    if (load.at.body == placement.body) add(load.at.p);
+  for (const spatial::LineForce& load : mechanism.line_forces) {
+    if (load.on != placement.body) continue;
+    add(load.from);
+    add(load.to);
+  }
   return at;
 }
 
-/// What makes stress of the cut forces of a place.
-struct PlaceInSpace {
-  Station station;
-  double per_N, per_M_y, per_M_z, per_T;
-};
-constexpr Eigen::Index stresses_of_place = 5;
+}  // namespace
 
-std::vector<PlaceInSpace> places_in_space(const TaperedBeam& beam) {
+std::vector<PlaceInSpace> places_in_space(const TaperedBeam& beam,
+                                          const std::vector<Length>& joints) {
   std::vector<PlaceInSpace> places;
-  for (const ComparedPlace& place : compared_places_of(beam)) {
+  for (const ComparedPlace& place : compared_places_of(beam, joints)) {
     const Section section = section_at(beam, place.station);
     const double A = 1.0 / place.per_N;
     const TorsionProperties torsion = torsion_properties_of(section);
@@ -302,6 +306,8 @@ Eigen::RowVectorXd stresses_at(const CutForceDiagram& diagram,
   }
   return stresses;
 }
+
+namespace {
 
 Eigen::MatrixXd stresses_over(const LoadHistory& history, const std::vector<PlaceInSpace>& places) {
   Eigen::MatrixXd stresses(static_cast<Eigen::Index>(history.even_instants()),
@@ -516,12 +522,13 @@ CutForceDiagram rigid_cut_forces(const spatial::Chain& chain, const spatial::Sta
   return cut_forces_of(loads(si<Time>(state.time)));
 }
 
-StoppedVibration::StoppedVibration(const Project& project, const spatial::Chain& chain, int parts)
+StoppedVibration::StoppedVibration(const Project& project, const spatial::Chain& chain, int parts,
+                                   bool loaded)
     : chain_(&chain), placements_(elastic_placements(project, chain.mechanism())) {
   const spatial::Mechanism& mechanism = chain.mechanism();
   const auto add = [&](const TaperedBeam& beam, int pieces) {
     beams_.emplace_back(beam, project.model.youngs_modulus, project.model.shear_modulus,
-                        stations_held(mechanism, placements_[beams_.size()]), pieces,
+                        stations_held(mechanism, placements_[beams_.size()], loaded), pieces,
                         project.model.retardation);
   };
   add(project.beam, parts);
@@ -643,10 +650,11 @@ std::string obstacle_to_vibration_in_space(const std::deque<SituationRun>& rigid
 double vibration_missed_in_space(const Project& project, const ModelChoice& model) {
   if (!std::holds_alternative<spatial::Mechanism>(project.mechanism)) return 0.0;
   if (model.chosen.level == ModelLevel::modal) return 0.0;
-  // Else there stands second order, which in space is weighed where there is none.
   if (model.weighed.empty()) return 0.0;
   const ModelEstimate& by_rigid = model.weighed.front();
-  return std::max(by_rigid.error, by_rigid.found.value_or(0.0));
+  const SecondOrderEstimate& second = model.second_order;
+  const double bending = second.whole ? second.change.value_or(0.0) : 0.0;
+  return std::max({0.0, by_rigid.error - bending, by_rigid.found.value_or(0.0)});
 }
 
 VibrationInSpace estimate_vibration_in_space(const Project& project, const SituationRun& run,

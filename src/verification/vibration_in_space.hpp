@@ -51,8 +51,10 @@ struct ModesInMotion {
 class StoppedVibration {
  public:
   /// `parts`: about so many pieces of the verified beam, and of each other one unless these are so
-  /// many that fewer must do. `project` and `chain` stay.
-  StoppedVibration(const Project& project, const spatial::Chain& chain, int parts);
+  /// many that fewer must do. `loaded`: they end where loads stand on the beams, too. `project` and
+  /// `chain` stay.
+  StoppedVibration(const Project& project, const spatial::Chain& chain, int parts,
+                   bool loaded = false);
 
   /// In the posture of a state, `rigid` the verified beam's cut forces then. Throws AnalysisError
   /// where the stopped mechanism is free to move, or buckles.
@@ -68,10 +70,12 @@ class StoppedVibration {
 
   const std::vector<spatial::BeamPlacement>& placements() const { return placements_; }
 
+  /// The beams with their cut forces, the bodies and how they are tied, in the posture of a state.
+  frame::VibratingScene scene_in(const spatial::State& state, const CutForceDiagram& rigid) const;
+
  private:
   std::vector<frame::PosedBeam> beams_in(const spatial::State& state,
                                          const CutForceDiagram& rigid) const;
-  frame::VibratingScene scene_in(const spatial::State& state, const CutForceDiagram& rigid) const;
 
   const spatial::Chain* chain_;
   std::vector<spatial::BeamPlacement> placements_;  ///< the verified beam first
@@ -93,6 +97,21 @@ struct VibrationInSpace {
   std::string shape;     ///< of the first mode then
 };
 
+/// What makes these stresses of the cut forces of a place.
+struct PlaceInSpace {
+  Station station;
+  double per_N, per_M_y, per_M_z, per_T;
+};
+inline constexpr Eigen::Index stresses_of_place = 5;
+
+/// `joints`: as of `compared_places_of`.
+std::vector<PlaceInSpace> places_in_space(const TaperedBeam& beam,
+                                          const std::vector<Length>& joints = {});
+
+/// These stresses of one place after the other.
+Eigen::RowVectorXd stresses_at(const CutForceDiagram& diagram,
+                               const std::vector<PlaceInSpace>& places);
+
 /// These stresses along a beam at the even instants of its loads, a row for each.
 Eigen::MatrixXd stress_history_in_space(const LoadHistory& history, const TaperedBeam& beam);
 /// The same at the even instants of another time.
@@ -106,8 +125,9 @@ Eigen::VectorXd largest_stresses_in_space(const std::vector<frame::BeamMode>& mo
 /// Why nothing is estimated in any of the situations that run; "" where the motion lets it.
 std::string obstacle_to_vibration_in_space(const std::deque<SituationRun>& rigid);
 
-/// What rigid bodies were estimated to miss by vibration, of the governing stress; zero where that
-/// was not estimated, and in the plane, where it decides on the model.
+/// What rigid bodies were estimated to miss by vibration, of the governing stress, without second
+/// order where the model weighs it; zero where that was not estimated, and in the plane, where it
+/// decides on the model.
 double vibration_missed_in_space(const Project& project, const ModelChoice& model);
 
 /// At instants evenly spread over a run and about the lowest first frequency. Of loads whose edges

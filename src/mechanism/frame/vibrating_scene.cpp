@@ -10,6 +10,7 @@
 #include "geometric_stiffness.hpp"
 #include "rigid_arms.hpp"
 #include "rigid_ties.hpp"
+#include "scene_matrices.hpp"
 
 namespace boxbeam::frame {
 namespace {
@@ -22,43 +23,6 @@ using Eigen::VectorXd;
 
 using Matrix12 = VibratingBeam::Matrix12;
 using Vector12 = Eigen::Matrix<double, 12, 1>;
-
-/// A sparse matrix as the sum of blocks.
-struct MatrixSum {
-  std::vector<Eigen::Triplet<double>> entries;
-
-  template <class Block>
-  void add(Index row, Index column, const Eigen::MatrixBase<Block>& block) {
-    const typename Block::PlainObject values = block;
-    for (Index c = 0; c < values.cols(); ++c)
-      for (Index r = 0; r < values.rows(); ++r)
-        if (values(r, c) != 0.0) entries.emplace_back(row + r, column + c, values(r, c));
-  }
-  Eigen::SparseMatrix<double> of_size(Index rows, Index columns) const {
-    Eigen::SparseMatrix<double> sum(rows, columns);
-    sum.setFromTriplets(entries.begin(), entries.end());
-    return sum;
-  }
-};
-
-/// What a tie's force does to the coordinates: six from each place on.
-struct Gap {
-  std::vector<std::pair<Index, Vector6>> parts;
-
-  void add(Index at, const Vector6& per) {
-    for (auto& [same, sum] : parts) {
-      if (same != at) continue;
-      sum += per;
-      return;
-    }
-    parts.emplace_back(at, per);
-  }
-  double of(const VectorXd& motion) const {
-    double sum = 0.0;
-    for (const auto& [at, per] : parts) sum += per.dot(motion.segment<6>(at));
-    return sum;
-  }
-};
 
 [[noreturn]] void refuse(const char* what) { throw AnalysisError({what, "beam", {}, {}, {}}); }
 
@@ -99,11 +63,7 @@ void add_tie_load(const Tie& tie, const Tie::End& end, double size, double lengt
   same->moment += couple;
 }
 
-/// Where the motions of a scene's members stand: six for every node and body.
-struct SceneRows {
-  std::vector<Index> beams;  ///< the first of each
-  Index bodies = 0, size = 0;
-};
+}  // namespace
 
 SceneRows rows_of(const VibratingScene& scene) {
   SceneRows rows;
@@ -115,23 +75,20 @@ SceneRows rows_of(const VibratingScene& scene) {
   return rows;
 }
 
-/// From the axes of the scene to those of a beam, for the motions of the ends of a piece.
 Matrix12 into_beam_axes(const PosedBeam& posed) {
   Matrix12 into = Matrix12::Zero();
   into.topLeftCorner<6, 6>() = into.bottomRightCorner<6, 6>() = rotation(posed.axes.transpose());
   return into;
 }
 
+namespace {
+
 /// In the middle of a piece.
 double axial_force_in(const PosedBeam& posed, const VibratingBeam::Piece& piece) {
   return posed.rigid.at({si<Length>(0.5 * (piece.from + piece.to))}).N.value();
 }
 
-/// The motions that a place of a member follows rigidly.
-struct Followed {
-  Index row = 0;
-  Vector3d from = Vector3d::Zero();
-};
+}  // namespace
 
 Followed followed_by(const VibratingScene& scene, const SceneRows& rows, const Place& at) {
   const auto member = static_cast<std::size_t>(at.member);
@@ -144,6 +101,8 @@ Followed followed_by(const VibratingScene& scene, const SceneRows& rows, const P
   return {rows.beams[member] + static_cast<Index>(6 * node),
           posed.start + posed.beam->nodes()[node] * posed.axes.col(0)};
 }
+
+namespace {
 
 /// Line loads that keep the forces on a piece's ends in balance, and the cut forces under them.
 void add_inertia_of_piece(const Vector12& forces, const Vector12& by_axial_force, double from,
@@ -229,20 +188,9 @@ BeamMode mode_of_motion(const VibratingScene& scene, const SceneRows& rows, cons
   return mode;
 }
 
-/// A tie with what its force does to the coordinates.
-struct Tied {
-  const Tie* tie;
-  Gap gap;
-};
+}  // namespace
 
-/// The matrices of a scene before rigid ties take motions away.
-struct SceneMatrices {
-  Eigen::SparseMatrix<double> springs, K, M, C;
-  std::vector<Tied> held, elastic;
-  VectorXd unit;  ///< shifts by the length of the longest beam, as turns
-};
-
-SceneMatrices matrices_of(const VibratingScene& scene, const SceneRows& rows) {
+SceneMatrices matrices_of(const VibratingScene& scene, const SceneRows& rows, bool pressed) {
   const Index size = rows.size;
   MatrixSum stiff, inert, viscous, sprung;
   double length = 0.0;
@@ -255,7 +203,7 @@ SceneMatrices matrices_of(const VibratingScene& scene, const SceneRows& rows) {
       const auto add = [&](const Matrix12& of, MatrixSum& sum) {
         sum.add(row, row, into.transpose() * of * into);
       };
-      const double N = axial_force_in(posed, piece);
+      const double N = pressed ? axial_force_in(posed, piece) : 0.0;
       add(piece.stiffness + geometric_block(N, piece.to - piece.from), stiff);
       add(piece.mass, inert);
       add(posed.beam->retardation() * piece.stiffness, viscous);
@@ -298,7 +246,6 @@ SceneMatrices matrices_of(const VibratingScene& scene, const SceneRows& rows) {
   return all;
 }
 
-/// The equations of rigid ties, a column of length one for each, and their lengths before.
 Eigen::SparseMatrix<double> equations_of(const std::vector<Tied>& held, const VectorXd& unit,
                                          VectorXd& norms) {
   const auto count_held = static_cast<Index>(held.size());
@@ -318,8 +265,6 @@ Eigen::SparseMatrix<double> equations_of(const std::vector<Tied>& held, const Ve
   }
   return holding.of_size(unit.size(), count_held);
 }
-
-}  // namespace
 
 TurningTerms turning_terms_of(const Matrix3d& inertia, const Turning& frame) {
   const Matrix3d w = skew(frame.omega), spin = skew(inertia * frame.omega);

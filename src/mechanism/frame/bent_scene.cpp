@@ -1,0 +1,315 @@
+#include "boxbeam/mechanism/frame/bent_scene.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "boxbeam/section/cut_forces.hpp"
+#include "rigid_arms.hpp"
+#include "rigid_ties.hpp"
+#include "scene_matrices.hpp"
+
+namespace boxbeam::frame {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using EndMatrix = VibratingBeam::Matrix12;
+using EndVector = Eigen::Matrix<double, 12, 1>;
+using EndRow = Eigen::Matrix<double, 1, 12>;
+
+/// N, V_y, V_z and T, M_y, M_z.
+struct BornForces {
+  Vector3d force, moment;
+};
+
+BornForces born_at(const PosedBeam& posed, const Station& station) {
+  const CutForces cut = posed.rigid.at(station);
+  return {{cut.N.value(), cut.V_y.value(), cut.V_z.value()},
+          {cut.T.value(), cut.M_y.value(), cut.M_z.value()}};
+}
+
+/// Slopes v', w' of the axis at a sample per motion of the ends, in the rows of y and z.
+Eigen::Matrix<double, 3, 12> slopes_of(const VibratingBeam::Sample& sample) {
+  Eigen::Matrix<double, 3, 12> slopes = Eigen::Matrix<double, 3, 12>::Zero();
+  slopes.row(1) = sample.motion.row(5) + sample.strain.row(cut_force::V_y);
+  slopes.row(2) = -sample.motion.row(4) + sample.strain.row(cut_force::V_z);
+  return slopes;
+}
+
+/// A piece of a beam under what it bears.
+struct BornPiece {
+  EndMatrix stress = EndMatrix::Zero();    ///< second variation of the work of its cut forces
+  EndVector strained = EndVector::Zero();  ///< int B^T c ds
+};
+
+BornPiece born_piece(const PosedBeam& posed, const VibratingBeam::Piece& piece,
+                     const Station* stations, bool whole) {
+  BornPiece of;
+  for (std::size_t i = 0; i < piece.samples.size(); ++i) {
+    const VibratingBeam::Sample& sample = piece.samples[i];
+    const BornForces born = born_at(posed, stations[i]);
+    Vector6 cut;
+    cut << born.force, born.moment;
+    of.strained += sample.weight * sample.strain.transpose() * cut;
+    const auto slopes = slopes_of(sample);
+    EndMatrix stress = born.force.x() * slopes.transpose() * slopes;
+    if (whole) {
+      const auto turn = sample.motion.bottomRows<3>();
+      const auto twisting = sample.strain.bottomRows<3>();
+      const EndRow sheared = born.force.y() * turn.row(1) + born.force.z() * turn.row(2);
+      const EndMatrix by_shear = turn.row(0).transpose() * sheared,
+                      by_moments = turn.transpose() * skew(born.moment) * twisting;
+      stress += 0.5 * (by_moments + by_moments.transpose() - by_shear - by_shear.transpose());
+    }
+    of.stress += sample.weight * stress;
+  }
+  return of;
+}
+
+/// theta^2 F . a - F . theta a . theta, twice over.
+Matrix3d stress_of_arm(const Vector3d& force, const Vector3d& arm) {
+  return force.dot(arm) * Matrix3d::Identity() -
+         0.5 * (force * arm.transpose() + arm * force.transpose());
+}
+
+/// The posture of a scene under what acts in it.
+class StressedScene {
+ public:
+  StressedScene(const VibratingScene& scene, const SceneStress& stress)
+      : scene_(&scene), rows_(rows_of(scene)), matrices_(matrices_of(scene, rows_, false)) {
+    MatrixSum sum;
+    strained_ = VectorXd::Zero(rows_.size);
+    for (std::size_t b = 0; b < scene.beams.size(); ++b) add_beam(b, stress.whole[b], sum);
+    for (const SceneStress::Force& force : stress.forces) add_force(force, sum);
+    for (const SceneStress::Line& line : stress.lines) add_line(line, sum);
+    stress_ = sum.of_size(rows_.size, rows_.size);
+  }
+
+  std::optional<BentScene> bent(double factor) const {
+    VectorXd norms;
+    const RigidTies rigidly(equations_of(matrices_.held, matrices_.unit, norms));
+    BentScene result;
+    const MatrixXd free = matrices_.unit.asDiagonal() * rigidly.free();
+    const MatrixXd stiffness = free.transpose() * (matrices_.K * free),
+                   stress = free.transpose() * (stress_ * free);
+    const Eigen::LLT<MatrixXd> standing(stiffness + factor * stress);
+    constexpr double round_off = 1e-14;
+    const auto stands = [&](const Eigen::LLT<MatrixXd>& of) {
+      return of.info() == Eigen::Success && (stiffness.size() == 0 || of.rcond() > round_off);
+    };
+    if (!stands(standing)) {
+      if (!stands(Eigen::LLT<MatrixXd>(stiffness))) return {};
+      double stable = 0.0, unstable = factor;
+      constexpr double close = 1e-3;
+      while (unstable - stable > close * unstable) {
+        const double middle = 0.5 * (stable + unstable);
+        (stands(Eigen::LLT<MatrixXd>(stiffness + middle * stress)) ? stable : unstable) = middle;
+      }
+      result.critical = 0.5 * (stable + unstable);
+      return result;
+    }
+    result.motion = free * standing.solve(free.transpose() * strained_);
+    load_first_beam(factor, result);
+    return result;
+  }
+
+ private:
+  void add_beam(std::size_t b, bool whole, MatrixSum& sum) {
+    const PosedBeam& posed = scene_->beams[b];
+    const EndMatrix into = into_beam_axes(posed);
+    Index row = rows_.beams[b];
+    const Station* station = posed.beam->stations().data();
+    for (const VibratingBeam::Piece& piece : posed.beam->pieces()) {
+      const BornPiece of = born_piece(posed, piece, station, whole);
+      sum.add(row, row, into.transpose() * of.stress * into);
+      strained_.segment<12>(row) += into.transpose() * of.strained;
+      if (b == 0) born_.push_back(of);
+      row += 6;
+      station += piece.samples.size();
+    }
+    if (b == 0) whole_ = whole;
+  }
+
+  /// Along a beam's axis its cut forces count already.
+  void add_force(const SceneStress::Force& of, MatrixSum& sum) const {
+    if (of.at.member == ground) return;
+    const Followed by = followed_by(*scene_, rows_, of.at);
+    Vector3d arm = of.at.p - by.from;
+    const auto member = static_cast<std::size_t>(of.at.member);
+    if (member < scene_->beams.size()) {
+      const Vector3d axis = scene_->beams[member].axes.col(0);
+      arm -= axis.dot(arm) * axis;
+    }
+    sum.add(by.row + 3, by.row + 3, stress_of_arm(of.force, arm));
+  }
+
+  void add_line(const SceneStress::Line& of, MatrixSum& sum) const {
+    const Vector3d along = of.b.p - of.a.p;
+    const double length = along.norm();
+    if (length == 0.0) return;
+    const Vector3d n = along / length;
+    const Matrix3d across = of.tension / length * (Matrix3d::Identity() - n * n.transpose());
+    struct End {
+      Index row;
+      Eigen::Matrix<double, 3, 6> motion;
+    };
+    std::vector<End> ends;
+    const auto add = [&](const Place& at, double sign) {
+      if (at.member == ground) return;
+      const Followed by = followed_by(*scene_, rows_, at);
+      ends.push_back({by.row, sign * carry(at.p - by.from).topRows<3>()});
+    };
+    add(of.a, -1.0);
+    add(of.b, 1.0);
+    for (const End& one : ends)
+      for (const End& other : ends)
+        sum.add(one.row, other.row, one.motion.transpose() * across * other.motion);
+  }
+
+  /// What bending adds to the cut forces of a piece: forces that are the same all along it, moments
+  /// at its start, its end and at both thirds.
+  struct AddedCut {
+    Vector3d force;
+    std::array<Vector3d, 4> moments;
+  };
+
+  AddedCut added_in(const VibratingBeam::Piece& piece, const BornPiece& born,
+                    const Station* stations, const EndVector& ends, double factor) const {
+    const PosedBeam& posed = scene_->beams.front();
+    const double h = piece.to - piece.from;
+    const EndVector added = piece.stiffness * ends - born.strained + factor * (born.stress * ends);
+    // Turns and slopes, which on even pieces are of the second degree.
+    const auto count = static_cast<Index>(piece.samples.size());
+    MatrixXd powers(count, 3), turns(count, 3), slopes(count, 3);
+    for (Index i = 0; i < count; ++i) {
+      const VibratingBeam::Sample& sample = piece.samples[static_cast<std::size_t>(i)];
+      const double u = (stations[i].s.value() - piece.from) / h;
+      powers.row(i) << 1.0, u, u * u;
+      turns.row(i) = (sample.motion.bottomRows<3>() * ends).transpose();
+      slopes.row(i) = (slopes_of(sample) * ends).transpose();
+    }
+    const Eigen::ColPivHouseholderQR<MatrixXd> fit(powers);
+    const MatrixXd turn = fit.solve(turns), slope = fit.solve(slopes);
+    const auto at = [](const MatrixXd& of, double u) -> Vector3d {
+      return (of.row(0) + u * of.row(1) + u * u * of.row(2)).transpose();
+    };
+    const auto born_inside = [&](double u) {
+      return born_at(posed, {si<Length>(piece.from + u * h)});
+    };
+    /// What turns with the sections.
+    const auto turned = [&](const Vector3d& theta, const Vector3d& moment) -> Vector3d {
+      return whole_ ? Vector3d(factor * theta.cross(moment)) : Vector3d::Zero();
+    };
+    const std::array<Vector3d, 2> theta{ends.segment<3>(3), ends.segment<3>(9)};
+    const std::array<Vector3d, 2> rigid{
+        born_at(posed, {si<Length>(piece.from), Side::behind}).moment,
+        born_at(posed, {si<Length>(piece.to), Side::before}).moment};
+    const std::array<Vector3d, 2> turned_ends{turned(theta[0], rigid[0]),
+                                              turned(theta[1], rigid[1])};
+    AddedCut cut;
+    cut.force = -added.head<3>();
+    // The motions' moments stand half between straight and turned axes.
+    cut.moments[0] = -added.segment<3>(3) - 0.5 * turned_ends[0];
+    cut.moments[3] = added.tail<3>() - 0.5 * turned_ends[1];
+    // Couples per length of the born forces on the bent axis, summed over each third by Gauss.
+    const auto couple = [&](double u) -> Vector3d {
+      Vector3d force = born_inside(u).force;
+      if (!whole_) force.tail<2>().setZero();
+      return factor * at(slope, u).cross(force);
+    };
+    std::array<Vector3d, 4> sum{};
+    sum[0].setZero();
+    for (std::size_t third = 0; third < 3; ++third) {
+      const double middle = (static_cast<double>(third) + 0.5) / 3.0, half = std::sqrt(0.6) / 6.0;
+      sum[third + 1] = sum[third] + h / 3.0 *
+                                        (5.0 * couple(middle - half) + 8.0 * couple(middle) +
+                                         5.0 * couple(middle + half)) /
+                                        18.0;
+    }
+    for (std::size_t k = 1; k < 3; ++k) {
+      const double u = static_cast<double>(k) / 3.0;
+      const auto between = [&](const Vector3d& a, const Vector3d& b) -> Vector3d {
+        return (1.0 - u) * a + u * b;
+      };
+      cut.moments[k] =
+          between(cut.moments[0], cut.moments[3]) - (sum[k] - u * sum[3]) -
+          (turned(at(turn, u), born_inside(u).moment) - between(turned_ends[0], turned_ends[1]));
+    }
+    return cut;
+  }
+
+  /// The line load under which the cut forces of a piece are these.
+  static LineLoad line_of(const AddedCut& cut, double from, double h) {
+    LineLoad line;
+    line.start = si<Length>(from);
+    line.length = si<Length>(h);
+    const auto& [m_0, m_1, m_2, m_3] = cut.moments;
+    // m_0 + b x + c x^2 + d x^3 through all four.
+    const Vector3d b = (-5.5 * m_0 + 9.0 * m_1 - 4.5 * m_2 + m_3) / h,
+                   c = (9.0 * m_0 - 22.5 * m_1 + 18.0 * m_2 - 4.5 * m_3) / (h * h),
+                   d = 4.5 * (-m_0 + 3.0 * m_1 - 3.0 * m_2 + m_3) / (h * h * h);
+    const Vector3d by_force = Vector3d::UnitX().cross(cut.force);
+    for (Index axis = 0; axis < 3; ++axis) {
+      line.couple[static_cast<std::size_t>(axis)] = {
+          {-b[axis] - by_force[axis], -2.0 * c[axis], -3.0 * d[axis]}};
+    }
+    return line;
+  }
+
+  void load_first_beam(double factor, BentScene& result) const {
+    const PosedBeam& posed = scene_->beams.front();
+    const VibratingBeam& beam = *posed.beam;
+    const EndMatrix into = into_beam_axes(posed);
+    Index row = rows_.beams.front();
+    const Station* station = beam.stations().data();
+    double force = 0.0, moment = 0.0;
+    std::vector<AddedCut> cuts;
+    for (std::size_t p = 0; p < beam.pieces().size(); ++p) {
+      const VibratingBeam::Piece& piece = beam.pieces()[p];
+      const EndVector ends = into * result.motion.segment<12>(row);
+      for (const Index at : {3, 9})
+        result.turn = std::max(result.turn, ends.segment<3>(at).cwiseAbs().maxCoeff());
+      const AddedCut& cut = cuts.emplace_back(added_in(piece, born_[p], station, ends, factor));
+      result.loads.lines.push_back(line_of(cut, piece.from, piece.to - piece.from));
+      const BornForces born = born_at(posed, *station);
+      force = std::max({force, cut.force.norm(), born.force.norm()});
+      moment = std::max({moment, cut.moments[0].norm(), cut.moments[3].norm(), born.moment.norm()});
+      row += 6;
+      station += piece.samples.size();
+    }
+    // What is in balance at a node but for round-off is no load.
+    constexpr double round_off = 1e-10;
+    for (std::size_t p = 0; p <= cuts.size(); ++p) {
+      const Vector3d zero = Vector3d::Zero();
+      PointLoad load;
+      load.s = si<Length>(beam.nodes()[p]);
+      load.force = (p > 0 ? cuts[p - 1].force : zero) - (p < cuts.size() ? cuts[p].force : zero);
+      load.moment =
+          (p > 0 ? cuts[p - 1].moments[3] : zero) - (p < cuts.size() ? cuts[p].moments[0] : zero);
+      if (load.force.norm() > round_off * force || load.moment.norm() > round_off * moment)
+        result.loads.points.push_back(load);
+    }
+  }
+
+  const VibratingScene* scene_;
+  SceneRows rows_;
+  SceneMatrices matrices_;
+  std::vector<BornPiece> born_;  ///< of the first beam
+  bool whole_ = true;            ///< the first beam
+  VectorXd strained_;
+  Eigen::SparseMatrix<double> stress_;
+};
+
+}  // namespace
+
+std::optional<BentScene> bent_scene_of(const VibratingScene& scene, const SceneStress& stress,
+                                       double factor) {
+  return StressedScene(scene, stress).bent(factor);
+}
+
+}  // namespace boxbeam::frame
