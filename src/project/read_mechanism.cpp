@@ -140,6 +140,14 @@ int joint_of(TableReader& table, const Key& of, const Mechanism& mechanism) {
 
 void check_name(TableReader& table, const std::string& name, const char* what,
                 const Mechanism& mechanism) {
+  const auto loose = [&](const planar::AppliedForce& force) {
+    return force.name == name && std::holds_alternative<planar::PinWithClearance>(force.kind);
+  };
+  if (std::any_of(mechanism.forces.begin(), mechanism.forces.end(), loose)) {
+    table.problem("", fmt::format("\"{}\" is already the name of a joint", name),
+                  fmt::format("give the {} another name", what));
+    return;
+  }
   const int joint = joint_index(mechanism, name);
   if (joint < 0) return;
   const bool driver = is_driver(mechanism.joints[static_cast<std::size_t>(joint)]);
