@@ -13,6 +13,7 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/assembly.hpp"
 #include "boxbeam/mechanism/planar/branch.hpp"
+#include "boxbeam/mechanism/planar/constraints.hpp"
 #include "boxbeam/mechanism/planar/forces.hpp"
 #include "boxbeam/mechanism/planar/reach.hpp"
 
@@ -77,6 +78,22 @@ std::vector<int> pressed_sides_of(const Mechanism& mechanism, const Eigen::Vecto
     sides.push_back((by_moment ? 2 : 0) + (positive ? 1 : 0));
   }
   return sides;
+}
+
+/// Into how many parts the way between two states is divided, so that nothing is passed through
+/// unseen: each at most a tenth of the length from which it acts.
+int looks_between(const std::vector<OneSided>& one_sided, const State& from, const State& end) {
+  constexpr double fewest = 32.0, most = 20000.0, parts = 10.0;
+  double looks = fewest;
+  for (const OneSided& of : one_sided) {
+    for (const State* const state : {&from, &end}) {
+      const Eigen::Vector2d v =
+          velocity_of(of.b, state->q, state->v) - velocity_of(of.a, state->q, state->v);
+      const double way = v.norm() * std::abs(end.time - from.time);
+      if (of.law.free_length > 0.0) looks = std::max(looks, parts * way / of.law.free_length);
+    }
+  }
+  return static_cast<int>(std::ceil(std::min(looks, most)));
 }
 
 }  // namespace
@@ -157,6 +174,28 @@ struct FreeSolver::Step {
   double end_pivot = 1.0;  ///< of its end
 };
 
+bool FreeSolver::in_impact(const State& state) const {
+  return std::any_of(one_sided_.begin(), one_sided_.end(), [&](const OneSided& of) {
+    return of.law.impact && state.touches[of.force].on;
+  });
+}
+
+double FreeSolver::beside_halves(const State& known, const Step& step) {
+  const double half = 0.5 * (step.end.time - known.time);
+  const Step first = step_from(known, half);
+  if (!first.solved) return std::numeric_limits<double>::infinity();
+  const Step second = step_from(first.end, half);
+  if (!second.solved) return std::numeric_limits<double>::infinity();
+  const Eigen::VectorXd& scale = equations_.constraints().col_scale();
+  double largest = 0.0;
+  for (const auto of : {&State::q, &State::v}) {
+    const Eigen::ArrayXd end = (step.end.*of).cwiseQuotient(scale).array();
+    const Eigen::ArrayXd halves = (second.end.*of).cwiseQuotient(scale).array();
+    largest = std::max(largest, ((end - halves).abs() / (1.0 + end.abs())).maxCoeff());
+  }
+  return largest / tolerance_;
+}
+
 bool FreeSolver::has_changed(const OneSided& of, const State& state) const {
   const double value = depth_of(of, state.q, state.v).value;
   return state.touches[of.force].on ? value < -touching_ : value > touching_;
@@ -179,9 +218,10 @@ void FreeSolver::change(State& state) {
 
 std::optional<FreeSolver::Change> FreeSolver::first_change(const State& from,
                                                            const State& end) const {
-  constexpr int looks = 32, halvings = 40;
+  constexpr int halvings = 40;
   if (one_sided_.empty()) return std::nullopt;
   const double dt = end.time - from.time;
+  const int looks = looks_between(one_sided_, from, end);
   const auto at = [&](double time) {
     if (time == end.time) return end;
     State state = interpolate(time, from, end);
@@ -411,6 +451,9 @@ State FreeSolver::advance(double time, const State& known) {
     const double bound =
         is_near_singular(step.pivot) ? std::max(1.0, error_near_singular / tolerance_) : 1.0;
     const bool lost = inside && step.end_pivot < singular * regular_;
+    constexpr double of_halves = 0.1;
+    if (step.solved && step.error <= bound && !lost && in_impact(state))
+      step.error = std::max(step.error, of_halves * beside_halves(state, step));
     if (!step.solved || step.error > bound || lost) {
       // The order of the error estimate is eight; Source: Hairer, Norsett, Wanner (1993), II.4.
       const double shrink =

@@ -14,10 +14,12 @@ namespace boxbeam::planar {
 /// 7(8), Boost.Odeint). After every step positions and velocities are projected back onto the
 /// constraints, so that nothing drifts. Steps end where a stop, a cable or a pin in its clearance
 /// begins or ends to act: whether it does is the same all through a step, and the time of a change
-/// is found on steps that end there. No step ends close to a singular position, where
-/// accelerations lose digits and another branch begins: it is passed over in one step, the most
-/// accurate of many, whose error may be 1e-6; states asked for within are interpolated.
-/// Sources: Fehlberg, NASA TR R-287 (1968); Eich, SIAM J. Numer. Anal. 30 (1993).
+/// is found on steps that end there. While bodies press on each other by the law of an impact a
+/// step must agree with its two halves, for the error of the method sees first and last stages
+/// only. No step ends close to a singular position, where accelerations lose digits and another
+/// branch begins: it is passed over in one step, the most accurate of many, whose error may be
+/// 1e-6; states asked for within are interpolated. Sources: Fehlberg, NASA TR R-287 (1968); Eich,
+/// SIAM J. Numer. Anal. 30 (1993).
 class FreeSolver {
  public:
   /// `tolerance`: error of a step in scaled coordinates and their rates. `project` false leaves the
@@ -58,6 +60,10 @@ class FreeSolver {
   const Passage* passage_of(const State& known) const;
   State between(const Passage& passage, double time);
 
+  /// Whether bodies press on each other by the law of an impact.
+  bool in_impact(const State& state) const;
+  /// How far from its end its two halves end, in tolerances.
+  double beside_halves(const State& known, const Step& step);
   /// What acts one way and has got to the other side of its length in a state.
   bool has_changed(const OneSided& of, const State& state) const;
   bool has_changed(const State& state) const;
