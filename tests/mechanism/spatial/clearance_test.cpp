@@ -90,7 +90,8 @@ TEST_CASE("a mass between two stops in space loses its restitution at each of th
 
 TEST_CASE("a ball with clearance moves in a plane as the plane's pin does") {
   const Vector3d rate(0.35, 0.0, 0.0);
-  const Chain chain(ball_in_socket(Matrix3d::Identity(), rate, 0.6));
+  const Mechanism mechanism = ball_in_socket(Matrix3d::Identity(), rate, 0.6);
+  const Chain chain(mechanism);
   planar::Mechanism plane;
   plane.gravity = {0.0, -g};
   boxbeam::Body body;
@@ -119,15 +120,20 @@ TEST_CASE("a ball with clearance does not see how the world is turned") {
   const Vector3d rate(0.3, 0.1, -0.2);
   const Matrix3d R =
       Eigen::AngleAxisd(1.1, Vector3d(1.0, -2.0, 0.7).normalized()).toRotationMatrix();
-  const Chain straight(ball_in_socket(Matrix3d::Identity(), rate, 0.5));
-  const Chain turned(ball_in_socket(R, rate, 0.5));
+  const Mechanism here = ball_in_socket(Matrix3d::Identity(), rate, 0.5);
+  const Mechanism there = ball_in_socket(R, rate, 0.5);
+  const Chain straight(here), turned(there);
   REQUIRE(straight.forced()->changes().size() >= 3);
   for (const double time : {0.1, 0.25, 0.4, 0.5})
     CHECK((R * place_at(straight, time) - place_at(turned, time)).norm() < 1e-8);
 }
 
 TEST_CASE("what a motion in space is looked at holds its impacts") {
-  const Chain chain(ball_in_socket(Matrix3d::Identity(), {0.35, 0.0, 0.0}, 0.3));
+  Mechanism mechanism = ball_in_socket(Matrix3d::Identity(), {0.35, 0.0, 0.0}, 0.3);
+  // The third slide is held, so that a joint bears something.
+  mechanism.joints[2].moved_by = MovedBy::driver;
+  mechanism.gravity.z() = -1.0;
+  const Chain chain(mechanism);
   const Motion motion = motion_of(chain);
   CHECK(motion.changes.size() == chain.forced()->changes().size());
 }
