@@ -102,12 +102,13 @@ Impact read_impact(TableReader& table, double& stiffness) {
   const Key depth_of{"stiffness_at",
                      "where \"exponent\" is 1.5: the depth at which the stiffness is the force "
                      "over the depth"};
-  const bool round = impact.exponent != 1.0;
-  if (round)
-    stiffness /= std::pow(table.positive(depth_of, wanted::length), impact.exponent - 1.0);
-  else if (table.has_quantity(depth_of, wanted::length))
+  if (impact.exponent != 1.0) {
+    const double depth = table.positive(depth_of, wanted::length);
+    if (depth > 0.0) stiffness /= std::pow(depth, impact.exponent - 1.0);
+  } else if (table.has_quantity(depth_of, wanted::length)) {
     table.problem("stiffness_at", "with an exponent of 1 the stiffness is that of any depth",
                   "remove it, or write exponent = 1.5");
+  }
   return impact;
 }
 
@@ -130,6 +131,7 @@ ActingOf read_acting(TableReader& spring, double& stiffness, double damping) {
     }
     return of;
   }
+  const bool stiff = stiffness > 0.0;
   of.impact = read_impact(spring, stiffness);
   if (of.acts == Acts::both) {
     spring.problem("restitution", "a spring that acts both ways touches nothing",
@@ -139,7 +141,7 @@ ActingOf read_acting(TableReader& spring, double& stiffness, double damping) {
     spring.problem("restitution", "what an impact loses is said twice",
                    "write restitution, or damping");
   }
-  if (!(stiffness > 0.0)) {
+  if (!stiff) {
     spring.problem("restitution", "what parts again after it touches has a stiffness",
                    "write for example stiffness = \"200 kN/m\"");
   }
