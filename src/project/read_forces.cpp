@@ -122,10 +122,12 @@ ActingOf read_acting(TableReader& spring, double& stiffness, double damping) {
        "tyre only pushes, where it is shorter; stiffness and damping together: none "
        "where their sum would do the other"},
       {"both ways", "pulling", "pushing"}, 0));
-  const bool lost = spring.has_number({"restitution", "instead of damping"});
+  const bool lost = spring.has_number({"restitution",
+                                       "instead of damping: velocity after a free impact over that "
+                                       "before, 0.05 to 1"});
   if (!lost) {
     for (const char* key : {"exponent", "stiffness_at"}) {
-      if (spring.has(key))
+      if (spring.is_there(key) && spring.has_misplaced(key))
         spring.problem(key, fmt::format("\"{}\" is of what parts again after it touches", key),
                        "write restitution = 0.8 as well, 1 where nothing is lost");
     }
@@ -149,12 +151,13 @@ ActingOf read_acting(TableReader& spring, double& stiffness, double damping) {
 }
 
 std::optional<ClearanceOf> read_clearance(TableReader& joint) {
-  const Key clearance_of{"clearance",
-                         "radius of the bearing less that of the pin: the joint is a contact, "
-                         "beginning in its middle, and forces move what it leaves free"};
+  const Key clearance_of{
+      "clearance",
+      "radius of the bearing less that of the pin or ball: the joint is a contact, and "
+      "forces move what it leaves free"};
   if (!joint.has_quantity(clearance_of, wanted::length)) {
     for (const char* key : {"contact_stiffness", "restitution", "exponent", "stiffness_at"}) {
-      if (joint.has(key))
+      if (joint.is_there(key) && joint.has_misplaced(key))
         joint.problem(key, fmt::format("\"{}\" is of a joint with clearance", key),
                       "write clearance = \"0.2 mm\" as well, or remove it");
     }

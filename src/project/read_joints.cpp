@@ -171,7 +171,7 @@ std::optional<planar::PinWithClearance> read_loose(TableReader& table, const pla
                      "the axes of its body; in the middle where not said"};
   const std::optional<ClearanceOf> of = read_clearance(table);
   if (!of) {
-    if (table.has("start_offset"))
+    if (table.is_there("start_offset") && table.has_misplaced("start_offset"))
       table.problem("start_offset", "a pin that fits begins where it is",
                     "write clearance = \"0.2 mm\" as well, or remove it");
     return std::nullopt;
@@ -183,7 +183,7 @@ std::optional<planar::PinWithClearance> read_loose(TableReader& table, const pla
                   "its distance from the middle is at most the clearance");
   }
   for (const char* key : {"stiffness", "damping"}) {
-    if (table.has(key))
+    if (table.is_there(key) && table.has_misplaced(key))
       table.problem(key, fmt::format("\"{}\" is of a pin that fits, in elastic models", key),
                     "write contact_stiffness and restitution of a pin with clearance");
   }
