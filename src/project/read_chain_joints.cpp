@@ -39,6 +39,7 @@ struct JointDrafts {
   std::vector<ClosingJoint> closing;
   std::vector<bool> has_length;  ///< of the closing ones
   std::vector<GearingDraft> gearings;
+  std::vector<spatial::Spring> loose;  ///< balls with clearance in their sockets
 };
 
 /// The carrying point and the carried one.
@@ -264,6 +265,19 @@ void add_closing(TableReader& table, const JointDraft& draft, std::size_t kind,
   drafts.has_length.push_back(has_length);
 }
 
+spatial::Spring loose_ball(const JointDraft& draft, const ClearanceOf& of) {
+  spatial::Spring ball;
+  ball.name = draft.joint.name;
+  ball.a = {draft.joint.parent, draft.joint.at};
+  ball.b = {draft.carried, draft.joint.point};
+  ball.stiffness = of.stiffness;
+  ball.free_length = of.clearance;
+  ball.acts = Acts::pulling;
+  ball.impact = of.impact;
+  ball.clearance = true;
+  return ball;
+}
+
 /// Of kinds that slide along an axis; refuses that of others.
 Friction read_sliding_friction(TableReader& table, std::size_t kind) {
   const bool slot = kind == static_cast<std::size_t>(ClosingKind::slot);
@@ -323,6 +337,18 @@ JointDrafts read_joints_of(TableReader& root, Mechanism& mechanism) {
           wanted::length);
     }
     draft.joint.friction = read_sliding_friction(table, kind);
+    if (closes && kind == static_cast<std::size_t>(ClosingKind::spherical)) {
+      if (const std::optional<ClearanceOf> of = read_clearance(table)) {
+        if (table.problems().size() == before) drafts.loose.push_back(loose_ball(draft, *of));
+        table.finish();
+        continue;
+      }
+    } else if (table.is_there("clearance") && table.has_misplaced("clearance")) {
+      table.problem("clearance",
+                    fmt::format("clearance of a {} joint is not computed", kinds[kind]),
+                    "a spherical joint with closes = true may have one: a ball in a wider socket; "
+                    "of a pin two of them, at both ends of its bearing");
+    }
     if (table.problems().size() == before) {
       if (closes)
         add_closing(table, draft, kind, axes, drafts);
@@ -410,6 +436,11 @@ bool sort_tree(TableReader& root, const JointDrafts& drafts, Mechanism& mechanis
   sorted.closing = drafts.closing;
   for (ClosingJoint& joint : sorted.closing) {
     for (spatial::Attachment* end : {&joint.a, &joint.b})
+      if (end->body >= 0) end->body = place[static_cast<std::size_t>(end->body)];
+  }
+  sorted.springs = drafts.loose;
+  for (spatial::Spring& ball : sorted.springs) {
+    for (spatial::Attachment* end : {&ball.a, &ball.b})
       if (end->body >= 0) end->body = place[static_cast<std::size_t>(end->body)];
   }
   mechanism = std::move(sorted);

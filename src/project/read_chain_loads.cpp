@@ -81,13 +81,10 @@ void read_spring(const std::string& name, TableReader& table, Mechanism& mechani
   spring.stiffness = table.not_negative({"stiffness", "force per length"}, wanted::stiffness);
   spring.free_length = table.not_negative({"free_length", "without force"}, wanted::length, 0.0);
   spring.damping = table.not_negative({"damping", "force per velocity"}, wanted::damping, 0.0);
-  spring.acts = static_cast<spatial::Spring::Acts>(
-      table.choice({"acts",
-                    "a cable only pulls, and that where it is longer than free_length; a stop or a "
-                    "tyre only pushes, where it is shorter; stiffness and damping together: none "
-                    "where their sum would do the other"},
-                   {"both ways", "pulling", "pushing"}, 0));
   refuse_idle(table, spring.stiffness, spring.damping, wanted::stiffness);
+  const ActingOf acting = read_acting(table, spring.stiffness, spring.damping);
+  spring.acts = acting.acts;
+  spring.impact = acting.impact;
   if (table.problems().size() == before) mechanism.springs.push_back(std::move(spring));
 }
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <tuple>
 
 #include "readers.hpp"
@@ -22,6 +23,9 @@ planar::Spring read_spring(TableReader& table, const Mechanism& mechanism) {
   spring.free_length = table.not_negative({"free_length", "without force"}, wanted::length, 0.0);
   spring.damping = table.not_negative({"damping", "force per velocity"}, wanted::damping, 0.0);
   refuse_idle(table, spring.stiffness, spring.damping, wanted::stiffness);
+  const ActingOf acting = read_acting(table, spring.stiffness, spring.damping);
+  spring.acts = acting.acts;
+  spring.impact = acting.impact;
   return spring;
 }
 
@@ -75,7 +79,106 @@ planar::ForceKind read_kind(TableReader& table, std::size_t kind, const Mechanis
   }
 }
 
+/// Exponent and restitution; makes a stiffness at a depth that of the law.
+Impact read_impact(TableReader& table, double& stiffness) {
+  Impact impact;
+  const std::size_t before = table.problems().size();
+  impact.restitution =
+      table.any_number({"restitution", "velocity after a free impact over that before, 0.05 to 1"});
+  if (table.problems().size() == before &&
+      !(impact.restitution >= least_restitution && impact.restitution <= 1.0)) {
+    table.problem("restitution",
+                  fmt::format("\"restitution\" goes from {} to 1", least_restitution),
+                  "write 1 where nothing is lost, 0.5 to 0.9 of steel on steel; what sticks where "
+                  "it falls is not computed");
+    impact.restitution = 1.0;
+  }
+  impact.exponent = table.any_number(
+      {"exponent", "of the depth in the contact force: 1, or 1.5 of round bodies (Hertz)"}, 1.0);
+  if (impact.exponent != 1.0 && impact.exponent != 1.5) {
+    table.problem("exponent", "\"exponent\" is 1 or 1.5", "leave it out for 1");
+    impact.exponent = 1.0;
+  }
+  const Key depth_of{"stiffness_at",
+                     "where \"exponent\" is 1.5: the depth at which the stiffness is the force "
+                     "over the depth"};
+  if (impact.exponent != 1.0) {
+    const double depth = table.positive(depth_of, wanted::length);
+    if (depth > 0.0) stiffness /= std::pow(depth, impact.exponent - 1.0);
+  } else if (table.has_quantity(depth_of, wanted::length)) {
+    table.problem("stiffness_at", "with an exponent of 1 the stiffness is that of any depth",
+                  "remove it, or write exponent = 1.5");
+  }
+  return impact;
+}
+
 }  // namespace
+
+ActingOf read_acting(TableReader& spring, double& stiffness, double damping) {
+  ActingOf of;
+  of.acts = static_cast<Acts>(spring.choice(
+      {"acts",
+       "a cable only pulls, and that where it is longer than free_length; a stop or a "
+       "tyre only pushes, where it is shorter; stiffness and damping together: none "
+       "where their sum would do the other"},
+      {"both ways", "pulling", "pushing"}, 0));
+  const bool lost = spring.has_number({"restitution",
+                                       "instead of damping: velocity after a free impact over that "
+                                       "before, 0.05 to 1"});
+  if (!lost) {
+    for (const char* key : {"exponent", "stiffness_at"}) {
+      if (spring.is_there(key) && spring.has_misplaced(key))
+        spring.problem(key, fmt::format("\"{}\" is of what parts again after it touches", key),
+                       "write restitution = 0.8 as well, 1 where nothing is lost");
+    }
+    return of;
+  }
+  const bool stiff = stiffness > 0.0;
+  of.impact = read_impact(spring, stiffness);
+  if (of.acts == Acts::both) {
+    spring.problem("restitution", "a spring that acts both ways touches nothing",
+                   "write acts = \"pushing\" of a stop, \"pulling\" of a cable");
+  }
+  if (damping != 0.0) {
+    spring.problem("restitution", "what an impact loses is said twice",
+                   "write restitution, or damping");
+  }
+  if (!stiff) {
+    spring.problem("restitution", "what parts again after it touches has a stiffness",
+                   "write for example stiffness = \"200 kN/m\"");
+  }
+  return of;
+}
+
+std::optional<ClearanceOf> read_clearance(TableReader& joint) {
+  const Key clearance_of{
+      "clearance",
+      "radius of the bearing less that of the pin or ball: the joint is a contact, and "
+      "forces move what it leaves free"};
+  if (!joint.has_quantity(clearance_of, wanted::length)) {
+    for (const char* key : {"contact_stiffness", "restitution", "exponent", "stiffness_at"}) {
+      if (joint.is_there(key) && joint.has_misplaced(key))
+        joint.problem(key, fmt::format("\"{}\" is of a joint with clearance", key),
+                      "write clearance = \"0.2 mm\" as well, or remove it");
+    }
+    return std::nullopt;
+  }
+  ClearanceOf of;
+  of.clearance = joint.positive(clearance_of, wanted::length);
+  if (joint.has_quantity({"contact_stiffness", "force over depth of the contact"},
+                         wanted::stiffness)) {
+    of.stiffness = joint.positive("contact_stiffness", wanted::stiffness);
+  } else {
+    joint.problem(
+        "", "a joint with clearance wants the stiffness of its contact, which has no default",
+        "write contact_stiffness: of a steel pin about pi E* L/9, L its length in the bearing and "
+        "E* = E/(2 (1 - nu^2)); of a ball exponent = 1.5 with 4/3 E* sqrt(R d) at the depth d "
+        "(Johnson, Contact Mechanics, 1985, chapters 4 and 5); less where a link, E A/l, gives way "
+        "more");
+  }
+  of.impact = read_impact(joint, of.stiffness);
+  return of;
+}
 
 TorsionOf read_torsion(TableReader& table) {
   TorsionOf of;

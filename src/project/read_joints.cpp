@@ -165,6 +165,31 @@ planar::JointKind read_kind(TableReader& table, std::size_t kind, const Mechanis
   }
 }
 
+std::optional<planar::PinWithClearance> read_loose(TableReader& table, const planar::Pin& pin) {
+  const Key start_of{"start_offset",
+                     "of a pin with clearance: where the second point begins, from the first in "
+                     "the axes of its body; in the middle where not said"};
+  const std::optional<ClearanceOf> of = read_clearance(table);
+  if (!of) {
+    if (table.is_there("start_offset") && table.has_misplaced("start_offset"))
+      table.problem("start_offset", "a pin that fits begins where it is",
+                    "write clearance = \"0.2 mm\" as well, or remove it");
+    return std::nullopt;
+  }
+  planar::PinWithClearance loose{pin.a, pin.b, of->clearance, of->stiffness, of->impact};
+  loose.start = table.pair(start_of, wanted::length, Eigen::Vector2d::Zero().eval());
+  if (loose.start.norm() > 1.01 * loose.clearance) {
+    table.problem("start_offset", "the pin begins outside of its bearing",
+                  "its distance from the middle is at most the clearance");
+  }
+  for (const char* key : {"stiffness", "damping"}) {
+    if (table.is_there(key) && table.has_misplaced(key))
+      table.problem(key, fmt::format("\"{}\" is of a pin that fits, in elastic models", key),
+                    "write contact_stiffness and restitution of a pin with clearance");
+  }
+  return loose;
+}
+
 /// Where a joint may have a stiffness: where it keeps a place or a distance, and an angle.
 struct CanGiveWay {
   bool place = false, angle = false;
@@ -250,6 +275,13 @@ void read_joints(TableReader& root, MechanismDraft& draft) {
     // Where the kind is not known, neither is what the other keys mean.
     if (table.problems().size() == before) {
       joint.kind = read_kind(table, kind, mechanism);
+      if (const auto* const pin = std::get_if<planar::Pin>(&joint.kind)) {
+        if (const auto loose = read_loose(table, *pin)) {
+          mechanism.forces.push_back({name, *loose});
+          table.finish();
+          continue;
+        }
+      }
       const planar::ElasticJoint elastic =
           read_elasticity(table, std::visit(GivesWay{}, joint.kind));
       if (elastic != planar::ElasticJoint{}) {

@@ -103,6 +103,13 @@ std::string unknown_hint(std::string_view name, const std::vector<std::string>& 
 
 namespace {
 
+bool is_loose_pin(const Mechanism& mechanism, std::string_view name) {
+  return std::any_of(
+      mechanism.forces.begin(), mechanism.forces.end(), [&](const planar::AppliedForce& force) {
+        return force.name == name && std::holds_alternative<planar::PinWithClearance>(force.kind);
+      });
+}
+
 template <class AnyMechanism>
 int named_body(TableReader& table, const Key& of, const AnyMechanism& mechanism) {
   const std::string_view key = of.name;
@@ -131,7 +138,11 @@ int joint_of(TableReader& table, const Key& of, const Mechanism& mechanism) {
   const std::string name = table.text(of);
   if (name.empty()) return -1;
   const int index = joint_index(mechanism, name);
-  if (index < 0) {
+  if (index < 0 && is_loose_pin(mechanism, name)) {
+    table.problem(key,
+                  fmt::format("joint \"{}\" has a clearance, and this wants one that fits", name),
+                  "leave it out; what the contact does to the beam is a load on it");
+  } else if (index < 0) {
     table.problem(key, fmt::format("there is no joint \"{}\"", name),
                   unknown_hint(name, names_of(mechanism.joints)));
   }
@@ -140,6 +151,11 @@ int joint_of(TableReader& table, const Key& of, const Mechanism& mechanism) {
 
 void check_name(TableReader& table, const std::string& name, const char* what,
                 const Mechanism& mechanism) {
+  if (is_loose_pin(mechanism, name)) {
+    table.problem("", fmt::format("\"{}\" is already the name of a joint", name),
+                  fmt::format("give the {} another name", what));
+    return;
+  }
   const int joint = joint_index(mechanism, name);
   if (joint < 0) return;
   const bool driver = is_driver(mechanism.joints[static_cast<std::size_t>(joint)]);

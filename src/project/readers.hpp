@@ -212,6 +212,21 @@ struct TorsionOf {
 };
 TorsionOf read_torsion(TableReader& table);
 
+/// Which way a spring acts, and the law of the impact of one that acts one way, where it says one:
+/// makes its stiffness that of the law.
+struct ActingOf {
+  Acts acts = Acts::both;
+  std::optional<Impact> impact = {};
+};
+ActingOf read_acting(TableReader& spring, double& stiffness, double damping);
+
+/// The contact of a joint that says a clearance: its stiffness has no default.
+struct ClearanceOf {
+  double clearance = 0.0, stiffness = 0.0;  ///< [m, N/m^n]
+  Impact impact;
+};
+std::optional<ClearanceOf> read_clearance(TableReader& joint);
+
 /// Refuses a spring with neither stiffness nor damping.
 void refuse_idle(TableReader& table, double stiffness, double damping,
                  const WantedDimension& of_stiffness);

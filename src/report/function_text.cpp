@@ -98,6 +98,20 @@ std::string function_text(const Driver& driver, const char* unit) {
   return std::visit(FunctionText{{unit}}, driver);
 }
 
+std::string acting_text(Acts acts, const std::optional<Impact>& impact) {
+  std::string text;
+  switch (acts) {
+    case Acts::both: return text;
+    case Acts::pulling: text = ", only pulling"; break;
+    case Acts::pushing: text = ", only pushing"; break;
+  }
+  if (!impact) return text;
+  if (impact->exponent != 1.0)
+    text += fmt::format(", force by its depth to the power of {}", plain(impact->exponent));
+  return text +
+         fmt::format(", a free impact ends with {} of its velocity", plain(impact->restitution));
+}
+
 std::string friction_text(const Friction& law) {
   std::string text;
   if (law.coulomb > 0.0) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "boxbeam/mechanism/common/contact.hpp"
 #include "boxbeam/mechanism/common/driver.hpp"
 #include "boxbeam/mechanism/common/friction.hpp"
 
@@ -19,5 +21,8 @@ std::string function_text(const Driver& driver, const char* unit);
 /// s/m";
 /// "" where nothing rubs.
 std::string friction_text(const Friction& law);
+
+/// ", only pushing, a free impact ends with 0.8 of its velocity"; "" of what acts both ways.
+std::string acting_text(Acts acts, const std::optional<Impact>& impact);
 
 }  // namespace boxbeam

@@ -131,10 +131,25 @@ struct JointText {
 struct ForceText {
   Names names;
 
+  static const char* unit_of(const std::optional<Impact>& impact) {
+    return impact && impact->exponent != 1.0 ? "N/m^1.5" : "N/m";
+  }
+
   std::string operator()(const planar::Spring& spring) const {
-    return fmt::format("spring of {} N/m, {} and {}, free length {} m, damping {} N s/m",
-                       plain(spring.stiffness), names.point(spring.a), names.point(spring.b),
-                       plain(spring.free_length), plain(spring.damping));
+    return fmt::format("spring of {} {}, {} and {}, free length {} m, damping {} N s/m{}",
+                       plain(spring.stiffness), unit_of(spring.impact), names.point(spring.a),
+                       names.point(spring.b), plain(spring.free_length), plain(spring.damping),
+                       acting_text(spring.acts, spring.impact));
+  }
+
+  std::string operator()(const planar::PinWithClearance& pin) const {
+    return fmt::format(
+        "pin with a clearance of {} m, {} and {}; its contact {} {}{}; at t = 0 {}",
+        plain(pin.clearance), names.point(pin.a), names.point(pin.b), plain(pin.stiffness),
+        unit_of(pin.impact), acting_text(Acts::pulling, pin.impact),
+        pin.start.isZero(0.0) ? std::string("in the middle, without velocity there")
+                              : fmt::format("({}, {}) m from the middle, without velocity there",
+                                            plain(pin.start.x()), plain(pin.start.y())));
   }
 
   std::string operator()(const planar::TorsionSpring& spring) const {
@@ -190,8 +205,10 @@ Entries entries_of(const Mechanism& mechanism, const std::vector<ElasticBeside>&
                     giving_way_text(elastic, i)));
   }
   for (const planar::AppliedForce& force : mechanism.forces) {
+    const bool loose = std::holds_alternative<planar::PinWithClearance>(force.kind);
     entries.emplace_back(
-        "force", fmt::format("{}: {}", force.name, std::visit(ForceText{names}, force.kind)));
+        loose ? "joint" : "force",
+        fmt::format("{}: {}", force.name, std::visit(ForceText{names}, force.kind)));
   }
   for (const Body& body : mechanism.bodies) {
     const Eigen::Vector3d& v = body.start_velocity;
@@ -224,6 +241,13 @@ std::vector<Block> blocks_of(const Mechanism& mechanism, const ClosureSummary& c
     add("digits left",
         fmt::format("{:.0f} of velocities, at worst (t = {})", std::floor(closure.digits.left),
                     text::seconds(closure.digits.time.value())));
+  }
+  std::vector<std::string> loose;
+  for (const planar::AppliedForce& force : mechanism.forces)
+    if (std::holds_alternative<planar::PinWithClearance>(force.kind)) loose.push_back(force.name);
+  if (!loose.empty()) {
+    add("with clearance", fmt::format("{}: without equations, each leaves two freedoms to forces",
+                                      fmt::join(loose, ", ")));
   }
   for (std::size_t i = 0; i < closure.branch.size(); ++i) {
     add("branch",

@@ -201,13 +201,23 @@ Entries entries_of(const Project& project) {
                     axes_text(mechanism, line.axes), function_text(line.size, "N/m")));
   }
   for (const spatial::Spring& spring : mechanism.springs) {
-    constexpr const char* acts[] = {"", ", only pulling", ", only pushing"};
+    const bool round = spring.impact && spring.impact->exponent != 1.0;
+    if (spring.clearance) {
+      entries.emplace_back(
+          "joint",
+          fmt::format("{}: ball with a clearance of {} m, {} and {}; its contact {} {}{}",
+                      spring.name, plain(spring.free_length), place_text(mechanism, spring.a),
+                      place_text(mechanism, spring.b), plain(spring.stiffness),
+                      round ? "N/m^1.5" : "N/m", acting_text(spring.acts, spring.impact)));
+      continue;
+    }
     entries.emplace_back(
         "load",
-        fmt::format("{}: spring of {} N/m between {} and {}, free length {} m, damping {} N s/m{}",
-                    spring.name, plain(spring.stiffness), place_text(mechanism, spring.a),
-                    place_text(mechanism, spring.b), plain(spring.free_length),
-                    plain(spring.damping), acts[static_cast<std::size_t>(spring.acts)]));
+        fmt::format("{}: spring of {} {} between {} and {}, free length {} m, damping {} N s/m{}",
+                    spring.name, plain(spring.stiffness), round ? "N/m^1.5" : "N/m",
+                    place_text(mechanism, spring.a), place_text(mechanism, spring.b),
+                    plain(spring.free_length), plain(spring.damping),
+                    acting_text(spring.acts, spring.impact)));
   }
   for (const spatial::TorsionSpring& spring : mechanism.torsion_springs) {
     const auto joint = static_cast<std::size_t>(spring.joint);

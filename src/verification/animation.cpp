@@ -220,8 +220,12 @@ StillScene still_scene_of(const spatial::Mechanism& mechanism, const Project& pr
       scene.animation.joints.push_back({joint.name, on_a ? joint.a : spatial::place_of(joint)});
     }
   }
-  for (const spatial::Spring& spring : mechanism.springs)
-    scene.add_rod(spring.name, spring.a, spring.b);
+  for (const spatial::Spring& spring : mechanism.springs) {
+    if (spring.clearance)
+      scene.animation.joints.push_back({spring.name, spring.a});
+    else
+      scene.add_rod(spring.name, spring.a, spring.b);
+  }
   return scene;
 }
 
@@ -340,6 +344,10 @@ Animation animation_for(const planar::Mechanism& mechanism, const Project& proje
   for (const planar::AppliedForce& force : mechanism.forces) {
     if (const auto* spring = std::get_if<planar::Spring>(&force.kind))
       scene.add_rod(force.name, lifted_in_space(spring->a), lifted_in_space(spring->b));
+    if (const auto* pin = std::get_if<planar::PinWithClearance>(&force.kind)) {
+      scene.animation.joints.push_back(
+          {force.name, lifted_in_space(pin->b.body == planar::ground ? pin->b : pin->a)});
+    }
   }
   return animated(std::move(scene), planar::time_span_of(mechanism),
                   [&](const std::vector<double>& times) {

@@ -24,7 +24,9 @@ struct EndsOfForce {
   void operator()(auto& of) const requires requires { of.a; }
   {
     using Of = std::remove_cvref_t<decltype(of)>;
-    constexpr Hold hold = std::is_same_v<Of, planar::Spring> ? Hold::place : Hold::clamp;
+    constexpr bool line =
+        std::is_same_v<Of, planar::Spring> || std::is_same_v<Of, planar::PinWithClearance>;
+    constexpr Hold hold = line ? Hold::place : Hold::clamp;
     f(of.a, hold);
     f(of.b, hold);
   }

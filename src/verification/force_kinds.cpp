@@ -135,6 +135,7 @@ struct BringsMoments {
   bool operator()(const planar::Rack& of) const { return both(of.pinion, of.rack); }
   bool operator()(const planar::Driven& of) const { return both(of.point, of.other); }
   bool operator()(const planar::Spring&) const { return false; }
+  bool operator()(const planar::PinWithClearance&) const { return false; }
   bool operator()(const planar::TorsionSpring& of) const { return both(of.a, of.b); }
   bool operator()(const planar::PointForce&) const { return false; }
   bool operator()(const planar::Couple& of) const { return both(of.a, of.b); }
@@ -144,6 +145,9 @@ Held held_in(const planar::Mechanism& mechanism, const Project&, const std::stri
   const auto joint = named(mechanism.joints, name);
   if (joint != mechanism.joints.end()) return {true, std::visit(BringsMoments{}, joint->kind)};
   const auto force = named(mechanism.forces, name);
+  if (force != mechanism.forces.end() &&
+      std::holds_alternative<planar::PinWithClearance>(force->kind))
+    return {true, false};
   return {false, force != mechanism.forces.end() && std::visit(BringsMoments{}, force->kind)};
 }
 

@@ -113,7 +113,7 @@ void add_arms(const planar::Mechanism& mechanism, const planar::State& state, co
     arms.add(reaction.on, reaction.point, reaction.force);
   }
   for (const planar::AppliedLoad& load :
-       planar::applied_loads_of(mechanism, state.time, state.q, state.v)) {
+       planar::applied_loads_of(mechanism, state.time, state.q, state.v, state.touches)) {
     const auto& kind = mechanism.forces[static_cast<std::size_t>(load.force)].kind;
     const auto* force = std::get_if<planar::PointForce>(&kind);
     if (force == nullptr || !force->turns) arms.add(load.on, load.point, load.vector);

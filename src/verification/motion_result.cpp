@@ -9,6 +9,7 @@
 #include "boxbeam/mechanism/planar/assembly.hpp"
 #include "boxbeam/mechanism/planar/chain_moments.hpp"
 #include "boxbeam/mechanism/planar/constraints.hpp"
+#include "boxbeam/mechanism/planar/forces.hpp"
 #include "boxbeam/mechanism/planar/motion.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
 #include "boxbeam/mechanism/planar/uniqueness.hpp"
@@ -66,6 +67,21 @@ InstantResult instant_of(const Project& project, const planar::State& state,
                                 mechanism.bodies[static_cast<std::size_t>(reaction.on)].name,
                                 reaction.force, reaction.moment,
                                 planar::is_unique(mechanism, freedom, reaction.joint)});
+  }
+  // What a pin in its clearance does to the beam, else to the first of its bodies.
+  for (std::size_t i = 0; i < mechanism.forces.size(); ++i) {
+    const auto* const pin = std::get_if<planar::PinWithClearance>(&mechanism.forces[i].kind);
+    if (pin == nullptr) continue;
+    const bool second = pin->b.body == project.beam_body || pin->a.body == planar::ground;
+    const int on = second ? pin->b.body : pin->a.body;
+    Eigen::Vector2d force = Eigen::Vector2d::Zero();
+    for (const planar::AppliedLoad& load :
+         planar::applied_loads_of(mechanism, state.time, state.q, state.v, state.touches)) {
+      if (load.force == static_cast<int>(i) && load.on == on) force = load.vector;
+    }
+    result.reactions.push_back({mechanism.forces[i].name,
+                                mechanism.bodies[static_cast<std::size_t>(on)].name, force, 0.0,
+                                true});
   }
   if (project.chain) result.chain = chain_result_of(mechanism, *project.chain, state);
   return result;

@@ -113,9 +113,11 @@ class PlanarMotion : public SolvedMotion {
   }
 
   LoadHistory loads() const override {
-    const LoadSpan span{
-        si<Time>(motion.begin), si<Time>(motion.period), motion.states.size(), motion.closed,
-        break_times_in(planar::functions_of(*mechanism_), motion.begin, motion.period)};
+    LoadSpan span{si<Time>(motion.begin), si<Time>(motion.period), motion.states.size(),
+                  motion.closed,
+                  break_times_in(planar::functions_of(*mechanism_), motion.begin, motion.period)};
+    for (const double at : motion.changes) span.breaks.push_back(si<Time>(at));
+    std::sort(span.breaks.begin(), span.breaks.end());
     return elastic_loads_of(*project_, *mechanism_, motion, model_, span,
                             loads_of(*project_, *mechanism_, motion));
   }

@@ -90,7 +90,7 @@ class PlanarNeighbours : public NeighbourLoads {
     for (const planar::Reaction& reaction : reactions_)
       add(reaction.on, reaction.point, reaction.force);
     for (const planar::AppliedLoad& load :
-         planar::applied_loads_of(*mechanism_, state_.time, state_.q, state_.v))
+         planar::applied_loads_of(*mechanism_, state_.time, state_.q, state_.v, state_.touches))
       add(load.on, load.point, load.vector);
     const double omega = state_.v[3 * body + 2];
     const double mass = mechanism_->bodies[static_cast<std::size_t>(body)].mass;
@@ -211,7 +211,8 @@ std::vector<std::string> bending_of(const planar::Mechanism& mechanism, const Pl
           using Kind = std::decay_t<decltype(kind)>;
           if constexpr (std::is_same_v<Kind, planar::PointForce>) {
             return beside(kind.at);
-          } else if constexpr (std::is_same_v<Kind, planar::Spring>) {
+          } else if constexpr (std::is_same_v<Kind, planar::Spring> ||
+                               std::is_same_v<Kind, planar::PinWithClearance>) {
             return beside(kind.a) || beside(kind.b);
           } else {
             return kind.a.body == body || kind.b.body == body;

@@ -101,6 +101,12 @@ PostureFigure posture_figure(const Project& project, const planar::Mechanism& me
     };
     std::visit(add_guide, joint.kind);
   }
+  for (const planar::AppliedForce& force : mechanism.forces) {
+    const auto* const pin = std::get_if<planar::PinWithClearance>(&force.kind);
+    if (pin == nullptr) continue;
+    for (const planar::Attachment& end : {pin->a, pin->b})
+      if (end.body == planar::ground) figure.grounds.push_back(lifted(end.p));
+  }
   return figure;
 }
 

@@ -97,6 +97,7 @@ PostureFigure posture_figure(const Project& project, const spatial::Mechanism& m
     if (closing.a.body == spatial::ground) figure.grounds.push_back(a);
   }
   for (const spatial::Spring& spring : mechanism.springs) {
+    if (spring.clearance) continue;
     figure.rods.push_back({spatial::position_of(state, spring.a) - origin,
                            spatial::position_of(state, spring.b) - origin});
   }

@@ -202,7 +202,7 @@ class SpatialNeighbours : public NeighbourLoads {
     };
     if (link.spring) {
       const spatial::Spring& spring = mechanism_->springs[link.index];
-      return -between(spring.a, spring.b).dot(spatial::force_of(spring, state_));
+      return -between(spring.a, spring.b).dot(spatial::force_of(*mechanism_, link.index, state_));
     }
     const spatial::ClosingJoint& joint = mechanism_->closing[link.index];
     return -between(joint.a, joint.b).dot(wrenches_[mechanism_->joints.size() + link.index].force);

@@ -48,7 +48,7 @@ class StoppedFrame {
     for (std::size_t i = 0; i < mechanism_->joints.size(); ++i)
       if (!add_joint(i)) return false;
     for (std::size_t k = 0; k < mechanism_->closing.size(); ++k) add_closing(k);
-    for (const spatial::Spring& spring : mechanism_->springs) add_spring(spring);
+    for (std::size_t i = 0; i < mechanism_->springs.size(); ++i) add_spring(i);
     return true;
   }
 
@@ -271,12 +271,15 @@ class StoppedFrame {
     end(b, to, true);
   }
 
-  void add_spring(const spatial::Spring& spring) {
+  void add_spring(std::size_t i) {
+    const spatial::Spring& spring = mechanism_->springs[i];
     const Vector3d from = spatial::position_of(*state_, spring.a),
                    to = spatial::position_of(*state_, spring.b);
-    const double tension = -(to - from).normalized().dot(spatial::force_of(spring, *state_));
-    // Slack cables and stops that are not touched hold nothing, nor do dampers.
-    if (tension == 0.0 || !(spring.stiffness > 0.0)) return;
+    const double tension =
+        -(to - from).normalized().dot(spatial::force_of(*mechanism_, i, *state_));
+    // Slack cables and stops that are not touched hold nothing, nor do dampers, nor does what parts
+    // again.
+    if (tension == 0.0 || spring.impact || !(spring.stiffness > 0.0)) return;
     add_rod(spring.name, spring.a.body, spring.b.body, from, to, spring.stiffness, tension);
   }
 

@@ -303,6 +303,24 @@ std::vector<NotJudged> assumed_holds_not_judged(const Project& project,
       {Criterion::member, "how joints hold the beam", fmt::format("{}", fmt::join(assumed, "; "))}};
 }
 
+std::vector<NotJudged> impacts_not_judged(const Project& project) {
+  std::vector<std::string> names;
+  if (const auto* const plane = std::get_if<planar::Mechanism>(&project.mechanism)) {
+    for (const planar::AppliedForce& force : plane->forces) {
+      const auto* const spring = std::get_if<planar::Spring>(&force.kind);
+      const bool loose = std::holds_alternative<planar::PinWithClearance>(force.kind);
+      if (loose || (spring != nullptr && spring->impact)) names.push_back(force.name);
+    }
+  } else if (const auto* const space = std::get_if<spatial::Mechanism>(&project.mechanism)) {
+    for (const spatial::Spring& spring : space->springs)
+      if (spring.impact) names.push_back(spring.name);
+  }
+  if (names.empty()) return {};
+  return {{Criterion::yield, fmt::format("impacts in {}", fmt::join(names, ", ")),
+           "bodies are rigid: waves and vibration that an impact leaves in them, the pressure "
+           "where they touch, friction there and wear"}};
+}
+
 std::vector<Gate> weld_gates_of(const Project& project) {
   std::vector<Gate> gates;
   for (const WeldInput& weld : project.welds) {

@@ -180,6 +180,7 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
   append(not_judged_of_records(project), not_judged);
   append(unestimated_vibration_of(project, model, runs), not_judged);
   append(assumed_holds_not_judged(project, model.second_order), not_judged);
+  append(impacts_not_judged(project), not_judged);
   append(std::move(given_cuts.not_judged), not_judged);
   append(std::move(warping.not_judged), not_judged);
   if (project.given_stresses.empty()) append(axial_forces_not_judged(project, runs), not_judged);

@@ -310,6 +310,29 @@ TEST_CASE("loops in space say which assembly is meant, by places and a direction
             .find("no loop is called") != std::string::npos);
 }
 
+TEST_CASE("a ball with clearance is a contact of two places and closes no loop") {
+  const boxbeam::Project project = read(
+      "[joints.hinge]\nkind = \"revolute\"\nconnect = [\"ground\", \"arm.A\"]\naxis = \"y\"\n"
+      "moved_by = \"forces\"\n" +
+      weld +
+      "[joints.ball]\nkind = \"spherical\"\nconnect = [\"ground\", \"arm.B\"]\n"
+      "at = [\"1 m\", \"0 m\", \"0 m\"]\ncloses = true\nclearance = \"0.2 mm\"\n"
+      "contact_stiffness = \"100 kN/mm\"\nrestitution = 0.8\n[motion]\nduration = \"1 s\"\n");
+  const spatial::Mechanism& mechanism = spatial_of(project);
+  CHECK(mechanism.closing.empty());
+  REQUIRE(mechanism.springs.size() == 1);
+  const spatial::Spring& ball = mechanism.springs[0];
+  CHECK(ball.name == "ball");
+  CHECK(ball.clearance);
+  CHECK(ball.acts == boxbeam::Acts::pulling);
+  CHECK(ball.free_length == Approx(0.2e-3).epsilon(1e-14));
+  CHECK(ball.stiffness == Approx(100e6).epsilon(1e-14));
+  REQUIRE(ball.impact);
+  CHECK(ball.impact->restitution == 0.8);
+  CHECK(ball.a.body == spatial::ground);
+  CHECK(mechanism.bodies[static_cast<std::size_t>(ball.b.body)].name == "arm");
+}
+
 TEST_CASE("screws carry bodies and close loops, right-handed by their lead") {
   const Project project = read(
       "[joints.hinge]\nkind = \"screw\"\nconnect = [\"ground\", \"arm.A\"]\naxis = \"x\"\n"
@@ -439,6 +462,12 @@ TEST_CASE("what is wrong in a case in space is said with what to write", "[bad_i
       {hinge + weld, "nothing drives joint \"hinge\"", "kind = \"hold\""},
       {hinge + "friction = { coefficient = 0.1 }\n" + weld + swing,
        "friction in a revolute joint is not computed", "what slides along an axis"},
+      {all + "[joints.loose]\nkind = \"revolute\"\nconnect = [\"ground\", \"arm.B\"]\n"
+             "axis = \"x\"\ncloses = true\nclearance = \"0.2 mm\"\n",
+       "clearance of a revolute joint is not computed", "a ball in a wider socket"},
+      {all + "[joints.loose]\nkind = \"spherical\"\nconnect = [\"ground\", \"arm.B\"]\n"
+             "closes = true\nclearance = \"0.2 mm\"\nrestitution = 0.8\n",
+       "wants the stiffness of its contact", "Johnson"},
       {all + "[joints.slot]\nkind = \"slot\"\nconnect = [\"ground\", \"arm.B\"]\naxis = \"x\"\n"
              "friction = { coefficient = 0.1, guide_length = \"0.1 m\" }\n",
        "a slot carries no couple", "leave out guide_length"},

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <numbers>
 
 #include "project/small_case.hpp"
@@ -41,6 +42,57 @@ TEST_CASE("a spring with and without damper, between bodies and to the ground") 
   CHECK(at(damper.b, planar::ground, 1.0, 2.0));
   CHECK(damper.stiffness == 0.0);
   CHECK(damper.free_length == 0.0);
+}
+
+TEST_CASE("a cable, a stop, and a stop that parts again") {
+  const std::string line =
+      "connect = [\"arm.B\", \"rod.Q\"]\nstiffness = \"200 kN/m\"\nfree_length = \"300 mm\"\n";
+  CHECK(of_kind<planar::Spring>("spring", line).acts == Acts::both);
+  const auto cable = of_kind<planar::Spring>("spring", line + "acts = \"pulling\"\n");
+  CHECK(cable.acts == Acts::pulling);
+  CHECK_FALSE(cable.impact);
+  const auto stop =
+      of_kind<planar::Spring>("spring", line + "acts = \"pushing\"\nrestitution = 0.8\n");
+  CHECK(stop.acts == Acts::pushing);
+  REQUIRE(stop.impact);
+  CHECK(stop.impact->restitution == 0.8);
+  CHECK(stop.impact->exponent == 1.0);
+  CHECK(stop.stiffness == Approx(200e3).epsilon(1e-14));
+  // 200 kN/m at 0.1 mm are 20 N, as k (0.1 mm)^1.5 are.
+  const auto round = of_kind<planar::Spring>(
+      "spring", line +
+                    "acts = \"pushing\"\nrestitution = 0.8\nexponent = 1.5\n"
+                    "stiffness_at = \"0.1 mm\"\n");
+  CHECK(round.stiffness * std::pow(1e-4, 1.5) == Approx(20.0).epsilon(1e-14));
+}
+
+TEST_CASE("what an impact does not say is asked for, and what it cannot be is refused") {
+  struct Broken {
+    std::string lines;
+    const char *message, *hint;
+  };
+  const std::string spring =
+      "[forces.F]\nkind = \"spring\"\nconnect = [\"arm.B\", \"rod.Q\"]\n"
+      "free_length = \"300 mm\"\n";
+  const std::string stiff = spring + "stiffness = \"200 kN/m\"\n";
+  const std::string stop = stiff + "acts = \"pushing\"\n";
+  for (const Broken& of : {
+           Broken{stop + "restitution = 0.01\n", "goes from 0.05 to 1", "0.5 to 0.9"},
+           Broken{stop + "restitution = 1.2\n", "goes from 0.05 to 1", "nothing is lost"},
+           Broken{stop + "restitution = 0.8\nexponent = 2\n", "is 1 or 1.5", "leave it out"},
+           Broken{stop + "restitution = 0.8\ndamping = \"1 N s/m\"\n", "said twice",
+                  "write restitution, or damping"},
+           Broken{stop + "restitution = 0.8\nstiffness_at = \"1 mm\"\n",
+                  "the stiffness is that of any depth", "exponent = 1.5"},
+           Broken{stop + "restitution = 0.8\nexponent = 1.5\n", "stiffness_at", ""},
+           Broken{stop + "exponent = 1.5\n", "parts again after it touches", "restitution = 0.8"},
+           Broken{stiff + "restitution = 0.8\n", "touches nothing", "acts = \"pushing\""},
+       }) {
+    CAPTURE(of.lines);
+    const Problem problem = problem_of(pivot + of.lines + for_a_second);
+    CHECK(contains(problem.message, of.message));
+    CHECK(contains(problem.hint, of.hint));
+  }
 }
 
 TEST_CASE("a torsion spring takes its radian written or left out") {

@@ -29,6 +29,55 @@ TEST_CASE("a pin joins two bodies, or a body and a point of the ground") {
   CHECK(at(one.b, rod, 1.5, 0.0));
 }
 
+TEST_CASE("a pin with clearance is a contact of its points") {
+  const std::string pin =
+      "[joints.X]\nkind = \"pin\"\nconnect = [\"arm.B\", \"rod.P\"]\nclearance = \"0.2 mm\"\n";
+  const std::string contact = "contact_stiffness = \"500 kN/mm\"\nrestitution = 0.7\n";
+  const auto loose = [&](const std::string& lines) {
+    const Mechanism mechanism =
+        boxbeam::planar_of(read(pivot + pin + contact + lines + for_a_second));
+    CHECK(mechanism.joints.size() == 1);
+    REQUIRE(mechanism.forces.size() == 1);
+    CHECK(mechanism.forces[0].name == "X");
+    return std::get<PinWithClearance>(mechanism.forces[0].kind);
+  };
+  const PinWithClearance middle = loose("");
+  CHECK(at(middle.a, arm, 0.5, 0.0));
+  CHECK(at(middle.b, rod, -0.5, 0.0));
+  CHECK(middle.clearance == Approx(0.2e-3).epsilon(1e-14));
+  CHECK(middle.stiffness == Approx(500e6).epsilon(1e-14));
+  CHECK(middle.impact.restitution == 0.7);
+  CHECK(middle.start.isZero(0.0));
+  const PinWithClearance below = loose("start_offset = [\"0 mm\", \"-0.2 mm\"]\n");
+  CHECK(below.start.y() == Approx(-0.2e-3).epsilon(1e-14));
+
+  struct Broken {
+    std::string lines;
+    const char *message, *hint;
+  };
+  const std::string fits = "[joints.X]\nkind = \"pin\"\nconnect = [\"arm.B\", \"rod.P\"]\n";
+  for (const Broken& of : {
+           Broken{pin + "restitution = 0.7\n", "wants the stiffness of its contact", "pi E* L/9"},
+           Broken{pin + contact + "start_offset = [\"0 mm\", \"0.4 mm\"]\n",
+                  "begins outside of its bearing", "at most the clearance"},
+           Broken{pin + contact + "stiffness = \"1 kN/mm\"\n", "is of a pin that fits",
+                  "contact_stiffness"},
+           Broken{fits + "restitution = 0.7\n", "is of a joint with clearance",
+                  "clearance = \"0.2 mm\""},
+           Broken{fits + "start_offset = [\"0 mm\", \"0 mm\"]\n", "begins where it is",
+                  "clearance = \"0.2 mm\""},
+           Broken{pin + contact +
+                      "[forces.X]\nkind = \"couple\"\npoints = [\"arm.A\"]\n"
+                      "size = \"1 N m\"\n",
+                  "\"X\" is already the name of a joint", "another name"},
+       }) {
+    CAPTURE(of.lines);
+    const boxbeam::Problem problem = problem_of(pivot + of.lines + for_a_second);
+    CHECK(contains(problem.message, of.message));
+    CHECK(contains(problem.hint, of.hint));
+  }
+}
+
 TEST_CASE("a slider runs on a line of the ground or of a body") {
   const Slider on_ground = slider(
       "point = \"rod.P\"\nthrough = [\"1 m\", \"2 m\"]\ndirection = \"30 deg\"\nangle = \"90 "

@@ -70,6 +70,12 @@ struct SmallerUnit {
     of(spring.a), of(spring.b);
     spring.free_length *= k;
   }
+  void operator()(PinWithClearance& pin) const {
+    of(pin.a), of(pin.b);
+    pin.clearance *= k;
+    pin.start *= k;
+    pin.stiffness /= std::pow(k, pin.impact.exponent - 1.0);
+  }
   void operator()(TorsionSpring& spring) const {
     of(spring.a), of(spring.b);
     spring.stiffness *= k * k;

@@ -15,7 +15,7 @@ inline double imbalance_of(const boxbeam::planar::Mechanism& mechanism,
   using namespace boxbeam;
   using namespace boxbeam::planar;
   const auto reactions = reactions_of(mechanism, state);
-  const auto loads = applied_loads_of(mechanism, state.time, state.q, state.v);
+  const auto loads = applied_loads_of(mechanism, state.time, state.q, state.v, state.touches);
   const double size = size_of(mechanism);
   double worst = 0.0;
   double largest = 1e-300;

@@ -40,6 +40,10 @@ std::vector<NotJudged> unestimated_vibration_of(const Project& project, const Mo
 std::vector<NotJudged> assumed_holds_not_judged(const Project& project,
                                                 const SecondOrderEstimate& estimate);
 
+/// Stops that part by the law of an impact and joints with clearance: what rigid bodies do not say
+/// of an impact.
+std::vector<NotJudged> impacts_not_judged(const Project& project);
+
 /// Welds around a profile that reaches farther than the beam on both sides of its station: they
 /// are not welds of the beam.
 std::vector<Gate> weld_gates_of(const Project& project);

@@ -43,7 +43,8 @@ BeamLoads beam_loads_of(const Mechanism& mechanism, const State& state, const Be
     add(mechanism.joints[static_cast<std::size_t>(reaction.joint)].name, reaction.point,
         reaction.force, reaction.moment);
   }
-  for (const AppliedLoad& load : applied_loads_of(mechanism, state.time, state.q, state.v)) {
+  for (const AppliedLoad& load :
+       applied_loads_of(mechanism, state.time, state.q, state.v, state.touches)) {
     if (load.on != beam.body) continue;
     add(mechanism.forces[static_cast<std::size_t>(load.force)].name, load.point, load.vector,
         load.moment);

@@ -176,11 +176,12 @@ double EquationsOfMotion::residual() const {
 }
 
 bool EquationsOfMotion::solve_rates(double time, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
-                                    Eigen::VectorXd& a, Eigen::VectorXd& lambda) {
+                                    Eigen::VectorXd& a, Eigen::VectorXd& lambda,
+                                    const std::vector<Touch>& touches) {
   const Eigen::Index n = mechanism_->coordinates();
   if (!stand_at(time, q)) return false;
   Eigen::VectorXd Q = weight_;
-  add_applied_forces(*mechanism_, time, q, v, Q);
+  add_applied_forces(*mechanism_, time, q, v, Q, touches);
   constraints_.acceleration_right_side(v, gamma_);
   right_ << Q, gamma_;
   solve(dynamics_);

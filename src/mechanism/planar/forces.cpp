@@ -20,6 +20,7 @@ struct Applier {
   double time;
   const Eigen::VectorXd& q;
   const Eigen::VectorXd& v;
+  const std::vector<Touch>& touches;
   const Sink& sink;
   int force = 0;
 
@@ -34,10 +35,15 @@ struct Applier {
     if (!(distance > 0.0)) return;
     const Eigen::Vector2d u = d / distance;
     const double rate = u.dot(velocity_of(spring.b, q, v) - velocity_of(spring.a, q, v));
-    const double pull = spring.stiffness * (distance - spring.free_length) + spring.damping * rate;
+    const LineLaw law = law_of(spring);
+    const Touch touch = touches.empty() ? Touch{inward(law, distance - law.free_length) > 0.0, 0.0}
+                                        : touches[static_cast<std::size_t>(force)];
+    const double pull = tension_of(law, distance, rate, touch);
     add(spring.a, pull * u, 0.0);
     add(spring.b, -pull * u, 0.0);
   }
+
+  void operator()(const PinWithClearance& pin) const { (*this)(spring_of(pin)); }
 
   void operator()(const TorsionSpring& spring) const {
     const double turn = angle_in(q, spring.a.body) - angle_in(q, spring.b.body);
@@ -61,8 +67,8 @@ struct Applier {
 
 template <class Sink>
 void for_each_load(const Mechanism& mechanism, double time, const Eigen::VectorXd& q,
-                   const Eigen::VectorXd& v, const Sink& sink) {
-  Applier<Sink> applier{time, q, v, sink};
+                   const Eigen::VectorXd& v, const std::vector<Touch>& touches, const Sink& sink) {
+  Applier<Sink> applier{time, q, v, touches, sink};
   for (const AppliedForce& force : mechanism.forces) {
     std::visit(applier, force.kind);
     ++applier.force;
@@ -81,20 +87,45 @@ GuideLoad guide_load_of(const FrictionContact& contact, const Eigen::VectorXd& l
 }  // namespace
 
 std::vector<AppliedLoad> applied_loads_of(const Mechanism& mechanism, double time,
-                                          const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
+                                          const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                                          const std::vector<Touch>& touches) {
   std::vector<AppliedLoad> loads;
-  for_each_load(mechanism, time, q, v, [&](const AppliedLoad& load) { loads.push_back(load); });
+  for_each_load(mechanism, time, q, v, touches,
+                [&](const AppliedLoad& load) { loads.push_back(load); });
   return loads;
 }
 
 void add_applied_forces(const Mechanism& mechanism, double time, const Eigen::VectorXd& q,
-                        const Eigen::VectorXd& v, Eigen::VectorXd& Q) {
-  for_each_load(mechanism, time, q, v, [&](const AppliedLoad& load) {
+                        const Eigen::VectorXd& v, Eigen::VectorXd& Q,
+                        const std::vector<Touch>& touches) {
+  for_each_load(mechanism, time, q, v, touches, [&](const AppliedLoad& load) {
     const Eigen::Index i = 3 * static_cast<Eigen::Index>(load.on);
     const Eigen::Vector2d arm = position_of({load.on, load.point}, q) - q.segment<2>(i);
     Q.segment<2>(i) += load.vector;
     Q[i + 2] += load.moment + arm.x() * load.vector.y() - arm.y() * load.vector.x();
   });
+}
+
+std::vector<OneSided> one_sided_in(const Mechanism& mechanism) {
+  std::vector<OneSided> found;
+  for (std::size_t i = 0; i < mechanism.forces.size(); ++i) {
+    const auto take = [&](const Spring& spring) {
+      const LineLaw law = law_of(spring);
+      if (begins_at_length(law)) found.push_back({i, spring.a, spring.b, law});
+    };
+    const ForceKind& kind = mechanism.forces[i].kind;
+    if (const auto* const spring = std::get_if<Spring>(&kind)) take(*spring);
+    if (const auto* const pin = std::get_if<PinWithClearance>(&kind)) take(spring_of(*pin));
+  }
+  return found;
+}
+
+Depth depth_of(const OneSided& of, const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
+  const Eigen::Vector2d d = position_of(of.b, q) - position_of(of.a, q);
+  const double length = d.norm();
+  const double rate =
+      length > 0.0 ? d.dot(velocity_of(of.b, q, v) - velocity_of(of.a, q, v)) / length : 0.0;
+  return {inward(of.law, length - of.law.free_length), inward(of.law, rate)};
 }
 
 bool rubs(const Joint& joint) {

@@ -13,6 +13,7 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/assembly.hpp"
 #include "boxbeam/mechanism/planar/branch.hpp"
+#include "boxbeam/mechanism/planar/constraints.hpp"
 #include "boxbeam/mechanism/planar/forces.hpp"
 #include "boxbeam/mechanism/planar/reach.hpp"
 
@@ -79,17 +80,46 @@ std::vector<int> pressed_sides_of(const Mechanism& mechanism, const Eigen::Vecto
   return sides;
 }
 
+/// Into how many parts the way between two states is divided, so that nothing is passed through
+/// unseen: each at most a tenth of the length from which it acts.
+int looks_between(const std::vector<OneSided>& one_sided, const State& from, const State& end) {
+  constexpr double fewest = 32.0, most = 20000.0, parts = 10.0;
+  double looks = fewest;
+  for (const OneSided& of : one_sided) {
+    for (const State* const state : {&from, &end}) {
+      const Eigen::Vector2d v =
+          velocity_of(of.b, state->q, state->v) - velocity_of(of.a, state->q, state->v);
+      const double way = v.norm() * std::abs(end.time - from.time);
+      if (of.law.free_length > 0.0) looks = std::max(looks, parts * way / of.law.free_length);
+    }
+  }
+  return static_cast<int>(std::ceil(std::min(looks, most)));
+}
+
 }  // namespace
 
 FreeSolver::FreeSolver(const Mechanism& mechanism, double tolerance, bool project)
-    : mechanism_(&mechanism), tolerance_(tolerance), project_(project), equations_(mechanism) {}
+    : mechanism_(&mechanism),
+      tolerance_(tolerance),
+      project_(project),
+      one_sided_(one_sided_in(mechanism)),
+      touching_(1e-13 * size_of(mechanism)),
+      equations_(mechanism) {}
 
-State FreeSolver::state_of(double time, const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
+State FreeSolver::state_of(double time, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                           const std::vector<Touch>& touches) {
   State state;
   state.time = time;
   state.q = q;
   state.v = v;
-  if (!equations_.solve_rates(time, q, v, state.a, state.lambda)) {
+  state.touches = touches;
+  if (touches.empty() && !one_sided_.empty()) {
+    // Of what touches from the beginning no approach is known, and nothing is lost.
+    state.touches.resize(mechanism_->forces.size());
+    for (const OneSided& of : one_sided_)
+      state.touches[of.force].on = depth_of(of, q, v).value > touching_;
+  }
+  if (!equations_.solve_rates(time, q, v, state.a, state.lambda, state.touches)) {
     throw AnalysisError(
         {"accelerations are not determined: a freedom that no driver moves has no "
          "mass (give the body a mass and inertia, or drive it), or the mechanism "
@@ -133,7 +163,7 @@ State FreeSolver::start(double time, const Eigen::VectorXd& q, const Eigen::Vect
          {},
          {}});
   }
-  return state_of(time, position, velocity);
+  return state_of(time, position, velocity, {});
 }
 
 struct FreeSolver::Step {
@@ -143,6 +173,124 @@ struct FreeSolver::Step {
   double pivot = 1.0;      ///< the smallest of its stages and its end
   double end_pivot = 1.0;  ///< of its end
 };
+
+bool FreeSolver::in_impact(const State& state) const {
+  return std::any_of(one_sided_.begin(), one_sided_.end(), [&](const OneSided& of) {
+    return of.law.impact && state.touches[of.force].on;
+  });
+}
+
+double FreeSolver::beside_halves(const State& known, const Step& step) {
+  const double half = 0.5 * (step.end.time - known.time);
+  const Step first = step_from(known, half);
+  if (!first.solved) return std::numeric_limits<double>::infinity();
+  const Step second = step_from(first.end, half);
+  if (!second.solved) return std::numeric_limits<double>::infinity();
+  const Eigen::VectorXd& scale = equations_.constraints().col_scale();
+  double largest = 0.0;
+  for (const auto of : {&State::q, &State::v}) {
+    const Eigen::ArrayXd end = (step.end.*of).cwiseQuotient(scale).array();
+    const Eigen::ArrayXd halves = (second.end.*of).cwiseQuotient(scale).array();
+    largest = std::max(largest, ((end - halves).abs() / (1.0 + end.abs())).maxCoeff());
+  }
+  return largest / tolerance_;
+}
+
+bool FreeSolver::has_changed(const OneSided& of, const State& state) const {
+  const double value = depth_of(of, state.q, state.v).value;
+  return state.touches[of.force].on ? value < -touching_ : value > touching_;
+}
+
+bool FreeSolver::has_changed(const State& state) const {
+  return std::any_of(one_sided_.begin(), one_sided_.end(),
+                     [&](const OneSided& of) { return has_changed(of, state); });
+}
+
+void FreeSolver::change(State& state) {
+  for (const OneSided& of : one_sided_) {
+    if (!has_changed(of, state)) continue;
+    Touch& touch = state.touches[of.force];
+    touch = touch.on ? Touch{} : touched(of.law, depth_of(of, state.q, state.v).rate);
+  }
+  changes_.push_back(state.time);
+  state = state_of(state.time, state.q, state.v, state.touches);
+}
+
+std::optional<FreeSolver::Change> FreeSolver::first_change(const State& from,
+                                                           const State& end) const {
+  constexpr int halvings = 40;
+  if (one_sided_.empty()) return std::nullopt;
+  const double dt = end.time - from.time;
+  const int looks = looks_between(one_sided_, from, end);
+  const auto at = [&](double time) {
+    if (time == end.time) return end;
+    State state = interpolate(time, from, end);
+    state.touches = from.touches;
+    return state;
+  };
+  State before = from;
+  for (int i = 1; i <= looks; ++i) {
+    const State behind = at(i == looks ? end.time : from.time + dt * i / looks);
+    std::optional<Change> first;
+    for (std::size_t k = 0; k < one_sided_.size(); ++k) {
+      const OneSided& of = one_sided_[k];
+      double low = before.time, high = behind.time;
+      if (!has_changed(of, behind)) {
+        // Between them it may have gone there and come back.
+        const double sense = from.touches[of.force].on ? -1.0 : 1.0;
+        const double there = sense * depth_of(of, before.q, before.v).rate;
+        const double back = -sense * depth_of(of, behind.q, behind.v).rate;
+        if (!(there > 0.0 && back > 0.0)) continue;
+        high = low + (high - low) * there / (there + back);
+        if (!has_changed(of, at(high))) continue;
+      }
+      for (int j = 0; j < halvings; ++j) {
+        const double middle = 0.5 * (low + high);
+        (has_changed(of, at(middle)) ? high : low) = middle;
+      }
+      if (!first || std::abs(high - from.time) < std::abs(first->until - from.time))
+        first = Change{k, low, high};
+    }
+    if (first) return first;
+    before = behind;
+  }
+  return std::nullopt;
+}
+
+FreeSolver::Step FreeSolver::step_to(const Change& change, const State& from) {
+  constexpr int most = 60;
+  const OneSided& of = one_sided_[change.of];
+  const bool on = from.touches[of.force].on;
+  const double smallest = 1e-15 * std::abs(change.until) + 1e-300;
+  double low = 0.0, high = -1.0;  // not yet known
+  double dt = change.until - from.time;
+  std::optional<Step> beyond_it;
+  for (int i = 0; i < most; ++i) {
+    Step step = step_from(from, dt);
+    if (!step.solved) return step;
+    const Depth there = depth_of(of, step.end.q, step.end.v);
+    // How far it is beyond where it is said to have changed.
+    const double past = on ? -touching_ - there.value : there.value - touching_;
+    const double rate = on ? -there.rate : there.rate;
+    if (past > 0.0) {
+      high = dt;
+      beyond_it = std::move(step);
+      if (past <= touching_) break;
+    } else {
+      low = dt;
+    }
+    if (high >= 0.0 && high - low <= smallest) break;
+    // Half a way that counts behind it.
+    double next = rate > 0.0 ? dt - (past - 0.5 * touching_) / rate : -1.0;
+    if (high < 0.0 && !(next > low)) next = dt + 1e-3 * std::max(dt, smallest);
+    if (high >= 0.0 && !(next > low && next < high)) next = 0.5 * (low + high);
+    dt = next;
+  }
+  if (beyond_it) return *std::move(beyond_it);
+  Step failed;
+  failed.solved = false;
+  return failed;
+}
 
 bool FreeSolver::is_near_singular(double pivot) const { return pivot < near_singular * regular_; }
 
@@ -156,7 +304,8 @@ FreeSolver::Step FreeSolver::step_from(const State& known, double dt) {
   const auto rates = [&](const Vector& y, Vector& rate, double t) {
     end.q = Eigen::Map<const Eigen::VectorXd>(y.data(), n).cwiseProduct(scale);
     end.v = Eigen::Map<const Eigen::VectorXd>(y.data() + n, n).cwiseProduct(scale);
-    step.solved = step.solved && equations_.solve_rates(t, end.q, end.v, end.a, end.lambda);
+    step.solved =
+        step.solved && equations_.solve_rates(t, end.q, end.v, end.a, end.lambda, end.touches);
     if (!step.solved) {
       std::fill(rate.begin(), rate.end(), 0.0);
       return;
@@ -182,7 +331,7 @@ FreeSolver::Step FreeSolver::step_from(const State& known, double dt) {
   if (project_) step.solved = step.solved && equations_.project(end.time, end.q, end.v);
   // Where it ends must be regular as well.
   step.solved = step.solved && std::isfinite(step.error) &&
-                equations_.solve_rates(end.time, end.q, end.v, end.a, end.lambda);
+                equations_.solve_rates(end.time, end.q, end.v, end.a, end.lambda, end.touches);
   end.residual = equations_.residual();
   step.end_pivot = step.solved ? equations_.smallest_pivot() : 0.0;
   step.pivot = std::min(step.pivot, step.end_pivot);
@@ -197,6 +346,8 @@ std::optional<FreeSolver::Step> FreeSolver::step_over(const State& known, double
     Step step = step_from(known, dt);
     if (!step.solved || step.end_pivot < beside_singular * regular_) continue;
     if (step.error * tolerance_ > std::max(tolerance_, error_of_passage)) continue;
+    // What begins or ends to act there must be passed apart from it.
+    if (first_change(known, step.end)) continue;
     if (!best || step.error < best->error) best = std::move(step);
   }
   return best;
@@ -241,6 +392,7 @@ State FreeSolver::between(const Passage& passage, double time) {
   State state = interpolate(time, before, behind);
   const double share = (time - before.time) / (behind.time - before.time);
   state.lambda = (1.0 - share) * before.lambda + share * behind.lambda;
+  state.touches = before.touches;
   if (project_) {
     // The way back onto the constraints that needs no regular position.
     const Assembly closed = Assembler(*mechanism_).assemble(time, state.q);
@@ -261,7 +413,9 @@ State FreeSolver::advance(double time, const State& known) {
     state = share >= 1.0 ? passage->behind : passage->before;
   }
   // What was set by hand has no accelerations yet.
-  if (state.a.size() != state.q.size()) state = state_of(state.time, state.q, state.v);
+  const bool touches_known = state.touches.size() == mechanism_->forces.size();
+  if (state.a.size() != state.q.size() || !(one_sided_.empty() || touches_known))
+    state = state_of(state.time, state.q, state.v, state.touches);
   constexpr double shortest = 1e-3;  // of a step in front of a singular position
   const double direction = time < state.time ? -1.0 : 1.0;
   const double smallest = 1e-13 * std::max(std::abs(time), std::abs(state.time)) + 1e-300;
@@ -287,6 +441,7 @@ State FreeSolver::advance(double time, const State& known) {
            {}});
     }
     while (stop != stops.end() && direction * (*stop - state.time) <= smallest) ++stop;
+    if (direction > 0.0 && has_changed(state)) change(state);
     const double until = stop != stops.end() ? *stop : time;
     const double wanted = std::abs(dt);
     dt = direction * std::min({std::abs(dt), std::abs(until - state.time),
@@ -296,6 +451,9 @@ State FreeSolver::advance(double time, const State& known) {
     const double bound =
         is_near_singular(step.pivot) ? std::max(1.0, error_near_singular / tolerance_) : 1.0;
     const bool lost = inside && step.end_pivot < singular * regular_;
+    constexpr double of_halves = 0.1;
+    if (step.solved && step.error <= bound && !lost && in_impact(state))
+      step.error = std::max(step.error, of_halves * beside_halves(state, step));
     if (!step.solved || step.error > bound || lost) {
       // The order of the error estimate is eight; Source: Hairer, Norsett, Wanner (1993), II.4.
       const double shrink =
@@ -358,6 +516,24 @@ State FreeSolver::advance(double time, const State& known) {
           step = std::move(shorter);
         }
       }
+    }
+    // Backwards nobody knows what was lost.
+    const auto found = direction > 0.0 ? first_change(state, step.end) : std::nullopt;
+    if (found) {
+      Step until_change = step_to(*found, state);
+      if (!until_change.solved) {
+        dt *= 0.5;
+        if (std::abs(dt) > smallest) continue;
+        throw AnalysisError(
+            {"a stop, a cable or a pin in its clearance begins or ends to act where "
+             "the motion cannot be followed (a singular position)",
+             "mechanism",
+             state.time,
+             {},
+             {}});
+      }
+      step = std::move(until_change);
+      change(step.end);
     }
     inside = is_near_singular(step.end_pivot);
     ++steps_;

@@ -139,6 +139,7 @@ struct FollowedBy {
 
   void operator()(const Spring&) const {}
   void operator()(const TorsionSpring&) const {}
+  void operator()(const PinWithClearance&) const {}
   void operator()(const PointForce& force) const {
     uses.push_back({&force.size, false, DriverUse::On::force, name});
   }
@@ -160,6 +161,21 @@ std::vector<DriverUse> functions_of(const Mechanism& mechanism) {
   for (const AppliedForce& force : mechanism.forces)
     std::visit(FollowedBy{force.name, uses}, force.kind);
   return uses;
+}
+
+std::optional<Mechanism> without_clearance(const Mechanism& mechanism) {
+  std::optional<Mechanism> fitting;
+  for (const AppliedForce& force : mechanism.forces) {
+    const auto* const pin = std::get_if<PinWithClearance>(&force.kind);
+    if (pin == nullptr) continue;
+    if (!fitting) fitting = mechanism;
+    fitting->joints.push_back({force.name, Pin{{pin->a.body, pin->a.p + pin->start}, pin->b}});
+  }
+  if (!fitting) return fitting;
+  std::erase_if(fitting->forces, [](const AppliedForce& force) {
+    return std::holds_alternative<PinWithClearance>(force.kind);
+  });
+  return fitting;
 }
 
 TimeSpan time_span_of(const Mechanism& mechanism) {

@@ -30,7 +30,18 @@ DegreesOfFreedom freedom_at_start(const Mechanism& mechanism) {
 
 std::variant<InstantSolver, FreeSolver> solver_for(const Mechanism& mechanism,
                                                    const DegreesOfFreedom& freedom) {
-  if (freedom.undriven == 0) return InstantSolver(mechanism);
+  if (freedom.undriven == 0) {
+    const std::vector<OneSided> one_sided = one_sided_in(mechanism);
+    if (one_sided.empty()) return InstantSolver(mechanism);
+    throw AnalysisError(
+        {"drivers decide the whole motion, whatever a stop, a cable or a pin in its clearance does "
+         "to it: in the plane these are looked at where forces move what they stop; let forces "
+         "move it, or write acts = \"both ways\"",
+         "force " + mechanism.forces[one_sided.front().force].name,
+         {},
+         {},
+         {}});
+  }
   if (mechanism.duration.length > 0.0) return FreeSolver(mechanism);
   std::string names;
   for (const int body : freedom.moving) {
@@ -187,6 +198,26 @@ double time_of(const Motion& motion, std::size_t instant, std::size_t count) {
   return motion.begin + motion.period * static_cast<double>(instant) / static_cast<double>(count);
 }
 
+/// When what acts one way begins and ends to in the time looked at. Throws AnalysisError where that
+/// is too often to be looked at one by one.
+std::vector<double> changes_in(const Motion& motion, const StateSolver& solver) {
+  constexpr std::size_t most_changes = 1000;
+  std::vector<double> changes = solver.changes();
+  std::sort(changes.begin(), changes.end());
+  std::erase_if(
+      changes, [&](double at) { return at <= motion.begin || at >= motion.begin + motion.period; });
+  if (changes.size() <= most_changes) return changes;
+  throw AnalysisError(
+      {fmt::format("stops, cables and pins in their clearance begin and end to act {} times, more "
+                   "than can be looked at one by one; give a shorter [motion] duration, or a "
+                   "smaller restitution",
+                   changes.size()),
+       "mechanism",
+       changes[most_changes],
+       {},
+       {}});
+}
+
 Motion motion_with(const Mechanism& mechanism, StateSolver& solver, int instants) {
   const TimeSpan span = time_span_of(mechanism);
   const auto count = static_cast<std::size_t>(instants);
@@ -204,6 +235,7 @@ Motion motion_with(const Mechanism& mechanism, StateSolver& solver, int instants
   }
   motion.end = solver.near(time_of(motion, count, count), motion.states.back());
   motion.change_points = solver.change_points();
+  motion.changes = changes_in(motion, solver);
   judge_uniqueness(mechanism, motion);
   if (!motion.closed) return motion;
   // An odd number of change points, or a gear that needs more turns, leads elsewhere.
@@ -260,6 +292,10 @@ StateSolver::StateSolver(const Mechanism& mechanism, DegreesOfFreedom freedom)
 
 State StateSolver::start() {
   if (auto* free = std::get_if<FreeSolver>(&solver_)) {
+    if (const auto fitting = without_clearance(*mechanism_)) {
+      const State begin = StateSolver(*fitting).start();
+      return free->start(0.0, begin.q, begin.v);
+    }
     return free->start(0.0, sketch_of(*mechanism_), start_velocity_of(*mechanism_));
   }
   return std::get<InstantSolver>(solver_).solve_from_sketch(0.0, sketch_of(*mechanism_));
@@ -273,6 +309,11 @@ State StateSolver::near(double time, const State& known) {
 std::vector<double> StateSolver::change_points() const {
   const auto* driven = std::get_if<InstantSolver>(&solver_);
   return driven != nullptr ? driven->change_points() : std::vector<double>{};
+}
+
+std::vector<double> StateSolver::changes() const {
+  const auto* free = std::get_if<FreeSolver>(&solver_);
+  return free != nullptr ? free->changes() : std::vector<double>{};
 }
 
 Motion solve_motion(const Mechanism& mechanism, int instants) {
@@ -295,7 +336,8 @@ Motion solve_motion(const Mechanism& mechanism) {
   constexpr double rounding = 1e-9;
   const int instants = std::max(fewest, static_cast<int>(std::ceil((4.0 - rounding) * waves)));
   Motion motion = motion_with(mechanism, solver, instants);
-  const RoughTimes rough(functions_of(mechanism), motion.begin, motion.period, motion.closed);
+  const RoughTimes rough(functions_of(mechanism), motion.begin, motion.period, motion.closed,
+                         motion.changes);
   while (true) {
     motion = doubled(solver, motion);
     const Misfit accelerations =

@@ -17,7 +17,8 @@ double tension_in_spring(const Mechanism& mechanism, const State& state, std::si
   const auto& spring = std::get<Spring>(mechanism.forces[force].kind);
   const Eigen::Vector2d line = position_of(spring.b, state.q) - position_of(spring.a, state.q);
   if (line.norm() == 0.0) return 0.0;
-  for (const AppliedLoad& load : applied_loads_of(mechanism, state.time, state.q, state.v)) {
+  for (const AppliedLoad& load :
+       applied_loads_of(mechanism, state.time, state.q, state.v, state.touches)) {
     if (load.force != static_cast<int>(force)) continue;
     const bool on_a = load.on == spring.a.body && load.point == spring.a.p;
     return load.vector.dot(line.normalized()) * (on_a ? 1.0 : -1.0);

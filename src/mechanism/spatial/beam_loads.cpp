@@ -250,8 +250,9 @@ BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& 
         force ? Wrench{vector, Eigen::Vector3d::Zero()} : Wrench{Eigen::Vector3d::Zero(), vector});
   }
 
-  for (const Spring& spring : mechanism.springs) {
-    const Eigen::Vector3d force = force_of(spring, state);
+  for (std::size_t i = 0; i < mechanism.springs.size(); ++i) {
+    const Spring& spring = mechanism.springs[i];
+    const Eigen::Vector3d force = force_of(mechanism, i, state);
     if (spring.b.body == own) add(spring.name, spring.b, {force, Eigen::Vector3d::Zero()});
     if (spring.a.body == own) add(spring.name, spring.a, {-force, Eigen::Vector3d::Zero()});
   }

@@ -3,14 +3,39 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "boxbeam/core/error.hpp"
+
 namespace boxbeam::spatial {
+namespace {
+
+/// What drivers alone move does not part by itself.
+void require_no_impact(const Mechanism& mechanism) {
+  for (const Spring& spring : mechanism.springs) {
+    if (!spring.impact) continue;
+    throw AnalysisError(
+        {spring.clearance
+             ? "drivers and loops decide the whole motion, and leave the clearance nothing to do; "
+               "let forces move what it leaves free: moved_by = \"forces\" in the joints that "
+               "carry it"
+             : "drivers decide the whole motion, and nothing parts from a stop by itself; write "
+               "damping instead of restitution, or let forces move what it stops",
+         (spring.clearance ? "joint " : "force ") + spring.name,
+         {},
+         {},
+         {},
+         {}});
+  }
+}
+
+}  // namespace
 
 Chain::Chain(const Mechanism& mechanism)
     : tree_(mechanism), contacts_(friction_contacts_of(mechanism)) {
   if (!mechanism.closing.empty()) loops_ = std::make_shared<Loops>(tree_);
   if (loops_) require_known_pressure(mechanism, *loops_, contacts_);
-  if (std::any_of(mechanism.joints.begin(), mechanism.joints.end(), is_forced))
-    forced_ = std::make_shared<const ForcedMotion>(tree_, loops_.get());
+  const bool forced = std::any_of(mechanism.joints.begin(), mechanism.joints.end(), is_forced);
+  if (!forced) require_no_impact(mechanism);
+  if (forced) forced_ = std::make_shared<const ForcedMotion>(tree_, loops_.get());
   if (!loops_) return;
   loops_->follow(tree_, forced_.get());
   require_known_pressure(mechanism, *loops_, contacts_);

@@ -13,6 +13,25 @@
 namespace boxbeam::spatial {
 namespace {
 
+/// Throws AnalysisError where a ball begins outside of its socket.
+void require_within_clearance(const Mechanism& mechanism, const State& state) {
+  for (const Spring& spring : mechanism.springs) {
+    if (!spring.clearance) continue;
+    const double off = (position_of(state, spring.b) - position_of(state, spring.a)).norm();
+    if (off <= 1.01 * spring.free_length) continue;
+    throw AnalysisError(
+        {fmt::format("it begins {:.4g} mm from the middle of its socket, and its clearance is "
+                     "{:.4g} mm; write the start of the joints that forces move so that it is "
+                     "within",
+                     1e3 * off, 1e3 * spring.free_length),
+         "joint " + spring.name,
+         0.0,
+         {},
+         {},
+         {}});
+  }
+}
+
 /// Pivots of the inertia matrix without units: below it an acceleration is not determined.
 constexpr double no_mass = 1e-12;
 
@@ -47,6 +66,9 @@ ForcedMotion::ForcedMotion(const Tree& tree, const Loops* loops, double toleranc
     tree.begin(state);
     start.loops = loops->close_beside(loops->first(), tree, state).value_or(loops->first());
   }
+  start.touches.resize(mechanism.springs.size());
+  State first;
+  if (place(tree, start.y, 0.0, start.loops, first)) require_within_clearance(mechanism, first);
   std::vector<Sample> steps{start};
   Effort effort;
   advanced(tree, start, until, effort, &steps, &changes_);
@@ -70,6 +92,7 @@ bool ForcedMotion::place(const Tree& tree, const std::vector<double>& y, double 
 
 void ForcedMotion::know_accelerations(const Tree& tree, Sample& at) const {
   State state;
+  state.touches = at.touches;
   static_cast<void>(place(tree, at.y, at.time, at.loops, state));
   const Solution of = solve(tree, state);
   if (of.unsolved) say_unsolved(tree, at.time, *of.unsolved);
@@ -134,13 +157,16 @@ void ForcedMotion::set(const Tree& tree, State& state) const {
       std::upper_bound(samples_.begin(), samples_.end(), time,
                        [](double at, const Sample& sample) { return at < sample.time; });
   const Sample& before = later == samples_.begin() ? *later : *(later - 1);
+  state.touches = before.touches;
   if (before.time == time)
     set(state, before.y);
   else if (later != samples_.begin() && later != samples_.end())
     set(state, between(before, *later, time));
   else {
     Effort effort;
-    set(state, advanced(tree, before, time, effort).y);
+    const Sample there = advanced(tree, before, time, effort);
+    state.touches = there.touches;
+    set(state, there.y);
   }
 }
 

@@ -48,6 +48,8 @@ ForcedMotion::Step ForcedMotion::step_from(const Tree& tree, const Sample& from,
   spend(tree, n + contacts_.size(), from.time, effort.steps, effort.bodies);
   Step step;
   State state;
+  state.touches = from.touches;
+  step.end.touches = from.touches;
   Loops::Sample near = from.loops;
   std::optional<std::vector<char>> acting;  // at the beginning
   const auto rates = [&](const Vector& y, Vector& rate, double time) {
@@ -92,6 +94,26 @@ ForcedMotion::Step ForcedMotion::step_from(const Tree& tree, const Sample& from,
   return step;
 }
 
+void ForcedMotion::touch(const Tree& tree, const Sample& from, Sample& end) const {
+  State state;
+  if (!place(tree, from.y, from.time, from.loops, state)) return;
+  const std::vector<Spring>& springs = tree.mechanism().springs;
+  std::vector<char> acted;
+  for (const Spring& spring : springs) acted.push_back(acts(spring, state) ? 1 : 0);
+  if (!place(tree, end.y, end.time, end.loops, state)) return;
+  for (std::size_t i = 0; i < springs.size(); ++i) {
+    const Spring& spring = springs[i];
+    if (!spring.impact) continue;
+    const bool now = acts(spring, state);
+    if (!now) end.touches[i] = {};
+    if (!now || acted[i] != 0) continue;
+    const Eigen::Vector3d d = position_of(state, spring.b) - position_of(state, spring.a);
+    const Eigen::Vector3d v = velocity_of(state, spring.b) - velocity_of(state, spring.a);
+    const LineLaw law = law_of(spring);
+    end.touches[i] = touched(law, inward(law, d.dot(v) / d.norm()));
+  }
+}
+
 std::vector<char> ForcedMotion::acting_in(const Mechanism& mechanism, const State& state) {
   std::vector<char> acting;
   for (const Spring& spring : mechanism.springs) {
@@ -105,6 +127,7 @@ double ForcedMotion::until_another_acts(const Tree& tree, const Sample& from) co
   constexpr double over = 1.05;  // beyond it, so that the step sees it
   double until = std::numeric_limits<double>::infinity();
   State state;
+  state.touches = from.touches;
   if (!one_sided_ || !place(tree, from.y, from.time, from.loops, state)) return until;
   accelerate(tree, state);
   for (const Spring& of : tree.mechanism().springs) {
@@ -253,6 +276,7 @@ ForcedMotion::Sample ForcedMotion::advanced(const Tree& tree, Sample from, doubl
     dt = direction * std::min({wanted, longest, std::abs(stop - from.time)});
     std::optional<Step> step = good_step(tree, from, smallest, effort, dt);
     while (!step) step = good_step(tree, from, smallest, effort, dt);
+    if (step->changes) touch(tree, from, step->end);
     if (step->changes && changes != nullptr) changes->push_back(step->end.time);
     const double longer = 0.9 * std::pow(std::max(step->error, 1e-9), -1.0 / 8.0);
     const double next = std::abs(dt) * std::min(5.0, longer);

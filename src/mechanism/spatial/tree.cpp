@@ -163,8 +163,9 @@ void Tree::wrenches(const State& state, std::span<const BodyWrench> others,
     needed.force -= wrench.force;
     needed.moment -= wrench.moment + (place - motion_of(state, on).position).cross(wrench.force);
   };
-  for (const Spring& spring : mechanism.springs) {
-    const Eigen::Vector3d force = force_of(spring, state);
+  for (std::size_t i = 0; i < mechanism.springs.size(); ++i) {
+    const Spring& spring = mechanism.springs[i];
+    const Eigen::Vector3d force = force_of(mechanism, i, state);
     act(spring.b.body, position_of(state, spring.b), {force, Eigen::Vector3d::Zero()});
     act(spring.a.body, position_of(state, spring.a), {-force, Eigen::Vector3d::Zero()});
   }
@@ -225,13 +226,22 @@ Tension tension_of(const Spring& spring, const State& state) {
           spring.stiffness * rate + spring.damping * second};
 }
 
-Eigen::Vector3d force_of(const Spring& spring, const State& state) {
+Eigen::Vector3d force_of(const Mechanism& mechanism, std::size_t i, const State& state) {
+  const Spring& spring = mechanism.springs[i];
   const Eigen::Vector3d d = position_of(state, spring.b) - position_of(state, spring.a);
   const double length = d.norm();
   // Without a length it has no direction; nor has what it does one.
   if (length == 0.0) return Eigen::Vector3d::Zero();
   if (!acts(spring, state)) return Eigen::Vector3d::Zero();
-  return -tension_of(spring, state).value / length * d;
+  double tension = 0.0;
+  if (spring.impact) {
+    const Eigen::Vector3d v = velocity_of(state, spring.b) - velocity_of(state, spring.a);
+    const double loss = state.touches.empty() ? 0.0 : state.touches[i].loss;
+    tension = boxbeam::tension_of(law_of(spring), length, d.dot(v) / length, {true, loss});
+  } else {
+    tension = tension_of(spring, state).value;
+  }
+  return -tension / length * d;
 }
 
 double along_coordinate(const Joint& joint, const Eigen::Vector3d& axis, const Wrench& wrench) {

@@ -19,9 +19,11 @@ class EquationsOfMotion {
  public:
   explicit EquationsOfMotion(const Mechanism& mechanism);
 
-  /// Accelerations and multipliers; false where they are not determined.
+  /// Accelerations and multipliers; false where they are not determined. `touches`: as those of a
+  /// state.
   bool solve_rates(double time, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
-                   Eigen::VectorXd& a, Eigen::VectorXd& lambda);
+                   Eigen::VectorXd& a, Eigen::VectorXd& lambda,
+                   const std::vector<Touch>& touches = {});
 
   /// Moves positions and velocities onto the constraints, the shortest way with lengths by the
   /// mechanism's size; false at a singular position, and where they cannot be met. Source: Eich,

@@ -16,12 +16,30 @@ struct AppliedLoad {
   Eigen::Vector2d point = Eigen::Vector2d::Zero();   ///< where, in the body's axes [m]
 };
 
+/// `touches`: as those of a state.
 std::vector<AppliedLoad> applied_loads_of(const Mechanism& mechanism, double time,
-                                          const Eigen::VectorXd& q, const Eigen::VectorXd& v);
+                                          const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                                          const std::vector<Touch>& touches = {});
 
 /// Adds the generalised applied forces to Q.
 void add_applied_forces(const Mechanism& mechanism, double time, const Eigen::VectorXd& q,
-                        const Eigen::VectorXd& v, Eigen::VectorXd& Q);
+                        const Eigen::VectorXd& v, Eigen::VectorXd& Q,
+                        const std::vector<Touch>& touches = {});
+
+/// A force that acts one way from a length of the line between its ends on.
+struct OneSided {
+  std::size_t force = 0;  ///< index in the mechanism's forces
+  Attachment a, b;
+  LineLaw law;
+};
+
+std::vector<OneSided> one_sided_in(const Mechanism& mechanism);
+
+/// How far the ends are beyond the length from which it acts, and the rate of that [m, m/s].
+struct Depth {
+  double value = 0.0, rate = 0.0;
+};
+Depth depth_of(const OneSided& of, const Eigen::VectorXd& q, const Eigen::VectorXd& v);
 
 /// A sliding contact with friction, prepared for evaluation.
 struct FrictionContact {

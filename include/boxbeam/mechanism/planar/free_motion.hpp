@@ -12,10 +12,14 @@ namespace boxbeam::planar {
 /// Integrates the freedoms that no driver moves, under the forces applied: the accelerations of the
 /// equations of motion by a Runge-Kutta method of order 8 with a step chosen by its error (Fehlberg
 /// 7(8), Boost.Odeint). After every step positions and velocities are projected back onto the
-/// constraints, so that nothing drifts. No step ends close to a singular position, where
-/// accelerations lose digits and another branch begins: it is passed over in one step, the most
-/// accurate of many, whose error may be 1e-6; states asked for within are interpolated.
-/// Sources: Fehlberg, NASA TR R-287 (1968); Eich, SIAM J. Numer. Anal. 30 (1993).
+/// constraints, so that nothing drifts. Steps end where a stop, a cable or a pin in its clearance
+/// begins or ends to act: whether it does is the same all through a step, and the time of a change
+/// is found on steps that end there. While bodies press on each other by the law of an impact a
+/// step must agree with its two halves, for the error of the method sees first and last stages
+/// only. No step ends close to a singular position, where accelerations lose digits and another
+/// branch begins: it is passed over in one step, the most accurate of many, whose error may be
+/// 1e-6; states asked for within are interpolated. Sources: Fehlberg, NASA TR R-287 (1968); Eich,
+/// SIAM J. Numer. Anal. 30 (1993).
 class FreeSolver {
  public:
   /// `tolerance`: error of a step in scaled coordinates and their rates. `project` false leaves the
@@ -30,6 +34,9 @@ class FreeSolver {
   /// arithmetic can tell apart.
   State advance(double time, const State& known);
 
+  /// When what acts one way has begun or ended to so far, in the order of the looks at it.
+  const std::vector<double>& changes() const { return changes_; }
+
   /// Steps taken and equations solved so far.
   int steps() const { return steps_; }
   int evaluations() const { return equations_.evaluations(); }
@@ -41,7 +48,8 @@ class FreeSolver {
     State before, behind;
   };
 
-  State state_of(double time, const Eigen::VectorXd& q, const Eigen::VectorXd& v);
+  State state_of(double time, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                 const std::vector<Touch>& touches);
   Step step_from(const State& known, double dt);
   /// Whether a pivot is that of a position close to a singular one.
   bool is_near_singular(double pivot) const;
@@ -52,9 +60,30 @@ class FreeSolver {
   const Passage* passage_of(const State& known) const;
   State between(const Passage& passage, double time);
 
+  /// Whether bodies press on each other by the law of an impact.
+  bool in_impact(const State& state) const;
+  /// How far from its end its two halves end, in tolerances.
+  double beside_halves(const State& known, const Step& step);
+  /// What acts one way and has got to the other side of its length in a state.
+  bool has_changed(const OneSided& of, const State& state) const;
+  bool has_changed(const State& state) const;
+  /// Lets what has changed act, or no longer, and solves the rates anew.
+  void change(State& state);
+  /// The first change between two states of a step.
+  struct Change {
+    std::size_t of = 0;              ///< among what acts one way
+    double from = 0.0, until = 0.0;  ///< times between which it is
+  };
+  std::optional<Change> first_change(const State& from, const State& end) const;
+  /// The step that ends with a change.
+  Step step_to(const Change& change, const State& from);
+
   const Mechanism* mechanism_;
   double tolerance_;
   bool project_;
+  std::vector<OneSided> one_sided_;
+  double touching_ = 0.0;  ///< a way that counts [m]
+  std::vector<double> changes_;
   EquationsOfMotion equations_;
   double regular_ = 0.0;  ///< the largest of the smallest pivots so far
   double natural_ = 0.0;  ///< the longest step that an error allowed, whatever was looked at [s]

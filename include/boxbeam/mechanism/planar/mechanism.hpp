@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "boxbeam/mechanism/common/body.hpp"
+#include "boxbeam/mechanism/common/contact.hpp"
 #include "boxbeam/mechanism/common/driver.hpp"
 #include "boxbeam/mechanism/common/friction.hpp"
 #include "boxbeam/mechanism/common/time_span.hpp"
@@ -151,13 +153,35 @@ enum class Hold {
 std::pair<Hold, Hold> holds_of(const Joint& joint);
 
 /// A spring and a damper between two points, pulling them together with
-/// stiffness (d - free_length) + damping d', d their distance.
+/// stiffness (d - free_length) + damping d', d their distance; a cable or a stop one way only,
+/// where a stop may part again by the law of an impact (`LineLaw`).
 struct Spring {
   Attachment a, b;
-  double stiffness = 0.0;    ///< [N/m]
+  double stiffness = 0.0;    ///< [N/m, of an impact N/m^n]
   double free_length = 0.0;  ///< [m]
   double damping = 0.0;      ///< [N s/m]
+  Acts acts = Acts::both;
+  std::optional<Impact> impact = {};
 };
+
+/// A pin whose bearing is wider than it: within its clearance nothing holds it, beyond that the
+/// bearing pushes it back along the line of centres. It has no equations: what it leaves free,
+/// forces move. Source: Flores, Ambrosio, Claro and Lankarani, Kinematics and Dynamics of Multibody
+/// Systems with Imperfect Joints (2008), chapter 3.
+struct PinWithClearance {
+  Attachment a, b;         ///< centres of the bearing and of the pin
+  double clearance = 0.0;  ///< radius of the bearing less that of the pin [m]
+  double stiffness = 0.0;  ///< [N/m^n]
+  Impact impact = {};
+  /// Where the pin's centre is at the beginning, from that of the bearing in the axes of its body;
+  /// at rest against it [m].
+  Eigen::Vector2d start = Eigen::Vector2d::Zero();
+};
+
+/// A spring that only pulls, from the clearance on.
+inline Spring spring_of(const PinWithClearance& pin) {
+  return {pin.a, pin.b, pin.stiffness, pin.clearance, 0.0, Acts::pulling, pin.impact};
+}
 
 /// The same between two angles: the moment stiffness (phi_a - phi_b - free_angle) + damping
 /// (omega_a - omega_b) turns them together.
@@ -182,7 +206,7 @@ struct Couple {
   Driver size;  ///< counter-clockwise on a [N m]
 };
 
-using ForceKind = std::variant<Spring, TorsionSpring, PointForce, Couple>;
+using ForceKind = std::variant<Spring, TorsionSpring, PointForce, Couple, PinWithClearance>;
 
 struct AppliedForce {
   std::string name;
@@ -242,6 +266,10 @@ double size_of(const Mechanism& mechanism);
 
 /// The functions of time of all drivers and forces.
 std::vector<DriverUse> functions_of(const Mechanism& mechanism);
+
+/// The mechanism with pins that fit in place of those with clearance, each where its pin begins;
+/// nothing where all fit.
+std::optional<Mechanism> without_clearance(const Mechanism& mechanism);
 
 /// How long the motion is looked at. Throws AnalysisError where it is not known.
 TimeSpan time_span_of(const Mechanism& mechanism);

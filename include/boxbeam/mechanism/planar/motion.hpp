@@ -19,6 +19,9 @@ struct Motion {
   State end;  ///< at begin + period: the first state again, or where an open motion ends
   DegreesOfFreedom freedom;
   std::vector<double> change_points;  ///< times at which two branches cross [s]
+  /// When a stop, a cable or a pin in its clearance begins or ends to act, ascending: there loads
+  /// bend, however short it acts between two instants [s].
+  std::vector<double> changes = {};
 };
 
 /// Finds states of a mechanism: instant by instant where drivers fix the motion, else by
@@ -26,17 +29,19 @@ struct Motion {
 class StateSolver {
  public:
   /// Throws AnalysisError where a freedom is left that no driver moves and the mechanism has no
-  /// duration over which forces should.
+  /// duration over which forces should, and where stops and cables act in a motion that drivers
+  /// decide.
   explicit StateSolver(const Mechanism& mechanism);
   /// The same where the freedom is known.
   StateSolver(const Mechanism& mechanism, DegreesOfFreedom freedom);
 
   bool integrates() const { return std::holds_alternative<FreeSolver>(solver_); }
   const DegreesOfFreedom& freedom() const { return freedom_; }
-  /// The first state, at t = 0, on the wanted branch.
+  /// The first state, at t = 0, on the wanted branch; pins with clearance where they begin.
   State start();
   State near(double time, const State& known);
   std::vector<double> change_points() const;
+  std::vector<double> changes() const;
 
  private:
   const Mechanism* mechanism_;
@@ -51,7 +56,8 @@ Motion solve_motion(const Mechanism& mechanism, int instants);
 /// harmonic of drivers and forces and from the turns of the bodies (eight instants to each, at
 /// least 96); it is doubled until every acceleration and reaction half-way between two instants is
 /// what the cubic through their neighbours says, within 1 % of its range (a harmonic of full size
-/// then has eight instants to its period). Throws AnalysisError where 24 576 are not enough.
+/// then has eight instants to its period). Throws AnalysisError where 24 576 are not enough, and
+/// where stops and cables change more than 1000 times.
 Motion solve_motion(const Mechanism& mechanism);
 
 /// States at any time of a solved motion (taken modulo the period of a closed one), from the

@@ -2,6 +2,9 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <vector>
+
+#include "boxbeam/mechanism/common/contact.hpp"
 
 namespace boxbeam::planar {
 
@@ -20,6 +23,9 @@ struct State {
   /// Tells assemblies apart: the signs of the determinants of the Jacobian's irreducible blocks (a
   /// block is a loop that closes by itself). Zero where it is not known.
   std::uint64_t assembly = 0;
+  /// Of every force, whether it has got to the length from which it acts one way; empty where that
+  /// is as the position says and nothing is lost.
+  std::vector<Touch> touches = {};
 };
 
 /// Between two states of a smooth motion: the polynomial of fifth degree that has the positions,

@@ -49,6 +49,7 @@ class ForcedMotion {
     std::vector<double> y;
     std::vector<double> accelerations = {};  ///< without units
     Loops::Sample loops = {};
+    std::vector<Touch> touches = {};  ///< of every spring, of that from here on
   };
   /// Why accelerations are not determined.
   struct Unsolved {
@@ -111,6 +112,8 @@ class ForcedMotion {
   /// a shorter one must tell.
   std::optional<Step> step_to_change(const Tree& tree, const Sample& from, Step step,
                                      Effort& effort, double& dt) const;
+  /// Of springs that begin to act at the end of a step, what their impacts lose.
+  void touch(const Tree& tree, const Sample& from, Sample& end) const;
   /// Whether a step ends where both its halves do.
   bool agrees_with_halves(const Tree& tree, const Sample& from, const Step& step, double dt,
                           Effort& effort) const;

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "boxbeam/mechanism/common/contact.hpp"
 #include "boxbeam/mechanism/common/driver.hpp"
 #include "boxbeam/mechanism/common/friction.hpp"
 #include "boxbeam/mechanism/common/time_span.hpp"
@@ -193,11 +194,11 @@ struct LineForce {
 };
 
 /// A spring with a damper beside it between two places: the force stiffness (length - free_length)
-/// + damping length' draws them together.
+/// + damping length' draws them together; a cable or a stop acts one way only, where a stop may
+/// part again by the law of an impact (`LineLaw`). A ball in a socket that is wider than it only
+/// pulls its centre back to that of the socket, from the clearance on.
 struct Spring {
-  /// A cable or chain only pulls, a stop or a tyre only pushes: the force is none where it would
-  /// not, and with a free length none short of it, or beyond it.
-  enum class Acts { both, pulling, pushing };
+  using Acts = boxbeam::Acts;
 
   std::string name;
   Attachment a, b;
@@ -205,6 +206,8 @@ struct Spring {
   double free_length = 0.0;  ///< [m]
   double damping = 0.0;      ///< [N s/m]
   Acts acts = Acts::both;
+  std::optional<Impact> impact = {};
+  bool clearance = false;  ///< a ball in its socket: the free length is its clearance
 };
 
 /// A spring with a damper beside it that turns a revolute joint back: its couple on the carried

@@ -24,6 +24,9 @@ struct State {
   /// Of every contact (`friction_contacts_of`), on the body that a joint carries or a closing
   /// joint's body b, along the joint's axis [N]; empty where it is not known.
   std::vector<double> friction = {};
+  /// Of every spring, the lambda of its impact; whether it touches follows from the position. Empty
+  /// where nothing is lost.
+  std::vector<Touch> touches = {};
 };
 
 /// A force and a moment.
@@ -110,8 +113,8 @@ std::vector<Spring> switches_of(const Spring& spring);
 /// ends approach each other or part.
 bool acts(const Spring& spring, const State& state);
 
-/// What a spring does to its place on b, world axes [N]; to that on a the opposite.
-Eigen::Vector3d force_of(const Spring& spring, const State& state);
+/// What spring i does to its place on b, world axes [N]; to that on a the opposite.
+Eigen::Vector3d force_of(const Mechanism& mechanism, std::size_t i, const State& state);
 
 /// What a torsion spring does to the body that its joint carries, world axes [N m]; to the carrying
 /// body the opposite.
