@@ -408,8 +408,10 @@ Eigen::VectorXd ElasticMotionInSpace::vibrating_at(double time) const {
 }
 
 BeamLoads ElasticMotionInSpace::loads_at(Time time) const {
-  BeamLoads loads = rigid_(time);
-  const BeamLoads vibrating = loads_of(vibrating_at(time.value()));
+  return with_vibration(rigid_(time), loads_of(vibrating_at(time.value())));
+}
+
+BeamLoads with_vibration(BeamLoads loads, const BeamLoads& vibrating) {
   const Length beam = length_of(vibrating.lines);
   for (const PointLoad& load : vibrating.points) {
     if (load.force.isZero(0.0) && load.moment.isZero(0.0)) continue;
