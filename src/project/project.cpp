@@ -267,17 +267,14 @@ std::vector<Hole> holes_at(const std::vector<BeamHole>& holes, Length s) {
 }
 
 spatial::BeamPlacement placement_in(const Project& project, const spatial::Mechanism& mechanism) {
-  spatial::BeamPlacement placement = project.placement;
+  return placement_in(project, project.placement, mechanism);
+}
+
+spatial::BeamPlacement placement_in(const Project& project, spatial::BeamPlacement placement,
+                                    const spatial::Mechanism& mechanism) {
   const spatial::Mechanism& base = spatial_of(project);
   placement.body =
       body_index(mechanism, base.bodies[static_cast<std::size_t>(placement.body)].name);
-  return placement;
-}
-
-spatial::BeamPlacement placement_in(const ElasticBeside& other,
-                                    const spatial::Mechanism& mechanism) {
-  spatial::BeamPlacement placement = std::get<WholeBody>(other.place).placement;
-  placement.body = body_index(mechanism, other.name);
   return placement;
 }
 

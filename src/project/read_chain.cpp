@@ -123,9 +123,10 @@ std::vector<std::size_t> joints_without_creep(const TableReader& root, const Mec
 
 }  // namespace
 
-Mechanism read_chain(TableReader& root, const std::vector<std::string>& beam_bodies,
-                     TimeTables& tables) {
-  Mechanism mechanism;
+ChainDraft read_chain(TableReader& root, const std::vector<std::string>& beam_bodies,
+                      TimeTables& tables) {
+  ChainDraft chain;
+  Mechanism& mechanism = chain.mechanism;
   TableReader general = root.table({"mechanism", "general"});
   mechanism.gravity =
       general.triple({"gravity", "acceleration of free fall, world axes"}, wanted::acceleration);
@@ -136,7 +137,7 @@ Mechanism read_chain(TableReader& root, const std::vector<std::string>& beam_bod
     mechanism.bodies.push_back(read_body(
         name, table, std::find(beam_bodies.begin(), beam_bodies.end(), name) != beam_bodies.end()));
   }
-  if (!read_chain_joints(root, mechanism, tables)) return mechanism;
+  if (!read_chain_joints(root, chain, tables)) return chain;
   const auto forced =
       std::find_if(mechanism.joints.begin(), mechanism.joints.end(), spatial::is_forced);
   if (forced != mechanism.joints.end() && !(mechanism.duration.length > 0.0) &&
@@ -150,7 +151,7 @@ Mechanism read_chain(TableReader& root, const std::vector<std::string>& beam_bod
   read_chain_branches(root, mechanism);
   check_functions(root, functions_of(mechanism), mechanism.duration, {"joints", "forces"});
   if (root.problems().empty()) fit_creep(mechanism, joints_without_creep(root, mechanism));
-  return mechanism;
+  return chain;
 }
 
 }  // namespace boxbeam::readers

@@ -3,8 +3,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "boxbeam/mechanism/spatial/rotation.hpp"
+#include "read_elasticity.hpp"
 #include "read_gearing.hpp"
 #include "readers.hpp"
 
@@ -40,6 +42,7 @@ struct JointDrafts {
   std::vector<bool> has_length;  ///< of the closing ones
   std::vector<GearingDraft> gearings;
   std::vector<spatial::Spring> loose;  ///< balls with clearance in their sockets
+  std::vector<NamedElasticJoint> giving_way;
 };
 
 /// The carrying point and the carried one.
@@ -298,6 +301,35 @@ Friction read_sliding_friction(TableReader& table, std::size_t kind) {
   return {};
 }
 
+/// Where a kind of joint keeps a place or a distance, and an angle; teeth are asked nothing.
+CanGiveWay where_it_gives(std::size_t kind) {
+  if (kind == free_body) return {};
+  switch (static_cast<ClosingKind>(kind)) {
+    case ClosingKind::fixed:
+    case ClosingKind::revolute:
+    case ClosingKind::prismatic:
+    case ClosingKind::cylindrical:
+    case ClosingKind::universal:
+    case ClosingKind::planar:
+    case ClosingKind::screw: return {true, true};
+    case ClosingKind::spherical:
+    case ClosingKind::slot:
+    case ClosingKind::distance: return {true, false};
+    case ClosingKind::gear:
+    case ClosingKind::rack: return {};
+  }
+  return {};
+}
+
+void read_elasticity_of(TableReader& table, const std::string& name, std::size_t kind,
+                        JointDrafts& drafts) {
+  const GivesWay of = read_elasticity(table, where_it_gives(kind));
+  if (std::isinf(of.stiffness) && std::isinf(of.turning_stiffness)) return;
+  drafts.giving_way.push_back({name,
+                               {static_cast<ClosingKind>(kind), of.stiffness, of.damping,
+                                of.turning_stiffness, of.turning_damping}});
+}
+
 JointDrafts read_joints_of(TableReader& root, Mechanism& mechanism) {
   JointDrafts drafts;
   for (auto& [name, table] :
@@ -349,6 +381,7 @@ JointDrafts read_joints_of(TableReader& root, Mechanism& mechanism) {
                     "a spherical joint with closes = true may have one: a ball in a wider socket; "
                     "of a pin two of them, at both ends of its bearing");
     }
+    read_elasticity_of(table, name, kind, drafts);
     if (table.problems().size() == before) {
       if (closes)
         add_closing(table, draft, kind, axes, drafts);
@@ -559,9 +592,11 @@ void free_the_rest(TableReader& root, const std::vector<bool>& has_length, Mecha
 
 }  // namespace
 
-bool read_chain_joints(TableReader& root, Mechanism& mechanism, TimeTables& tables) {
+bool read_chain_joints(TableReader& root, ChainDraft& chain, TimeTables& tables) {
   const std::size_t before = root.problems().size();
+  Mechanism& mechanism = chain.mechanism;
   const JointDrafts drafts = read_joints_of(root, mechanism);
+  chain.giving_way = drafts.giving_way;
   if (root.problems().size() != before || !sort_tree(root, drafts, mechanism)) {
     for (const char* key : {"drivers", "forces"}) {
       if (root.has(key)) root.table(key).accept_all();

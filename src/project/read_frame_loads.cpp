@@ -202,8 +202,9 @@ frame::Wheels read_wheels(TableReader& table, const Structure& structure) {
                               "and at the end; where not said beyond that of the member, which "
                               "they leave one after the other"},
                              wanted::length, length + last);
-  action.speed =
-      table.positive({"speed", "at which they pass; it says only when"}, wanted::velocity, 1.0);
+  action.speed = table.positive(
+      {"speed", "at which they pass, for when they do and how the frame vibrates under them"},
+      wanted::velocity, 1.0);
   if (!structure.plane) {
     action.y = table.quantity({"y", "of the rail, off the member's axis"}, wanted::length, 0.0);
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "read_elasticity.hpp"
 #include "readers.hpp"
 
 namespace boxbeam::readers {
@@ -190,12 +191,7 @@ std::optional<planar::PinWithClearance> read_loose(TableReader& table, const pla
   return loose;
 }
 
-/// Where a joint may have a stiffness: where it keeps a place or a distance, and an angle.
-struct CanGiveWay {
-  bool place = false, angle = false;
-};
-
-struct GivesWay {
+struct WhereItGives {
   CanGiveWay operator()(const planar::Pin&) const { return {true, false}; }
   CanGiveWay operator()(const planar::Slider&) const { return {true, true}; }
   CanGiveWay operator()(const planar::PinInSlot&) const { return {true, false}; }
@@ -207,36 +203,9 @@ struct GivesWay {
   CanGiveWay operator()(const planar::Driven&) const { return {}; }
 };
 
-/// A damper beside no spring moves nothing.
-void check_spring(TableReader& table, const char* stiffness, const char* damping) {
-  if (!table.has(damping) || table.has(stiffness)) return;
-  table.problem(damping,
-                fmt::format("\"{}\" damps what gives way, and without \"{}\" nothing does", damping,
-                            stiffness),
-                fmt::format("write \"{}\" as well, or remove it", stiffness));
-}
-
-planar::ElasticJoint read_elasticity(TableReader& table, const CanGiveWay& gives_way) {
-  planar::ElasticJoint elastic;
-  if (gives_way.place) {
-    const Key key{"stiffness",
-                  "where it keeps a place or a distance, in elastic models alone; rigid where not "
-                  "said"};
-    if (table.has(key)) elastic.stiffness = table.positive(key, wanted::stiffness);
-    elastic.damping =
-        table.not_negative({"damping", "beside that stiffness"}, wanted::damping, 0.0);
-    check_spring(table, "stiffness", "damping");
-  }
-  if (gives_way.angle) {
-    const Key key{"turning_stiffness",
-                  "where it keeps an angle, in elastic models alone; rigid where not said"};
-    if (table.has(key))
-      elastic.turning_stiffness = table.positive(key, wanted::torsional_stiffness);
-    elastic.turning_damping = table.not_negative({"turning_damping", "beside that stiffness"},
-                                                 wanted::torsional_damping, 0.0);
-    check_spring(table, "turning_stiffness", "turning_damping");
-  }
-  return elastic;
+planar::ElasticJoint elasticity_of(TableReader& table, const CanGiveWay& gives_way) {
+  const GivesWay of = read_elasticity(table, gives_way);
+  return {0, of.stiffness, of.damping, of.turning_stiffness, of.turning_damping};
 }
 
 }  // namespace
@@ -283,7 +252,7 @@ void read_joints(TableReader& root, MechanismDraft& draft) {
         }
       }
       const planar::ElasticJoint elastic =
-          read_elasticity(table, std::visit(GivesWay{}, joint.kind));
+          elasticity_of(table, std::visit(WhereItGives{}, joint.kind));
       if (elastic != planar::ElasticJoint{}) {
         draft.elastic.push_back(elastic);
         draft.elastic.back().joint = static_cast<int>(mechanism.joints.size());

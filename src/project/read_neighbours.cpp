@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 
@@ -345,13 +346,32 @@ Length thickest_wall_of(const Section& section) {
   return thickest;
 }
 
-RodInput read_rod(TableReader table, const Sections& sections, const Project& project) {
+/// Of a rod that is a body in space, where its section's z points in that body, if it is said.
+std::optional<Eigen::Vector3d> read_direction(TableReader& table, const RodInput& rod) {
+  const auto* const ends = std::get_if<SpatialRod>(&rod.place);
+  const Key key{"z",
+                "of its section in its body, in space, for how it bends; needed where the section "
+                "is not alike about both axes"};
+  if (ends == nullptr || !table.has(key)) return std::nullopt;
+  const Eigen::Vector3d z = table.direction(key);
+  const Eigen::Vector3d line = ends->to.p - ends->from.p;
+  constexpr double hardly_across = 0.01;
+  if (line.norm() > 0.0 && z.cross(line).norm() < hardly_across * line.norm())
+    table.problem("z", "the section's z stands across the rod",
+                  "choose a direction across the line from \"from\" to \"to\", in the axes of "
+                  "its body");
+  return z;
+}
+
+RodInput read_rod(TableReader table, const Sections& sections, const Project& project,
+                  std::optional<Eigen::Vector3d>& z) {
   RodInput rod;
   rod.name = table.text({"name", "of the rod"});
   if (project.in_space)
     read_place<SpatialRod>(table, spatial_of(project), rod);
   else
     read_place<PlanarRod>(table, planar_of(project), rod);
+  z = read_direction(table, rod);
   const std::size_t before = table.problems().size();
   rod.section = named_section(table, {"section", "of the rod"}, sections);
   const Key buckling{"buckling_length",
@@ -401,7 +421,10 @@ RodInput read_rod(TableReader table, const Sections& sections, const Project& pr
 
 }  // namespace
 
-void read_neighbours(TableReader& root, const Sections& sections, Project& project) {
+std::vector<std::optional<Eigen::Vector3d>> read_neighbours(TableReader& root,
+                                                            const Sections& sections,
+                                                            Project& project) {
+  std::vector<std::optional<Eigen::Vector3d>> directions;
   const auto check_own_name = [](TableReader& table, const auto& others, const auto& item) {
     if (std::any_of(others.begin(), others.end(),
                     [&](const auto& other) { return other.name == item.name; })) {
@@ -416,11 +439,12 @@ void read_neighbours(TableReader& root, const Sections& sections, Project& proje
   }
   for (TableReader& table :
        root.tables({"rods", "rods between two points, checked in tension and compression"})) {
-    RodInput rod = read_rod(table, sections, project);
+    RodInput rod = read_rod(table, sections, project, directions.emplace_back());
     check_own_name(table, project.rods, rod);
     project.rods.push_back(std::move(rod));
   }
   read_deflection_of(root, project);
+  return directions;
 }
 
 }  // namespace boxbeam::readers

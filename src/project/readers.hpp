@@ -103,13 +103,26 @@ void check_functions(TableReader& root, const std::vector<DriverUse>& functions,
 /// The constant "size" of a force, or its function of time "law".
 Driver read_size(TableReader& table, const FunctionOf& of, TimeTables& tables);
 
+/// A joint in space that gives way, by the name of the case.
+struct NamedElasticJoint {
+  std::string name;
+  spatial::ElasticJoint of;
+
+  friend bool operator==(const NamedElasticJoint&, const NamedElasticJoint&) = default;
+};
+
 /// A mechanism in space as written; its beams have no mass before `place_beam`.
-spatial::Mechanism read_chain(TableReader& root, const std::vector<std::string>& beam_bodies,
-                              TimeTables& tables);
+struct ChainDraft {
+  spatial::Mechanism mechanism;
+  std::vector<NamedElasticJoint> giving_way;
+};
+
+ChainDraft read_chain(TableReader& root, const std::vector<std::string>& beam_bodies,
+                      TimeTables& tables);
 
 /// [joints] and [drivers] of a mechanism in space whose bodies are read, which then stand in the
 /// order of its tree. False where they form none: nothing else can be found in it.
-bool read_chain_joints(TableReader& root, spatial::Mechanism& mechanism, TimeTables& tables);
+bool read_chain_joints(TableReader& root, ChainDraft& chain, TimeTables& tables);
 
 /// [forces] on the bodies of a mechanism in space.
 void read_chain_loads(TableReader& root, spatial::Mechanism& mechanism, TimeTables& tables);
@@ -264,8 +277,11 @@ FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam);
 /// Refuses categories for the net section on stretches with holes whose concentration is computed.
 void check_net_sections(TableReader& root, const Project& project);
 
-/// [[pins]], [[rods]] and [deflection], what the loads decide beside the beam.
-void read_neighbours(TableReader& root, const Sections& sections, Project& project);
+/// [[pins]], [[rods]] and [deflection], what the loads decide beside the beam. In space the
+/// directions of the z of the rods' sections in their bodies; nothing where a case does not say it.
+std::vector<std::optional<Eigen::Vector3d>> read_neighbours(TableReader& root,
+                                                            const Sections& sections,
+                                                            Project& project);
 
 /// [deflection]: its limit, and the line that it is measured from, which the beam's supports say
 /// where the case does not.

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "front_end_reader.hpp"
@@ -48,7 +49,9 @@ class SpatialReader : public FrontEndReader {
     const Key body{"body", "the body that is the beam; its mass comes from the sections"};
     beam_body_ = beam.text(body, "");
     others_ = read_other_beams(root, body, *sections_, *project_);
-    spatial::Mechanism mechanism = read_chain(root, names_of_beams(beam_body_, others_), *tables_);
+    ChainDraft chain = read_chain(root, names_of_beams(beam_body_, others_), *tables_);
+    giving_way_ = std::move(chain.giving_way);
+    spatial::Mechanism& mechanism = chain.mechanism;
     project_->beam_body = std::max(0, body_of(beam, "body", mechanism));
     if (root.problems().empty()) {
       project_->placement = read_placement(beam, mechanism, project_->beam_body);
@@ -59,6 +62,8 @@ class SpatialReader : public FrontEndReader {
     refuse_planar_parts(root, *project_, {.deflection = true, .neighbours = true, .loops = true});
     if (root.problems().empty()) {
       project_->elastic_beside = place_others(root, mechanism);
+      for (const NamedElasticJoint& joint : giving_way_)
+        project_->elastic_beside.push_back({joint.name, joint.of, {}});
       place_beam(root, project_->beam, project_->placement, mechanism);
       project_->hand_formulas = read_hand_formulas(root, mechanism);
     } else {
@@ -71,20 +76,59 @@ class SpatialReader : public FrontEndReader {
   Changeable changeable() const override { return changeable_of_bodies(beam_body_); }
 
   AnyMechanism changed_mechanism(TableReader& root) const override {
-    spatial::Mechanism mechanism = read_chain(root, names_of_beams(beam_body_, others_), *tables_);
+    ChainDraft chain = read_chain(root, names_of_beams(beam_body_, others_), *tables_);
+    if (chain.giving_way != giving_way_)
+      root.problem("joints", "the stiffness and damping of joints are those of all situations",
+                   "change them in [joints] itself, for example by --set");
     if (!root.problems().empty()) return project_->mechanism;
+    spatial::Mechanism& mechanism = chain.mechanism;
     spatial::BeamPlacement placement = project_->placement;
     placement.body = body_index(mechanism, beam_body_);
     static_cast<void>(place_others(root, mechanism));
     place_beam(root, project_->beam, placement, mechanism);
-    return mechanism;
+    return AnyMechanism(std::move(mechanism));
   }
 
   void read_neighbours(TableReader& root) override {
-    readers::read_neighbours(root, *sections_, *project_);
+    const auto directions = readers::read_neighbours(root, *sections_, *project_);
+    if (!root.problems().empty()) return;
+    for (std::size_t i = 0; i < directions.size(); ++i)
+      add_elastic_rod(project_->rods[i], directions[i]);
   }
 
  private:
+  /// A rod by its section, but for a spring or a joint that has a stiffness of its own, and one
+  /// that is a part of a beam.
+  void add_elastic_rod(const RodInput& rod, const std::optional<Eigen::Vector3d>& z) {
+    const spatial::Mechanism& mechanism = spatial_of(*project_);
+    ElasticBeside of;
+    of.name = rod.name;
+    if (const auto* const link = std::get_if<RodLink>(&rod.place)) {
+      if (link->spring) return;
+      const std::string& joint = mechanism.closing[link->index].name;
+      if (std::any_of(giving_way_.begin(), giving_way_.end(),
+                      [&](const NamedElasticJoint& own) { return own.name == joint; }))
+        return;
+      of.place = *link;
+    } else {
+      const auto& ends = std::get<SpatialRod>(rod.place);
+      const std::string& body = mechanism.bodies[static_cast<std::size_t>(ends.from.body)].name;
+      if (body == beam_body_ ||
+          std::any_of(others_.begin(), others_.end(),
+                      [&](const OtherBeam& other) { return other.on == body; }))
+        return;
+      RodBody place{{ends.from.body, ends.from.p, {}}, z.has_value()};
+      const Eigen::Vector3d along = (ends.to.p - ends.from.p).normalized();
+      const Eigen::Vector3d across = z ? *z : along.unitOrthogonal();
+      place.placement.axes.col(0) = along;
+      place.placement.axes.col(1) = across.cross(along).normalized();
+      place.placement.axes.col(2) = along.cross(place.placement.axes.col(1));
+      of.place = place;
+    }
+    of.beam.segments = {{"", Length{}, rod.length, rod.section, rod.section}};
+    project_->elastic_beside.push_back(std::move(of));
+  }
+
   /// Gives the other beams' bodies their mass; where they lie.
   std::vector<ElasticBeside> place_others(TableReader& root, spatial::Mechanism& mechanism) const {
     std::vector<ElasticBeside> beside;
@@ -108,6 +152,7 @@ class SpatialReader : public FrontEndReader {
 
   std::string beam_body_;
   std::vector<OtherBeam> others_;
+  std::vector<NamedElasticJoint> giving_way_;
 };
 
 }  // namespace

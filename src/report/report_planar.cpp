@@ -6,6 +6,7 @@
 #include "blocks.hpp"
 #include "front_end_text.hpp"
 #include "function_text.hpp"
+#include "giving_way.hpp"
 
 namespace boxbeam::report {
 namespace {
@@ -174,24 +175,14 @@ struct ForceText {
   }
 };
 
-/// Behind what a joint is, where it gives way in elastic models.
-std::string giving_way_text(const std::vector<ElasticBeside>& elastic, std::size_t joint) {
-  std::string text;
-  const auto add = [&](double stiffness, double damping, const char* about, const char* unit,
-                       const char* damping_unit) {
-    if (std::isinf(stiffness)) return;
-    text += fmt::format(", {}stiffness {} {}", about, plain(stiffness), unit);
-    if (damping > 0.0) text += fmt::format(" with damping {} {}", plain(damping), damping_unit);
-  };
+/// Behind what a joint is, where it gives way.
+std::string where_it_gives_way(const std::vector<ElasticBeside>& elastic, std::size_t joint) {
   for (const ElasticBeside& of : elastic) {
     const auto* const gives_way = std::get_if<planar::ElasticJoint>(&of.place);
-    if (gives_way == nullptr || gives_way->joint != static_cast<int>(joint)) continue;
-    add(gives_way->stiffness, gives_way->damping, "", "N/m", "N s/m");
-    add(gives_way->turning_stiffness, gives_way->turning_damping, "turning ", "N m/rad",
-        "N m s/rad");
-    text += " in elastic models";
+    if (gives_way != nullptr && gives_way->joint == static_cast<int>(joint))
+      return giving_way_text(*gives_way);
   }
-  return text;
+  return "";
 }
 
 Entries entries_of(const Mechanism& mechanism, const std::vector<ElasticBeside>& elastic) {
@@ -202,7 +193,7 @@ Entries entries_of(const Mechanism& mechanism, const std::vector<ElasticBeside>&
     entries.emplace_back(
         planar::is_driver(joint) ? "driver" : "joint",
         fmt::format("{}: {}{}", joint.name, std::visit(JointText{names}, joint.kind),
-                    giving_way_text(elastic, i)));
+                    where_it_gives_way(elastic, i)));
   }
   for (const planar::AppliedForce& force : mechanism.forces) {
     const bool loose = std::holds_alternative<planar::PinWithClearance>(force.kind);

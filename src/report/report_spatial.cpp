@@ -10,6 +10,7 @@
 #include "boxbeam/mechanism/spatial/rotation.hpp"
 #include "front_end_text.hpp"
 #include "function_text.hpp"
+#include "giving_way.hpp"
 
 namespace boxbeam::report {
 namespace {
@@ -177,6 +178,11 @@ Entries entries_of(const Project& project) {
                     branch.via ? (branch.sign > 0 ? "right-handed about" : "left-handed about")
                                : (branch.sign > 0 ? "along" : "against"),
                     direction_text(branch.direction), axes_text(mechanism, branch.axes)));
+  }
+  for (const ElasticBeside& of : project.elastic_beside) {
+    if (const auto* const joint = std::get_if<spatial::ElasticJoint>(&of.place))
+      entries.emplace_back("joint", fmt::format("{}: {}{}", of.name, spatial::to_text(joint->kind),
+                                                giving_way_text(*joint)));
   }
   for (const spatial::FrictionContact& contact : spatial::friction_contacts_of(mechanism)) {
     entries.emplace_back("friction",

@@ -8,6 +8,7 @@
 
 #include "boxbeam/project/link_profile.hpp"
 #include "boxbeam/section/section_properties.hpp"
+#include "members_in_space.hpp"
 #include "neighbour_loads.hpp"
 #include "neighbour_parts.hpp"
 
@@ -85,10 +86,15 @@ std::size_t rods_on(const Project& project, int body) {
       }));
 }
 
-std::string why_rigid(const Project&, const WholeBody&) { return ""; }
-std::string why_rigid(const Project&, const RodLink&) { return ""; }
-std::string why_rigid(const Project&, const planar::ElasticJoint&) { return ""; }
-std::string why_rigid(const Project& project, const PlanarRod& rod) {
+using Beside = const ElasticBeside&;
+std::string why_rigid(const Project&, Beside, const WholeBody&) { return ""; }
+std::string why_rigid(const Project&, Beside, const RodLink&) { return ""; }
+std::string why_rigid(const Project&, Beside, const planar::ElasticJoint&) { return ""; }
+std::string why_rigid(const Project&, Beside, const spatial::ElasticJoint&) { return ""; }
+std::string why_rigid(const Project& project, Beside of, const RodBody& rod) {
+  return obstacle_to_rod(project, of, rod);
+}
+std::string why_rigid(const Project& project, Beside, const PlanarRod& rod) {
   const planar::Mechanism& mechanism = planar_of(project);
   const RodMass mass = mass_of(body_of_rod(project, rod), rod);
   if (rods_on(project, rod.from.body) > 1) return "its body has several rods";
@@ -156,7 +162,15 @@ struct BesideBeam {
   }
 
   void operator()(const planar::ElasticJoint& joint) const { beam.joints.push_back(joint); }
+  // In space.
+  void operator()(const RodBody&) const {}
+  void operator()(const spatial::ElasticJoint&) const {}
 };
+
+bool is_joint(const ElasticBeside& of) {
+  return std::holds_alternative<planar::ElasticJoint>(of.place) ||
+         std::holds_alternative<spatial::ElasticJoint>(of.place);
+}
 
 }  // namespace
 
@@ -172,7 +186,7 @@ ElasticBody elastic_body_of(const Project& project, int parts) {
 }
 
 std::string obstacle_to_elasticity(const Project& project, const ElasticBeside& of) {
-  return std::visit([&](const auto& place) { return why_rigid(project, place); }, of.place);
+  return std::visit([&](const auto& place) { return why_rigid(project, of, place); }, of.place);
 }
 
 std::string elastic_beside_text(const Project& project) {
@@ -180,9 +194,8 @@ std::string elastic_beside_text(const Project& project) {
   for (const ElasticBeside& of : project.elastic_beside) {
     const std::string obstacle = obstacle_to_elasticity(project, of);
     if (obstacle.empty())
-      elastic += fmt::format("{}{}{}", elastic.empty() ? "" : ", ",
-                             std::holds_alternative<planar::ElasticJoint>(of.place) ? "joint " : "",
-                             of.name);
+      elastic +=
+          fmt::format("{}{}{}", elastic.empty() ? "" : ", ", is_joint(of) ? "joint " : "", of.name);
     else
       rigid +=
           fmt::format("{}rod {} counts as rigid: {}", rigid.empty() ? "" : "; ", of.name, obstacle);

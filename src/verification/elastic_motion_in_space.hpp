@@ -14,7 +14,8 @@
 namespace boxbeam {
 
 /// Elastic vibration of the verified beam in a large motion of its mechanism in space, the other
-/// beams of the case elastic as well: bending about both axes, torsion and stretching.
+/// beams of the case, its rods and joints that give way elastic as well: bending about both axes,
+/// torsion and stretching.
 ///
 /// In every posture, under the beam's axial force there, the stopped mechanism has modes
 /// (`StoppedVibration`), whose basis is turned so that it is nearest to the one at the beginning.
@@ -97,6 +98,9 @@ class ElasticMotionInSpace {
   std::shared_ptr<const ModalTransient> once_;
   double lowest_ = 1e300;
 };
+
+/// Loads on a beam with those of its modes: what one joint does at a place is one load.
+BeamLoads with_vibration(BeamLoads loads, const BeamLoads& vibrating);
 
 /// Why modes of the beams do not hold in their motion: a joint that slides along one, or teeth; ""
 /// where they do. `beams`: the elastic ones, the verified one first.

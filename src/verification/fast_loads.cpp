@@ -28,7 +28,8 @@ double lowest_of(const Project& project, const spatial::Mechanism& mechanism) {
     length += beam.length().value();
   };
   add(project.beam);
-  for (const ElasticBeside& other : project.elastic_beside) add(other.beam);
+  for (const ElasticBeside& other : project.elastic_beside)
+    if (std::holds_alternative<WholeBody>(other.place)) add(other.beam);
   return std::sqrt(3.0 * project.model.youngs_modulus * least / (mass * std::pow(length, 3)));
 }
 

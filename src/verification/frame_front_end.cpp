@@ -6,6 +6,7 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/frame/statics.hpp"
 #include "boxbeam/verification/model_choice.hpp"
+#include "frame_vibration.hpp"
 #include "front_ends.hpp"
 
 namespace boxbeam {
@@ -122,7 +123,9 @@ class LoadedFrame {
     standing_ = statics_.solve(acting_at(lasting_, 0.0));
   }
 
+  /// Of what does not repeat beyond its ends what acts there.
   frame::Equilibrium moving_at(double time) const {
+    if (!time_.closed) time = std::clamp(time, time_.begin, time_.begin + time_.length);
     return statics_.solve(acting_at(moving_, time));
   }
 
@@ -262,8 +265,11 @@ std::vector<BeamLoadRow> rows_of(const Project& project, const frame::Structure&
 
 class FrameAtRest : public SolvedMotion {
  public:
-  FrameAtRest(const Project& project, const Situation& situation, const SharedMotions& shared)
-      : project_(&project), frame_(shared.once<LoadedFrame>(index_of(project, situation), [&] {
+  FrameAtRest(const Project& project, const Situation& situation, const ElasticModel& model,
+              const SharedMotions& shared)
+      : project_(&project),
+        model_(model),
+        frame_(shared.once<LoadedFrame>(index_of(project, situation), [&] {
           return LoadedFrame(frame_in(project, situation));
         })) {}
 
@@ -282,10 +288,16 @@ class FrameAtRest : public SolvedMotion {
     const std::vector<Time> passages = passages_of(frame_->structure);
     span.breaks.insert(span.breaks.end(), passages.begin(), passages.end());
     std::sort(span.breaks.begin(), span.breaks.end());
-    return {span,
-            staying_on(project_->beam, [frame = frame_, beam = project_->beam_body](Time time) {
-              return frame->loads_at(beam, time.value());
-            })};
+    LoadsAt slowly = [frame = frame_, beam = project_->beam_body](Time time) {
+      return frame->loads_at(beam, time.value());
+    };
+    if (model_.level != ModelLevel::modal)
+      return {span, staying_on(project_->beam, std::move(slowly))};
+    const auto response =
+        std::make_shared<const FrameResponse>(*project_, frame_->structure, span, std::move(slowly),
+                                              static_cast<std::size_t>(model_.modes), model_.parts);
+    return {response->span_of(span),
+            staying_on(project_->beam, [response](Time time) { return response->loads_at(time); })};
   }
 
   double gravity() const override { return frame_->structure.gravity.norm(); }
@@ -350,6 +362,7 @@ class FrameAtRest : public SolvedMotion {
 
  private:
   const Project* project_;
+  ElasticModel model_;
   std::shared_ptr<const LoadedFrame> frame_;
   /// Under the loads, of which there are none other, when it is first asked for.
   mutable std::unique_ptr<const LoadedFrame::Pressed> pressed_;
@@ -359,9 +372,9 @@ class FrameFrontEnd : public FrontEnd {
  public:
   using FrontEnd::FrontEnd;
 
-  std::unique_ptr<const SolvedMotion> solve(const Situation& situation, const ElasticModel&,
+  std::unique_ptr<const SolvedMotion> solve(const Situation& situation, const ElasticModel& model,
                                             const SharedMotions& shared) const override {
-    return std::make_unique<FrameAtRest>(*project_, situation, shared);
+    return std::make_unique<FrameAtRest>(*project_, situation, model, shared);
   }
 
   std::optional<ModelChoice> own_model() const override {

@@ -19,6 +19,7 @@
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/vibration_estimate.hpp"
 #include "elastic_motion_in_space.hpp"
+#include "frame_vibration.hpp"
 #include "modal_transient.hpp"
 #include "second_order_growth.hpp"
 #include "vibration_in_space.hpp"
@@ -105,7 +106,7 @@ StressesOfBoth stresses_of_both(const Project& project, const LoadHistory& model
                                 const LoadHistory& better) {
   const LoadSpan& span = better.span();
   const bool alike = model.span().instants == span.instants && model.period() == better.period();
-  if (std::holds_alternative<spatial::Mechanism>(project.mechanism))
+  if (project.in_space)
     return {alike ? stress_history_in_space(model, project.beam)
                   : stress_history_in_space(model, project.beam, span),
             stress_history_in_space(better, project.beam)};
@@ -706,6 +707,68 @@ void weigh_balance(const Project& project, const std::deque<SituationRun>& rigid
           : "; on the beam as far bent as it is nothing is in balance";
 }
 
+/// Whether a frame at rest vibrates under loads over time by more than is tolerated, and if so the
+/// first modes that are known to hold what does; loads act slowly where none are.
+void choose_for_frame(const Project& project, const SharedMotions& shared, ModelChoice& choice,
+                      std::deque<SituationRun>& runs) {
+  FrameVibration worst;
+  for (const SituationRun& run : runs) {
+    FrameVibration of = estimate_vibration_of_frame(project, run);
+    if (!of.obstacle.empty()) {
+      choice.reason += "; loads act slowly: what vibration adds is not estimated: " + of.obstacle;
+      return;
+    }
+    if (of.estimate.frequencies.empty()) continue;
+    if (worst.estimate.frequencies.empty() ||
+        of.estimate.without_modes.front() > worst.estimate.without_modes.front())
+      worst = std::move(of);
+  }
+  const VibrationEstimate& estimate = worst.estimate;
+  if (estimate.frequencies.empty()) return;
+  const double missed = estimate.without_modes.front();
+  choice.frequencies = estimate.frequencies;
+  choice.harmonics = estimate.harmonics;
+  choice.weighed.push_back(
+      {choice.chosen,
+       fmt::format("response over time of the frame's modes {}", percent_text(missed)),
+       missed,
+       {}});
+  const ModelDemand demand = project.model.demand;
+  choice.reason += fmt::format(
+      "; the lowest natural frequency of the frame is {:.4g} Hz ({}), vibration is estimated to "
+      "change the governing stress by {}, tolerance {}",
+      estimate.frequencies.front(), worst.shape, percent_text(missed),
+      percent_text(choice.tolerance));
+  if (project.model.measured_loads || demand == ModelDemand::rigid ||
+      (demand == ModelDemand::automatic && missed <= choice.tolerance)) {
+    choice.reason += ": loads act slowly";
+    return;
+  }
+  std::string why = fmt::format("{} modes are not known to be within {} either",
+                                estimate.frequencies.size(), percent_text(choice.tolerance));
+  for (std::size_t k = 1; k < estimate.without_modes.size(); ++k) {
+    const ElasticModel model{ModelLevel::modal, static_cast<int>(k), 8, {}, false};
+    if (estimate.without_modes[k] > choice.tolerance) continue;
+    why = too_fast(runs, estimate.frequencies, k + 1);
+    if (!why.empty()) break;
+    try {
+      const double found = error_found(project, model, shared);
+      if (found > choice.tolerance) continue;
+      choice.weighed.push_back({model, "modes left out", estimate.without_modes[k], found});
+      choice.chosen = model;
+      choice.reason += fmt::format(
+          "; loads over time by {}, found {} against one mode more and "
+          "twice the parts",
+          describe(model), percent_text(found));
+      runs = run_situations(project, model, shared);
+      return;
+    } catch (const AnalysisError& error) {
+      why = error.failure().what;
+    }
+  }
+  choice.reason += "; loads act slowly, no modes are used: " + why;
+}
+
 }  // namespace
 
 ModelledRuns run_by_chosen_model(const Project& project, const SharedMotions& shared) {
@@ -714,6 +777,7 @@ ModelledRuns run_by_chosen_model(const Project& project, const SharedMotions& sh
     std::deque<SituationRun> runs = run_situations(project, own->chosen, shared);
     own->second_order = estimate_second_order(project, runs);
     own->reason += "; " + second_order_text(own->second_order);
+    if (has_loads_over_time(project)) choose_for_frame(project, shared, *own, runs);
     return {std::move(*own), std::move(runs)};
   }
   std::deque<SituationRun> rigid = run_situations(project, {}, shared);

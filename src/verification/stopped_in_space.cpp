@@ -31,17 +31,20 @@ class StoppedFrame {
         chain_(&chain),
         mechanism_(&chain.mechanism()),
         state_(&state),
-        open_(spatial::open_state_of(*mechanism_)) {}
+        open_(spatial::open_state_of(*mechanism_)),
+        giving_(project) {}
 
   /// Whether it can be made.
   bool make(const CutForceDiagram& diagram) {
     find_places();
     member_of_.assign(mechanism_->bodies.size(), frame::ground);
-    add_beam(project_->beam, placement_in(*project_, *mechanism_), diagram);
-    for (const ElasticBeside& other : project_->elastic_beside) {
-      const spatial::BeamPlacement placement = placement_in(other, *mechanism_);
-      const spatial::BeamBody body = spatial::beam_body_of(other.beam, placement, *mechanism_);
-      add_beam(other.beam, placement, rigid_cut_forces(*chain_, *state_, body));
+    const std::vector<ElasticMember> members = elastic_members(*project_, *mechanism_);
+    for (const ElasticMember& member : members) add_stiffness(member);
+    for (const ElasticMember& member : members) {
+      const bool first = structure.members.empty();
+      add_member(member, first ? diagram
+                               : rigid_cut_forces(*chain_, *state_, member.body_in(*mechanism_),
+                                                  wrenches()));
     }
     for (std::size_t i = 0; i < mechanism_->bodies.size(); ++i)
       if (member_of_[i] == frame::ground) add_body(static_cast<int>(i));
@@ -56,28 +59,38 @@ class StoppedFrame {
   frame::Equilibrium loaded;
 
  private:
-  void add_beam(const TaperedBeam& of, const spatial::BeamPlacement& placement,
-                const CutForceDiagram& diagram) {
-    const auto body = static_cast<std::size_t>(placement.body);
+  /// A rod that bows alone stretches, and is as stout as other bars.
+  void add_member(const ElasticMember& of, const CutForceDiagram& diagram) {
+    const auto body = static_cast<std::size_t>(of.placement.body);
+    const Vector3d start = spatial::position_of(*state_, {of.placement.body, of.placement.start});
+    const Matrix3d axes = state_->bodies[body].R_WB * of.placement.axes;
+    const double length = of.beam->length().value();
+    if (of.bows_alone) {
+      const double area = properties_of(of.beam->segments.front().from).area.value();
+      member_of_[body] =
+          add_bar(start, start + length * axes.col(0), of.youngs_modulus * area / length);
+      structure.members.back().axes = axes;
+      loaded.members.back().cut = diagram;
+      return;
+    }
     member_of_[body] = static_cast<int>(structure.members.size());
-    frame::Member& beam = structure.members.emplace_back();
-    beam.name = "beam";
-    beam.beam = of;
-    beam.start = spatial::position_of(*state_, {placement.body, placement.start});
-    beam.axes = state_->bodies[body].R_WB * placement.axes;
-    beam.youngs_modulus = project_->model.youngs_modulus;
-    beam.shear_modulus = project_->model.shear_modulus;
+    frame::Member& member = structure.members.emplace_back();
+    member.name = "beam";
+    member.beam = *of.beam;
+    member.start = start;
+    member.axes = axes;
+    member.youngs_modulus = of.youngs_modulus;
+    member.shear_modulus = of.shear_modulus;
     loaded.members.emplace_back().cut = diagram;
-    add_stiffness(of);
   }
 
-  /// Of the stiffest place of a beam, E A/L and E I/L.
-  void add_stiffness(const TaperedBeam& beam) {
-    const double length = beam.length().value();
-    for (const Segment& segment : beam.segments) {
+  /// Of the stiffest place of a beam or rod, E A/L and E I/L.
+  void add_stiffness(const ElasticMember& member) {
+    const double length = member.beam->length().value();
+    for (const Segment& segment : member.beam->segments) {
       for (const Section& section : {segment.from, segment.to}) {
         const SectionProperties of = properties_of(section);
-        const double E = project_->model.youngs_modulus;
+        const double E = member.youngs_modulus;
         along_ = std::max(along_, E * of.area.value() / length);
         about_ = std::max(about_, E * of.I_1.value() / length);
       }
@@ -165,12 +178,32 @@ class StoppedFrame {
     return {k, k, k, turning, turning, turning};
   }
 
-  static Matrix3d axes_with(const Vector3d& x) {
+  /// Where the joint gives way it is as stiff as it says: in series with what is held.
+  std::array<double, 6> held(const WaysToGive& ways) const {
+    std::array<double, 6> stiffness = held();
+    const std::array<const Give*, 6> given{&ways.along, &ways.across,     &ways.across,
+                                           &ways.about, &ways.first_tilt, &ways.second_tilt};
+    for (std::size_t way = 0; way < 6; ++way)
+      if (!std::isinf(given[way]->stiffness)) stiffness[way] = given[way]->stiffness;
+    return stiffness;
+  }
+
+  static Matrix3d axes_with(const Vector3d& x) { return axes_with(x, x.unitOrthogonal()); }
+  static Matrix3d axes_with(const Vector3d& x, const Vector3d& y) {
     Matrix3d axes;
     axes.col(0) = x;
-    axes.col(1) = x.unitOrthogonal();
-    axes.col(2) = x.cross(axes.col(1));
+    axes.col(1) = y;
+    axes.col(2) = x.cross(y);
     return axes;
+  }
+
+  /// The axis of the movement before this one where it lies across it: that of a universal joint.
+  Vector3d first_across(const spatial::Joint& of, const Vector3d& axis) const {
+    if (of.parent == spatial::ground) return axis.unitOrthogonal();
+    const spatial::Joint& before = mechanism_->joints[static_cast<std::size_t>(of.parent)];
+    const Vector3d other = spatial::in_world(*state_, before.parent, before.axis);
+    constexpr double square = 1e-9;
+    return std::abs(axis.dot(other)) < square ? other : axis.unitOrthogonal();
   }
 
   /// Not where forces move it. A screw that loops move is free to turn and to slide, by itself
@@ -184,8 +217,9 @@ class StoppedFrame {
     joint.name = of.name;
     joint.a = place_on(of.parent, at);
     joint.b = place_on(body, at);
-    joint.axes = axes_with(spatial::in_world(*state_, of.parent, of.axis));
-    joint.stiffness = held();
+    const Vector3d axis = spatial::in_world(*state_, of.parent, of.axis);
+    joint.axes = axes_with(axis, first_across(of, axis));
+    joint.stiffness = held(giving_.of(of));
     if (!spatial::is_driven(of)) {
       switch (of.kind) {
         case spatial::JointKind::fixed: break;
@@ -207,7 +241,9 @@ class StoppedFrame {
       const Vector3d from = spatial::position_of(*state_, of.a);
       const double tension =
           -(at - from).normalized().dot(wrenches()[mechanism_->joints.size() + k].force);
-      add_rod(of.name, of.a.body, of.b.body, from, at, stiff_bar((at - from).norm()), tension);
+      const double length = (at - from).norm(), given = giving_.of(of, length).along.stiffness;
+      add_rod(of.name, of.a.body, of.b.body, from, at,
+              std::isinf(given) ? stiff_bar(length) : given, tension);
       return;
     }
     frame::Joint& joint = structure.joints.emplace_back();
@@ -215,7 +251,7 @@ class StoppedFrame {
     joint.a = place_on(of.a.body, at);
     joint.b = place_on(of.b.body, at);
     joint.axes = axes_with(spatial::in_world(*state_, of.a.body, of.axis));
-    joint.stiffness = held();
+    joint.stiffness = held(giving_.of(of, 0.0));
     const auto free = [&](std::initializer_list<std::size_t> ways) {
       for (const std::size_t way : ways) joint.stiffness[way] = 0.0;
     };
@@ -293,6 +329,7 @@ class StoppedFrame {
   const spatial::Mechanism* mechanism_;
   const spatial::State* state_;
   spatial::State open_;
+  GivingWay giving_;
   double along_ = 0.0, about_ = 0.0;           ///< largest E A/L, E I/L of the beams [N/m, N m]
   std::vector<int> member_of_;                 ///< of each body
   std::vector<std::vector<Vector3d>> places_;  ///< on each body where others are joined

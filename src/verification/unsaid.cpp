@@ -263,6 +263,15 @@ std::vector<NotJudged> unestimated_vibration_of(const Project& project, const Mo
   const auto* const space = std::get_if<spatial::Mechanism>(&project.mechanism);
   if (model.chosen.level == ModelLevel::modal)
     return vibration_beside_of(project, model, runs, [](const SituationRun&) { return true; });
+  if (frame != nullptr && !model.frequencies.empty()) {
+    const double missed = vibration_missed_in_space(project, model);
+    if (missed <= model.tolerance) return {};
+    return {{Criterion::yield, "vibration",
+             fmt::format("estimated to change the governing stress by {}, tolerance {}, and loads "
+                         "act slowly; the lowest natural frequency of the frame is {:.4g} Hz",
+                         percent_text(missed), percent_text(model.tolerance),
+                         model.frequencies.front())}};
+  }
   const auto changes = [&](const SituationRun& run) {
     if (run.motion->stands_still()) return false;
     if (frame != nullptr && !has_functions_of_time(frame_in(project, *run.situation))) return false;

@@ -36,8 +36,9 @@ auto beam_on(int body, const std::vector<spatial::BeamPlacement>& beams) {
 class StoppedTies {
  public:
   StoppedTies(const spatial::Mechanism& mechanism, const spatial::State& state,
-              const std::vector<spatial::BeamPlacement>& beams)
-      : mechanism_(&mechanism), state_(&state) {
+              const std::vector<spatial::BeamPlacement>& beams, const GivingWay& giving,
+              const std::vector<spatial::Wrench>& wrenches)
+      : mechanism_(&mechanism), state_(&state), giving_(&giving), wrenches_(&wrenches) {
     const spatial::BeamPlacement& first = beams.front();
     const spatial::BodyMotion& own = state.bodies[static_cast<std::size_t>(first.body)];
     start_ = own.position + own.R_WB * first.start;
@@ -57,7 +58,7 @@ class StoppedTies {
                         R * body.inertia * R.transpose()});
     }
     for (std::size_t i = 0; i < mechanism_->joints.size(); ++i) add_joint(i);
-    for (const spatial::ClosingJoint& joint : mechanism_->closing) add_closing(joint);
+    for (std::size_t k = 0; k < mechanism_->closing.size(); ++k) add_closing(k);
     for (const spatial::Spring& spring : mechanism_->springs) add_spring(spring);
     for (const spatial::TorsionSpring& spring : mechanism_->torsion_springs) add_spring(spring);
   }
@@ -99,20 +100,44 @@ class StoppedTies {
     of.ends = {end(a, at, -per), end(b, at, per)};
     return of;
   }
-
-  void hold_across(int a, int b, const Vector3d& at, const Vector3d& axis) {
-    const Vector3d u = axis.unitOrthogonal();
-    tie(a, b, at, force(u));
-    tie(a, b, at, force(axis.cross(u)));
+  /// The same of the joint that is being tied, which may give way there.
+  void tie(int a, int b, const Vector3d& at, const frame::Vector6& per, const Give& give) {
+    give_way(tie(a, b, at, per), give);
   }
-  void hold_tilt(int a, int b, const Vector3d& at, const Vector3d& axis) {
+  void give_way(frame::Tie& of, const Give& give) const {
+    if (std::isinf(give.stiffness)) return;
+    of.stiffness = give.stiffness;
+    of.damping = give.damping;
+    const spatial::Wrench& on_b = (*wrenches_)[wrench_];
+    const frame::Vector6& per = of.ends.back().per;
+    // In a thread the couple follows from the force.
+    of.rigid = of.way() == 0 ? -(R_BW_ * on_b.force).dot(per.head<3>())
+                             : -(R_BW_ * on_b.moment).dot(per.tail<3>());
+  }
+
+  void hold_across(int a, int b, const Vector3d& at, const Vector3d& axis, const Give& give) {
     const Vector3d u = axis.unitOrthogonal();
-    tie(a, b, at, couple(u));
-    tie(a, b, at, couple(axis.cross(u)));
+    tie(a, b, at, force(u), give);
+    tie(a, b, at, force(axis.cross(u)), give);
+  }
+  /// About the first of two directions across the axis and about the other.
+  void hold_tilt(int a, int b, const Vector3d& at, const Vector3d& axis, const Vector3d& first,
+                 const WaysToGive& ways) {
+    tie(a, b, at, couple(first), ways.first_tilt);
+    tie(a, b, at, couple(axis.cross(first)), ways.second_tilt);
   }
   /// A thread advances by so much a radian.
-  void hold_thread(int a, int b, const Vector3d& at, const Vector3d& axis, double pitch) {
-    tie(a, b, at, force(axis) - pitch * couple(axis));
+  void hold_thread(int a, int b, const Vector3d& at, const Vector3d& axis, double pitch,
+                   const Give& give) {
+    tie(a, b, at, force(axis) - pitch * couple(axis), give);
+  }
+  /// The axis of the movement before this one where it lies across it: that of a universal joint.
+  Vector3d first_across(const spatial::Joint& of, const Vector3d& axis) const {
+    if (of.parent == spatial::ground) return axis.unitOrthogonal();
+    const spatial::Joint& before = mechanism_->joints[static_cast<std::size_t>(of.parent)];
+    const Vector3d other = turned(before.parent, before.axis);
+    constexpr double square = 1e-9;
+    return std::abs(axis.dot(other)) < square ? other : axis.unitOrthogonal();
   }
 
   void add_joint(std::size_t i) {
@@ -121,27 +146,31 @@ class StoppedTies {
     const int a = of.parent, b = static_cast<int>(i);
     const Vector3d at = in_beam(spatial::position_of(*state_, {b, of.point}));
     const Vector3d axis = turned(of.parent, of.axis);
-    hold_across(a, b, at, axis);
-    hold_tilt(a, b, at, axis);
+    const WaysToGive ways = giving_->of(of);
+    wrench_ = i;
+    hold_across(a, b, at, axis, ways.across);
+    hold_tilt(a, b, at, axis, first_across(of, axis), ways);
     const bool moves = of.kind != spatial::JointKind::fixed && !spatial::is_driven(of);
     if (!moves) {
-      tie(a, b, at, force(axis));
-      tie(a, b, at, couple(axis));
+      tie(a, b, at, force(axis), ways.along);
+      tie(a, b, at, couple(axis), ways.about);
       return;
     }
     switch (of.kind) {
       case spatial::JointKind::fixed: break;
-      case spatial::JointKind::revolute: tie(a, b, at, force(axis)); break;
-      case spatial::JointKind::prismatic: tie(a, b, at, couple(axis)); break;
+      case spatial::JointKind::revolute: tie(a, b, at, force(axis), ways.along); break;
+      case spatial::JointKind::prismatic: tie(a, b, at, couple(axis), ways.about); break;
       case spatial::JointKind::screw:
-        hold_thread(a, b, at, axis, spatial::pitch_of(of.lead));
+        hold_thread(a, b, at, axis, spatial::pitch_of(of.lead), ways.along);
         break;
     }
   }
 
-  void add_closing(const spatial::ClosingJoint& of) {
+  void add_closing(std::size_t k) {
     using Kind = spatial::ClosingKind;
+    const spatial::ClosingJoint& of = mechanism_->closing[k];
     name_ = of.name;
+    wrench_ = mechanism_->joints.size() + k;
     const int a = of.a.body, b = of.b.body;
     if (spatial::has_teeth(of.kind)) {
       add_mesh(of.mesh);
@@ -149,46 +178,53 @@ class StoppedTies {
     }
     const Vector3d at = in_beam(spatial::position_of(*state_, of.b));
     const Vector3d axis = turned(a, of.axis);
+    const double length =
+        (spatial::position_of(*state_, of.b) - spatial::position_of(*state_, of.a)).norm();
+    const WaysToGive ways = giving_->of(of, length);
+    const auto across = [&] { hold_across(a, b, at, axis, ways.across); };
+    const auto tilt = [&] { hold_tilt(a, b, at, axis, axis.unitOrthogonal(), ways); };
+    const auto along = [&] { tie(a, b, at, force(axis), ways.along); };
+    const auto about = [&] { tie(a, b, at, couple(axis), ways.about); };
     switch (of.kind) {
       case Kind::fixed:
-        hold_across(a, b, at, axis);
-        hold_tilt(a, b, at, axis);
-        tie(a, b, at, force(axis));
-        tie(a, b, at, couple(axis));
+        across();
+        tilt();
+        along();
+        about();
         break;
       case Kind::revolute:
-        hold_across(a, b, at, axis);
-        hold_tilt(a, b, at, axis);
-        tie(a, b, at, force(axis));
+        across();
+        tilt();
+        along();
         break;
       case Kind::prismatic:
-        hold_across(a, b, at, axis);
-        hold_tilt(a, b, at, axis);
-        tie(a, b, at, couple(axis));
+        across();
+        tilt();
+        about();
         break;
       case Kind::cylindrical:
-        hold_across(a, b, at, axis);
-        hold_tilt(a, b, at, axis);
+        across();
+        tilt();
         break;
       case Kind::universal:
-        hold_across(a, b, at, axis);
-        tie(a, b, at, force(axis));
-        tie(a, b, at, couple(axis.cross(turned(b, of.other)).normalized()));
+        across();
+        along();
+        tie(a, b, at, couple(axis.cross(turned(b, of.other)).normalized()), ways.second_tilt);
         break;
       case Kind::spherical:
-        hold_across(a, b, at, axis);
-        tie(a, b, at, force(axis));
+        across();
+        along();
         break;
       case Kind::planar:
-        tie(a, b, at, force(axis));
-        hold_tilt(a, b, at, axis);
+        along();
+        tilt();
         break;
-      case Kind::slot: hold_across(a, b, at, axis); break;
-      case Kind::distance: along_line(of.a, of.b); break;
+      case Kind::slot: across(); break;
+      case Kind::distance: give_way(along_line(of.a, of.b), ways.along); break;
       case Kind::screw:
-        hold_across(a, b, at, axis);
-        hold_tilt(a, b, at, axis);
-        hold_thread(a, b, at, axis, spatial::pitch_of(of.lead));
+        across();
+        tilt();
+        hold_thread(a, b, at, axis, spatial::pitch_of(of.lead), ways.along);
         break;
       case Kind::gear:
       case Kind::rack: break;
@@ -238,6 +274,9 @@ class StoppedTies {
 
   const spatial::Mechanism* mechanism_;
   const spatial::State* state_;
+  const GivingWay* giving_;
+  const std::vector<spatial::Wrench>* wrenches_;
+  std::size_t wrench_ = 0;  ///< of the joint that is being tied
   Vector3d start_;
   Matrix3d R_BW_;
   std::vector<int> member_;
@@ -340,14 +379,17 @@ Eigen::VectorXd bending_in_space(const LoadHistory& history, const PlaceInSpace&
   return about_y ? y : z;
 }
 
-/// `cuts_at` of one beam after the other.
-Eigen::VectorXd cuts_of_beams(const std::vector<frame::PosedBeam>& beams) {
+/// `cuts_at` of one beam after the other, then what is in ties that give way.
+Eigen::VectorXd cuts_of_scene(const frame::VibratingScene& scene) {
   Eigen::VectorXd cuts(0);
-  for (const frame::PosedBeam& posed : beams) {
-    const Eigen::VectorXd own = cuts_at(posed.rigid, posed.beam->stations());
+  const auto add = [&](const Eigen::VectorXd& own) {
     cuts.conservativeResize(cuts.size() + own.size());
     cuts.tail(own.size()) = own;
-  }
+  };
+  for (const frame::PosedBeam& posed : scene.beams)
+    add(cuts_at(posed.rigid, posed.beam->stations()));
+  for (const frame::Tie& tie : scene.ties)
+    if (tie.rigid) add(*tie.rigid * frame::Vector6::Unit(tie.way()));
   return cuts;
 }
 
@@ -382,17 +424,50 @@ Eigen::VectorXd allowed_in_cuts_of_space(const Eigen::VectorXd& largest) {
   return allowed;
 }
 
+/// Stresses of rigid loads, against which those beside them are weighed.
+struct WeighedStresses {
+  std::vector<PlaceInSpace> places;
+  Eigen::MatrixXd stresses;
+  double peak = 0.0, range = 0.0;
+
+  WeighedStresses(const LoadHistory& history, const TaperedBeam& beam)
+      : places(places_in_space(beam)), stresses(stresses_over(history, places)) {
+    peak = stresses.cwiseAbs().maxCoeff();
+    range = largest_range(stresses);
+  }
+
+  /// With none, one, ... of the modes counted. `parts`: of each mode over time, a column each.
+  std::vector<double> missed(const std::vector<frame::BeamMode>& modes,
+                             const Eigen::MatrixXd& parts) const {
+    std::vector<double> missed(modes.size() + 1, 0.0);
+    Eigen::MatrixXd beside = Eigen::MatrixXd::Zero(parts.rows(), stresses.cols());
+    for (std::size_t j = modes.size(); j-- > 0;) {
+      beside += parts.col(static_cast<Eigen::Index>(j)) * stresses_at(modes[j].cut, places);
+      const double of_range = range > 0.0 ? largest_range(beside) / range : 0.0;
+      missed[j] = std::max(beside.cwiseAbs().maxCoeff() / peak, of_range);
+      // A harmonic that meets a frequency without damping has no bound.
+      constexpr double no_bound = 1e6;
+      missed[j] = std::isfinite(beside.sum()) ? std::min(missed[j], no_bound) : no_bound;
+    }
+    return missed;
+  }
+
+  std::vector<LoadHarmonic> harmonics(const LoadHistory& history) const {
+    Eigen::Index governing = 0;
+    (stresses.colwise().maxCoeff() - stresses.colwise().minCoeff()).maxCoeff(&governing);
+    const auto place = static_cast<std::size_t>(governing / stresses_of_place);
+    return harmonics_of(bending_in_space(history, places[place]), 1.0 / history.period().value());
+  }
+};
+
 /// What the first modes of a posture, taken for the whole motion, are estimated to add.
 class SpaceEstimate {
  public:
   SpaceEstimate(const LoadHistory& history, const spatial::Chain& chain,
                 const StoppedVibration& stopped, const TaperedBeam& of)
-      : history_(&history), places_(places_in_space(of)), base_(1.0 / history.period().value()) {
-    stresses_ = stresses_over(history, places_);
-    peak_ = stresses_.cwiseAbs().maxCoeff();
-    range_ = largest_range(stresses_);
+      : history_(&history), weighed_(history, of), base_(1.0 / history.period().value()) {
     const bool steeper = spatial::time_span_of(chain.mechanism()).steeper;
-    if (peak_ == 0.0 || steeper) return;
+    if (weighed_.peak == 0.0 || steeper) return;
     if (history.closed()) {
       cuts_ = cuts_over(history, chain, stopped);
       return;
@@ -409,30 +484,13 @@ class SpaceEstimate {
   /// Whether what modes add is estimated.
   bool estimates() const { return cuts_.size() > 0 || once_; }
 
-  bool loaded() const { return peak_ > 0.0; }
+  bool loaded() const { return weighed_.peak > 0.0; }
 
-  /// With none, one, ... of the modes counted, of a motion that repeats.
   std::vector<double> missed_by(const std::vector<frame::BeamMode>& modes) const {
-    std::vector<double> missed(modes.size() + 1, 0.0);
-    const Eigen::MatrixXd parts = once_ ? parts_once(modes) : parts_over_period(modes);
-    Eigen::MatrixXd beside = Eigen::MatrixXd::Zero(parts.rows(), stresses_.cols());
-    for (std::size_t j = modes.size(); j-- > 0;) {
-      beside += parts.col(static_cast<Eigen::Index>(j)) * stresses_at(modes[j].cut, places_);
-      const double of_range = range_ > 0.0 ? largest_range(beside) / range_ : 0.0;
-      missed[j] = std::max(beside.cwiseAbs().maxCoeff() / peak_, of_range);
-      // A harmonic that meets a frequency without damping has no bound.
-      constexpr double no_bound = 1e6;
-      missed[j] = std::isfinite(beside.sum()) ? std::min(missed[j], no_bound) : no_bound;
-    }
-    return missed;
+    return weighed_.missed(modes, once_ ? parts_once(modes) : parts_over_period(modes));
   }
 
-  std::vector<LoadHarmonic> harmonics() const {
-    Eigen::Index governing = 0;
-    (stresses_.colwise().maxCoeff() - stresses_.colwise().minCoeff()).maxCoeff(&governing);
-    const auto place = static_cast<std::size_t>(governing / stresses_of_place);
-    return harmonics_of(bending_in_space(*history_, places_[place]), base_);
-  }
+  std::vector<LoadHarmonic> harmonics() const { return weighed_.harmonics(*history_); }
 
  private:
   Eigen::MatrixXd parts_over_period(const std::vector<frame::BeamMode>& modes) const {
@@ -456,9 +514,9 @@ class SpaceEstimate {
   }
 
   const LoadHistory* history_;
-  std::vector<PlaceInSpace> places_;
-  double base_, peak_ = 0.0, range_ = 0.0;
-  Eigen::MatrixXd stresses_, cuts_;
+  WeighedStresses weighed_;
+  double base_;
+  Eigen::MatrixXd cuts_;
   std::optional<StrainedOnce> once_;  ///< of a motion that does not repeat
 };
 
@@ -478,6 +536,15 @@ Eigen::MatrixXd stress_history_in_space(const LoadHistory& history, const Tapere
     stresses.row(i) = stresses_at(history.diagram_at(span.begin + part * span.period), places);
   }
   return stresses;
+}
+
+MissedInSpace missed_in_space(const LoadHistory& history, const TaperedBeam& beam,
+                              const std::vector<frame::BeamMode>& modes,
+                              const Eigen::MatrixXd& parts) {
+  const WeighedStresses weighed(history, beam);
+  if (weighed.peak == 0.0) return {};
+  return {weighed.missed(modes, parts),
+          history.closed() ? weighed.harmonics(history) : std::vector<LoadHarmonic>{}};
 }
 
 Eigen::VectorXd largest_stresses_in_space(const std::vector<frame::BeamMode>& modes,
@@ -503,46 +570,49 @@ Eigen::VectorXd cuts_at(const CutForceDiagram& diagram, const std::vector<Statio
 
 std::vector<spatial::BeamPlacement> elastic_placements(const Project& project,
                                                        const spatial::Mechanism& mechanism) {
-  std::vector<spatial::BeamPlacement> placements{placement_in(project, mechanism)};
-  for (const ElasticBeside& other : project.elastic_beside)
-    placements.push_back(placement_in(other, mechanism));
+  std::vector<spatial::BeamPlacement> placements;
+  for (const ElasticMember& member : elastic_members(project, mechanism))
+    placements.push_back(member.placement);
   return placements;
 }
 
 StoppedScene stopped_scene(const spatial::Mechanism& mechanism, const spatial::State& state,
-                           const std::vector<spatial::BeamPlacement>& beams) {
-  StoppedTies of(mechanism, state, beams);
+                           const std::vector<spatial::BeamPlacement>& members,
+                           const GivingWay& giving, const std::vector<spatial::Wrench>& wrenches) {
+  StoppedTies of(mechanism, state, members, giving, wrenches);
   return {std::move(of.bodies), std::move(of.ties)};
 }
 
 CutForceDiagram rigid_cut_forces(const spatial::Chain& chain, const spatial::State& state,
-                                 const spatial::BeamBody& beam) {
-  const LoadsAt loads =
-      staying_on(*beam.beam, [&](Time) { return spatial::beam_loads_of(chain, state, beam); });
+                                 const spatial::BeamBody& beam,
+                                 const std::vector<spatial::Wrench>& wrenches) {
+  const LoadsAt loads = staying_on(
+      *beam.beam, [&](Time) { return spatial::beam_loads_of(chain, state, beam, wrenches); });
   return cut_forces_of(loads(si<Time>(state.time)));
 }
 
 StoppedVibration::StoppedVibration(const Project& project, const spatial::Chain& chain, int parts,
                                    bool loaded)
-    : chain_(&chain), placements_(elastic_placements(project, chain.mechanism())) {
+    : chain_(&chain), giving_(project) {
   const spatial::Mechanism& mechanism = chain.mechanism();
-  const auto add = [&](const TaperedBeam& beam, int pieces) {
-    beams_.emplace_back(beam, project.model.youngs_modulus, project.model.shear_modulus,
-                        stations_held(mechanism, placements_[beams_.size()], loaded), pieces,
-                        project.model.retardation);
-  };
-  add(project.beam, parts);
+  const std::vector<ElasticMember> members = elastic_members(project, mechanism);
   // The cost of modes grows as the cube of all pieces.
   constexpr int most_beside = 64;
-  const auto others = static_cast<int>(project.elastic_beside.size());
-  for (const ElasticBeside& other : project.elastic_beside) {
-    beside_.push_back(spatial::beam_body_of(other.beam, placements_[beams_.size()], mechanism));
-    add(other.beam, std::clamp(most_beside / others, 1, parts));
+  const auto others = static_cast<int>(members.size()) - 1;
+  for (const ElasticMember& member : members) {
+    const bool first = beams_.empty();
+    if (!first) beside_.push_back(member.body_in(mechanism));
+    placements_.push_back(member.placement);
+    beams_.emplace_back(*member.beam, member.youngs_modulus, member.shear_modulus,
+                        stations_held(mechanism, member.placement, loaded),
+                        first ? parts : std::clamp(most_beside / others, 1, parts),
+                        project.model.retardation, member.masses);
   }
 }
 
-std::vector<frame::PosedBeam> StoppedVibration::beams_in(const spatial::State& state,
-                                                         const CutForceDiagram& rigid) const {
+std::vector<frame::PosedBeam> StoppedVibration::beams_in(
+    const spatial::State& state, const CutForceDiagram& rigid,
+    const std::vector<spatial::Wrench>& wrenches) const {
   std::vector<frame::PosedBeam> posed{{&beams_.front(), rigid}};
   const auto start_of = [&](const spatial::BeamPlacement& of) {
     return spatial::position_of(state, {of.body, of.start});
@@ -554,7 +624,7 @@ std::vector<frame::PosedBeam> StoppedVibration::beams_in(const spatial::State& s
   const Matrix3d into = axes_of(placements_.front()).transpose();
   for (std::size_t k = 0; k < beside_.size(); ++k) {
     const spatial::BeamPlacement& of = placements_[k + 1];
-    posed.push_back({&beams_[k + 1], rigid_cut_forces(*chain_, state, beside_[k]),
+    posed.push_back({&beams_[k + 1], rigid_cut_forces(*chain_, state, beside_[k], wrenches),
                      into * (start_of(of) - origin), into * axes_of(of)});
   }
   return posed;
@@ -562,8 +632,10 @@ std::vector<frame::PosedBeam> StoppedVibration::beams_in(const spatial::State& s
 
 frame::VibratingScene StoppedVibration::scene_in(const spatial::State& state,
                                                  const CutForceDiagram& rigid) const {
-  StoppedScene stopped = stopped_scene(chain_->mechanism(), state, placements_);
-  return {beams_in(state, rigid), std::move(stopped.bodies), std::move(stopped.ties)};
+  std::vector<spatial::Wrench> wrenches;
+  if (!beside_.empty() || !giving_.empty()) wrenches = chain_->joint_wrenches(state);
+  StoppedScene stopped = stopped_scene(chain_->mechanism(), state, placements_, giving_, wrenches);
+  return {beams_in(state, rigid, wrenches), std::move(stopped.bodies), std::move(stopped.ties)};
 }
 
 std::vector<frame::BeamMode> StoppedVibration::modes(const spatial::State& state,
@@ -574,7 +646,7 @@ std::vector<frame::BeamMode> StoppedVibration::modes(const spatial::State& state
 
 Eigen::VectorXd StoppedVibration::rigid_cuts(const spatial::State& state,
                                              const CutForceDiagram& rigid) const {
-  return cuts_of_beams(beams_in(state, rigid));
+  return cuts_of_scene(scene_in(state, rigid));
 }
 
 ModesInMotion StoppedVibration::modes_in_motion(const spatial::State& state,
@@ -605,7 +677,7 @@ ModesInMotion StoppedVibration::modes_in_motion(const spatial::State& state,
                     principal.eigenvectors().transpose());
   }
   result.turning = frame::turning_terms_of(scene, result.modes, frames);
-  const Eigen::VectorXd cuts = cuts_of_beams(scene.beams);
+  const Eigen::VectorXd cuts = cuts_of_scene(scene);
   const auto size = static_cast<Eigen::Index>(result.modes.size());
   result.force.resize(size);
   result.damping.resize(size, size);
@@ -630,8 +702,12 @@ ModesInMotion StoppedVibration::modes_in_motion(const spatial::State& state,
 }
 
 std::string shape_of(const frame::BeamMode& mode) {
-  constexpr const char* words[] = {"stretching", "bending about y",         "bending about z",
-                                   "torsion",    "springs beside the beam", "other beams"};
+  constexpr const char* words[] = {"stretching",
+                                   "bending about y",
+                                   "bending about z",
+                                   "torsion",
+                                   "springs and joints beside the beam",
+                                   "other beams and rods"};
   return words[std::max_element(mode.energy.begin(), mode.energy.end()) - mode.energy.begin()];
 }
 
@@ -648,7 +724,8 @@ std::string obstacle_to_vibration_in_space(const std::deque<SituationRun>& rigid
 }
 
 double vibration_missed_in_space(const Project& project, const ModelChoice& model) {
-  if (!std::holds_alternative<spatial::Mechanism>(project.mechanism)) return 0.0;
+  const bool frame = std::holds_alternative<frame::Structure>(project.mechanism);
+  if (!frame && !std::holds_alternative<spatial::Mechanism>(project.mechanism)) return 0.0;
   if (model.chosen.level == ModelLevel::modal) return 0.0;
   if (model.weighed.empty()) return 0.0;
   const ModelEstimate& by_rigid = model.weighed.front();

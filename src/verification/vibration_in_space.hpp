@@ -9,26 +9,33 @@
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/vibration_estimate.hpp"
+#include "members_in_space.hpp"
 
 namespace boxbeam {
 
-/// Where the beams of a case in space lie, the verified one first: all of them are elastic.
+/// Where the elastic members of a case in space lie, the verified beam first.
 std::vector<spatial::BeamPlacement> elastic_placements(const Project& project,
                                                        const spatial::Mechanism& mechanism);
 
-/// The rigid bodies beside elastic beams of a mechanism in space that is stopped in a state, and
-/// how they and the beams are tied, in the axes of the first beam: rods and driven joints rigid,
-/// other joints free as they are, springs elastic.
+/// The rigid bodies beside elastic members of a mechanism in space that is stopped in a state, and
+/// how they and the members are tied, in the axes of the first of these: drives rigid, joints and
+/// rods without mass rigid where they do not give way, other joints free as they are, springs
+/// elastic.
 struct StoppedScene {
-  std::vector<frame::RigidMass> bodies;  ///< in the order of the mechanism, without the beams'
+  std::vector<frame::RigidMass> bodies;  ///< in the order of the mechanism, without the members'
   std::vector<frame::Tie> ties;
 };
+/// `wrenches`: `spatial::Chain::joint_wrenches` then, where something gives way.
 StoppedScene stopped_scene(const spatial::Mechanism& mechanism, const spatial::State& state,
-                           const std::vector<spatial::BeamPlacement>& beams);
+                           const std::vector<spatial::BeamPlacement>& members,
+                           const GivingWay& giving = {},
+                           const std::vector<spatial::Wrench>& wrenches = {});
 
-/// Of a beam as a rigid body in a state. Throws AnalysisError where a load has left it.
+/// Of a beam as a rigid body in a state, with `joint_wrenches` of the chain. Throws AnalysisError
+/// where a load has left it.
 CutForceDiagram rigid_cut_forces(const spatial::Chain& chain, const spatial::State& state,
-                                 const spatial::BeamBody& beam);
+                                 const spatial::BeamBody& beam,
+                                 const std::vector<spatial::Wrench>& wrenches);
 
 /// The six cut forces at stations, one station after the other.
 Eigen::VectorXd cuts_at(const CutForceDiagram& diagram, const std::vector<Station>& stations);
@@ -45,9 +52,10 @@ struct ModesInMotion {
 };
 
 /// Vibration of the beams of a mechanism in space, which is stopped in a posture: all beams of the
-/// case elastic, other bodies, rods and driven joints rigid, other joints free as they are, springs
-/// elastic. Friction holds nothing. Its axial force softens or stiffens each beam; what presses
-/// other bodies, springs and rods does not.
+/// case and its rods by their section elastic, joints that have a stiffness as well, other bodies,
+/// rods and drives rigid, other joints free as they are, springs elastic. Friction holds nothing.
+/// Its axial force softens or stiffens each beam and rod that is a body; what presses other bodies,
+/// springs and rods without mass does not.
 class StoppedVibration {
  public:
   /// `parts`: about so many pieces of the verified beam, and of each other one unless these are so
@@ -65,7 +73,8 @@ class StoppedVibration {
   ModesInMotion modes_in_motion(const spatial::State& state, const CutForceDiagram& rigid,
                                 std::size_t count) const;
 
-  /// Cut forces of all rigid beams where `BeamMode::work` has them; `rigid`: of the verified one.
+  /// What rigid bodies put in all members, joints and rods that give way where `BeamMode::work` has
+  /// it; `rigid`: the cut forces of the verified beam.
   Eigen::VectorXd rigid_cuts(const spatial::State& state, const CutForceDiagram& rigid) const;
 
   const std::vector<spatial::BeamPlacement>& placements() const { return placements_; }
@@ -74,17 +83,18 @@ class StoppedVibration {
   frame::VibratingScene scene_in(const spatial::State& state, const CutForceDiagram& rigid) const;
 
  private:
-  std::vector<frame::PosedBeam> beams_in(const spatial::State& state,
-                                         const CutForceDiagram& rigid) const;
+  std::vector<frame::PosedBeam> beams_in(const spatial::State& state, const CutForceDiagram& rigid,
+                                         const std::vector<spatial::Wrench>& wrenches) const;
 
   const spatial::Chain* chain_;
+  GivingWay giving_;
   std::vector<spatial::BeamPlacement> placements_;  ///< the verified beam first
   std::vector<frame::VibratingBeam> beams_;         ///< likewise
   std::vector<spatial::BeamBody> beside_;           ///< the others as rigid bodies
 };
 
 /// Largest part of a mode's elastic energy, in words: "bending about y", "bending about z",
-/// "torsion", "stretching", "springs beside the beam", "other beams".
+/// "torsion", "stretching", "springs and joints beside the beam", "other beams and rods".
 std::string shape_of(const frame::BeamMode& mode);
 
 /// `estimate_vibration` of a beam in space: the modes of its stopped mechanism, stresses of N, M_y
@@ -118,6 +128,18 @@ Eigen::MatrixXd stress_history_in_space(const LoadHistory& history, const Tapere
 Eigen::MatrixXd stress_history_in_space(const LoadHistory& history, const TaperedBeam& beam,
                                         const LoadSpan& span);
 
+/// What modes do beside the loads of a history, relative to the largest of these stresses or of
+/// their ranges, with none, one, ... of them counted, and the harmonics of what repeats; nothing
+/// of a beam without stress.
+struct MissedInSpace {
+  std::vector<double> without_modes;
+  std::vector<LoadHarmonic> harmonics;
+};
+/// `parts`: of each mode beyond its static one over time (`dynamic_part`), a column each.
+MissedInSpace missed_in_space(const LoadHistory& history, const TaperedBeam& beam,
+                              const std::vector<frame::BeamMode>& modes,
+                              const Eigen::MatrixXd& parts);
+
 /// The largest of these stresses that a unit of each mode makes.
 Eigen::VectorXd largest_stresses_in_space(const std::vector<frame::BeamMode>& modes,
                                           const TaperedBeam& beam);
@@ -125,9 +147,9 @@ Eigen::VectorXd largest_stresses_in_space(const std::vector<frame::BeamMode>& mo
 /// Why nothing is estimated in any of the situations that run; "" where the motion lets it.
 std::string obstacle_to_vibration_in_space(const std::deque<SituationRun>& rigid);
 
-/// What rigid bodies were estimated to miss by vibration, of the governing stress, without second
-/// order where the model weighs it; zero where that was not estimated, and in the plane, where it
-/// decides on the model.
+/// What rigid bodies, or loads on a frame that act slowly, were estimated to miss by vibration, of
+/// the governing stress, without second order where the model weighs it; zero where that was not
+/// estimated, and of mechanisms in the plane, where it decides on the model.
 double vibration_missed_in_space(const Project& project, const ModelChoice& model);
 
 /// At instants evenly spread over a run and about the lowest first frequency. Of loads whose edges

@@ -17,6 +17,7 @@
 #include "boxbeam/mechanism/planar/newton_chain.hpp"
 #include "boxbeam/mechanism/recorded/loads.hpp"
 #include "boxbeam/mechanism/spatial/beam_loads.hpp"
+#include "boxbeam/mechanism/spatial/elastic_joint.hpp"
 #include "boxbeam/mechanism/spatial/mechanism.hpp"
 #include "boxbeam/project/case_document.hpp"
 #include "boxbeam/section/plate_kind.hpp"
@@ -239,11 +240,18 @@ struct WholeBody {
   spatial::BeamPlacement placement = {};  ///< in space only
 };
 
-/// What is elastic with the verified beam of a mechanism: another beam of the case, in the plane
-/// also a rod by its section, or a joint that has a stiffness.
+/// A body in space that is a rod from one of its points to another.
+struct RodBody {
+  spatial::BeamPlacement placement;
+  bool directed = false;  ///< whether the case says where its section's z points
+};
+
+/// What is elastic with the verified beam of a mechanism: another beam of the case, a rod by its
+/// section, or a joint that has a stiffness.
 struct ElasticBeside {
   std::string name;  ///< of the beam's body, the rod or the joint
-  std::variant<WholeBody, PlanarRod, RodLink, planar::ElasticJoint> place;
+  std::variant<WholeBody, PlanarRod, RodLink, planar::ElasticJoint, RodBody, spatial::ElasticJoint>
+      place;
   TaperedBeam
       beam;  ///< of a rod from end to end, its mass being what its body says; of a joint none
 };
@@ -473,8 +481,8 @@ inline const recorded::Loads& recorded_in(const Project& project, const Situatio
 
 /// Where the beam lies in the mechanism of a situation, whose bodies may stand in another order.
 spatial::BeamPlacement placement_in(const Project& project, const spatial::Mechanism& mechanism);
-/// Those of other beams.
-spatial::BeamPlacement placement_in(const ElasticBeside& other,
+/// That of another place on a body of the case as it is written.
+spatial::BeamPlacement placement_in(const Project& project, spatial::BeamPlacement placement,
                                     const spatial::Mechanism& mechanism);
 
 /// The time that a case is looked at.

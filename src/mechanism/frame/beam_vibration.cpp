@@ -87,16 +87,18 @@ std::vector<SegmentMass> with_rotary_inertia(TaperedBeam beam) {
 }  // namespace
 
 VibratingBeam::VibratingBeam(const TaperedBeam& beam, double youngs_modulus, double shear_modulus,
-                             std::vector<double> held, int parts, double retardation)
+                             std::vector<double> held, int parts, double retardation,
+                             const std::vector<SegmentMass>& own_masses)
     : beam_(&beam),
       length_(beam.length().value()),
       retardation_(retardation),
-      rotary_(beam.rotary_inertia) {
+      rotary_(beam.rotary_inertia || !own_masses.empty()) {
   bool twisted = true;
   for (const Segment& segment : beam.segments)
     twisted = twisted && twists(segment.from) && twists(segment.to);
   const FlexibilityProfile profile(beam, youngs_modulus, shear_modulus, twisted);
-  const std::vector<SegmentMass> masses = with_rotary_inertia(beam);
+  const std::vector<SegmentMass> masses =
+      own_masses.empty() ? with_rotary_inertia(beam) : own_masses;
   held.insert(held.end(), {0.0, length_});
   for (const Segment& segment : beam.segments) held.push_back(segment.start.value());
   for (double& s : held) s = std::clamp(s, 0.0, length_);

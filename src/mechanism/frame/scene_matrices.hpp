@@ -75,7 +75,8 @@ struct Tied {
 struct SceneMatrices {
   Eigen::SparseMatrix<double> springs, K, M, C;
   std::vector<Tied> held, elastic;
-  Eigen::VectorXd unit;  ///< shifts by the length of the longest beam, as turns
+  std::vector<Tied> giving;  ///< of these those of joints and rods, in their order
+  Eigen::VectorXd unit;      ///< shifts by the length of the longest beam, as turns
 };
 
 /// `pressed`: the beams' axial forces are in their stiffness.

@@ -188,6 +188,15 @@ BeamMode mode_of_motion(const VibratingScene& scene, const SceneRows& rows, cons
   return mode;
 }
 
+/// The largest of the diagonal, shifts by this length.
+double stiffest_entry_of(const Eigen::SparseMatrix<double>& stiffness, double length) {
+  const VectorXd diagonal = stiffness.diagonal();
+  double largest = 0.0;
+  for (Index k = 0; k < diagonal.size(); ++k)
+    largest = std::max(largest, diagonal[k] * (k % 6 < 3 ? length * length : 1.0));
+  return largest;
+}
+
 }  // namespace
 
 SceneMatrices matrices_of(const VibratingScene& scene, const SceneRows& rows, bool pressed) {
@@ -216,6 +225,8 @@ SceneMatrices matrices_of(const VibratingScene& scene, const SceneRows& rows, bo
     inert.add(at + 3, at + 3, scene.bodies[b].inertia);
   }
   SceneMatrices all;
+  const Eigen::SparseMatrix<double> of_beams = stiff.of_size(size, size);
+  const double as_rigid = stiff_as_rigid * stiffest_entry_of(of_beams, length);
   for (const Tie& tie : scene.ties) {
     Gap gap;
     for (const Tie::End& end : tie.ends) {
@@ -223,7 +234,8 @@ SceneMatrices matrices_of(const VibratingScene& scene, const SceneRows& rows, bo
       const Followed by = followed_by(scene, rows, end.at);
       gap.add(by.row, carry(end.at.p - by.from).transpose() * end.per);
     }
-    if (std::isinf(tie.stiffness)) {
+    if (tie.rigid) all.giving.push_back({&tie, gap});
+    if (tie.stiffness * (tie.way() == 0 ? length * length : 1.0) > as_rigid) {
       all.held.push_back({&tie, std::move(gap)});
       continue;
     }
@@ -237,7 +249,7 @@ SceneMatrices matrices_of(const VibratingScene& scene, const SceneRows& rows, bo
     all.elastic.push_back({&tie, std::move(gap)});
   }
   all.springs = sprung.of_size(size, size);
-  all.K = stiff.of_size(size, size) + all.springs;
+  all.K = of_beams + all.springs;
   all.M = inert.of_size(size, size);
   all.C = viscous.of_size(size, size);
   all.unit = VectorXd::Ones(size);
@@ -302,6 +314,12 @@ std::vector<BeamMode> modes_of(const VibratingScene& scene, std::size_t count) {
     mode.drag = all.C * motion;
     mode.damping = motion.dot(mode.drag);
     mode.energy[4] = mu * motion.dot(all.springs * motion);
+    const Index on_beams = mode.work.size();
+    mode.work.conservativeResize(on_beams + static_cast<Index>(6 * all.giving.size()));
+    mode.work.tail(mode.work.size() - on_beams).setZero();
+    for (std::size_t t = 0; t < all.giving.size(); ++t)
+      mode.work[on_beams + static_cast<Index>(6 * t) + all.giving[t].tie->way()] =
+          all.giving[t].gap.of(motion);
     const auto own = static_cast<Index>(6 * first.nodes().size());
     mode.own_mass = motion.head(own).dot((all.M * motion).head(own));
     // What rigid ties do keeps the rest in motion; elastic ones oppose their gaps.

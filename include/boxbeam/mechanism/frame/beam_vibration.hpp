@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -33,6 +34,12 @@ struct Tie {
   double stiffness = std::numeric_limits<double>::infinity();  ///< infinite: rigid
   double damping = 0.0;                                        ///< viscous
   std::string_view name = {};  ///< of the joint or spring that it is of, which owns the text
+  /// Of a joint or rod that gives way: what draws its gap together by rigid bodies, the opposite of
+  /// its force [N or N m]. Springs have none: what is in them loads the rigid bodies.
+  std::optional<double> rigid = {};
+
+  /// Its place among the six cut forces: that of N where it shifts, of T where it turns.
+  Eigen::Index way() const { return ends.front().per.head<3>().isZero(0.0) ? 3 : 0; }
 };
 
 /// A free vibration, of modal mass one.
@@ -45,8 +52,9 @@ struct BeamMode {
   /// length, so that V stands across the straight axis.
   BeamLoads loads;
   /// Work of the cut forces at `VibratingBeam::stations` of one beam after the other, six for each,
-  /// on the strains of the mode: their sum is the generalised force of loads that are in balance
-  /// with the rigid mechanism.
+  /// on the strains of the mode, then of `Tie::rigid` of one tie after the other on its gap, at
+  /// `Tie::way` of six: their sum is the generalised force of loads that are in balance with the
+  /// rigid mechanism.
   Eigen::VectorXd work;
   double damping = 0.0;  ///< phi^T C phi [1/s]
   /// Shifts and turns of the beams' nodes and then of the bodies' centres, six for each, in the
@@ -109,8 +117,11 @@ class VibratingBeam {
   /// Rotary inertia about y and z where the beam counts it, about x always. Where the torsion
   /// constant is not known the beam is as good as rigid in torsion. `beam` stays.
   /// `retardation`: of the material, whose stress is E (strain + retardation strain') [s].
+  /// `masses`: along its segments where they are not those of its sections; all their rotary
+  /// inertia counts.
   VibratingBeam(const TaperedBeam& beam, double youngs_modulus, double shear_modulus,
-                std::vector<double> held, int parts, double retardation = 0.0);
+                std::vector<double> held, int parts, double retardation = 0.0,
+                const std::vector<SegmentMass>& masses = {});
 
   double length() const { return length_; }            ///< [m]
   double retardation() const { return retardation_; }  ///< [s]
@@ -154,11 +165,15 @@ struct VibratingScene {
 /// AnalysisError where something is free to move or buckles under the axial forces.
 ///
 /// Rigid ties are satisfied exactly: what they leave free is the null space of their equations.
-/// Frequencies are upper bounds; of a mode of wave number k and pieces of length h high by about
-/// (k h)^4/1440 and, of the part of its energy that is torsion, stretching or shear, (k h)^2/24:
-/// with eight pieces a cantilever's first in bending by 2e-6, in torsion by 1.6e-3.
-/// Source: Rayleigh, The Theory of Sound (1877), section 88.
+/// Ties of `stiff_as_rigid` times the stiffest piece of a beam are rigid. Frequencies are upper
+/// bounds; of a mode of wave number k and pieces of length h high by about (k h)^4/1440 and, of the
+/// part of its energy that is torsion, stretching or shear, (k h)^2/24: with eight pieces a
+/// cantilever's first in bending by 2e-6, in torsion by 1.6e-3. Source: Rayleigh, The Theory of
+/// Sound (1877), section 88.
 std::vector<BeamMode> modes_of(const VibratingScene& scene, std::size_t count);
+
+/// Above it round-off is more than what a tie gives.
+inline constexpr double stiff_as_rigid = 1e4;
 
 /// What turning adds to the equations of modes that are fixed to the axes of beams and bodies,
 /// `frames` those of the beams and then of the bodies:

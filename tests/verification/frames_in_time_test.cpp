@@ -1,0 +1,259 @@
+// Beams and frames at rest under forces over time: closed forms of a beam on two supports and of a
+// cantilever, finite elements of the test's own, and what must hold of every frame.
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/verification/model_choice.hpp"
+#include "boxbeam/verification/situation_run.hpp"
+#include "boxbeam/verification/unsaid.hpp"
+#include "catch.hpp"
+#include "src/verification/frame_vibration.hpp"
+#include "src/verification/vibration_in_space.hpp"
+
+namespace frames_in_time_test {
+
+using namespace boxbeam;
+using Eigen::Index;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double pi = std::numbers::pi, E = 2.1e11, L = 6.0, rho = 7850.0;
+constexpr double A = 0.06 * 0.08 - 0.052 * 0.072;
+const double I = (0.06 * std::pow(0.08, 3) - 0.052 * std::pow(0.072, 3)) / 12.0;
+
+const std::string pinned =
+    "[supports.left]\nkind = \"pinned\"\nat = \"0 m\"\n"
+    "[supports.right]\nkind = \"roller\"\nat = \"6 m\"\n";
+const std::string clamped = "[supports.root]\nkind = \"fixed\"\nat = \"0 m\"\n";
+
+/// A beam of 6 m along x in the plane, without weight.
+std::string beam(const std::string& supports, const std::string& loads,
+                 const std::string& more = "", const std::string& place = "angle = \"0 deg\"") {
+  return "[case]\nname = \"girder\"\nkind = \"static\"\n[frame]\n"
+         "gravity = [\"0 m/s^2\", \"0 m/s^2\"]\n"
+         "[sections.box]\nkind = \"box\"\nwidth = \"60 mm\"\nheight = \"80 mm\"\n"
+         "flange = \"4 mm\"\nweb = \"4 mm\"\n"
+         "[beam]\nfrom = [\"0 m\", \"0 m\"]\n" +
+         place +
+         "\ndensity = \"7850 kg/m^3\"\npoints = { M = [\"3 m\", \"0 m\"] }\n"
+         "[[beam.segments]]\nlength = \"6 m\"\nsection = \"box\"\n" +
+         supports + loads + more + "[material]\nsteel = \"S355\"\n[strength]\nrequired = 1.0\n";
+}
+
+std::string driven(const char* at, const char* direction, const std::string& law) {
+  return fmt::format(
+      "[loads.push]\nkind = \"driven\"\nat = \"{}\"\ndirection = {}\nlaw = {{ {} }}\n", at,
+      direction, law);
+}
+
+std::string harmonic(double amplitude, double frequency) {
+  return fmt::format(
+      "kind = \"harmonic\", mean = \"0 N\", amplitude = \"{} N\", frequency = \"{:.17g} Hz\"",
+      amplitude, frequency);
+}
+
+/// A case with its loads by statics. Shear does not count.
+struct Solved {
+  explicit Solved(const std::string& text)
+      : project(slender(text)), runs(run_situations(project)) {}
+
+  static Project slender(const std::string& text) {
+    Project project = parse_project("girder.toml", text);
+    project.model.youngs_modulus = E;
+    auto& structure = std::get<frame::Structure>(project.mechanism);
+    for (frame::Member& member : structure.members) {
+      member.youngs_modulus = E;
+      member.shear_modulus = 1e6 * 8.1e10;
+    }
+    return project;
+  }
+
+  const frame::Structure& structure() const { return frame_of(project); }
+  const LoadHistory& slowly() const { return runs.front().loads; }
+  FrameResponse response(std::size_t modes, int parts) const {
+    return {project,         structure(),
+            slowly().span(), [this](Time time) { return slowly().loads_at(time); },
+            modes,           parts};
+  }
+  double estimated() const {
+    const FrameVibration of = estimate_vibration_of_frame(project, runs.front());
+    REQUIRE(of.obstacle.empty());
+    return of.estimate.without_modes.front();
+  }
+
+  Project project;
+  std::deque<SituationRun> runs;
+};
+
+double moment_at(const BeamLoads& loads, double s) {
+  return cut_forces_of(loads).at({si<Length>(s), Side::behind}).M_y.value();
+}
+
+/// omega_n of a beam on two supports [1/s].
+double omega_of(int n) { return std::pow(n * pi / L, 2) * std::sqrt(E * I / (rho * A)); }
+
+}  // namespace
+
+// w(x, t) = sin(Omega t) sum 2 P sin(n pi c/L) sin(n pi x/L)/(m L (omega_n^2 - Omega^2)); M = -E I
+// w'': Timoshenko, Young, Weaver, Vibration Problems in Engineering (1974), section 5.10.
+TEST_CASE("a beam on two supports under a harmonic force", "[frames_in_time]") {
+  constexpr double P = 100.0, c = 3.0;
+  for (const double r : {0.3, 0.7, 1.4}) {
+    const double Omega = r * omega_of(1);
+    const Solved of(beam(pinned, driven("beam.M", "[0, -1]", harmonic(P, Omega / (2 * pi)))));
+    const FrameResponse response = of.response(4, 32);
+    CHECK(response.lowest_frequency() == Approx(omega_of(1) / (2 * pi)).epsilon(1e-5));
+    // Beyond statics, which converges fast.
+    const auto beyond = [&](double x) {
+      double sum = 0.0;
+      for (int n = 1; n < 400; ++n) {
+        const double square = std::pow(omega_of(n), 2);
+        sum += 2.0 * P / (rho * A * L) * std::sin(n * pi * c / L) * std::sin(n * pi * x / L) * E *
+               I * std::pow(n * pi / L, 2) * (1.0 / (square - Omega * Omega) - 1.0 / square);
+      }
+      return sum;
+    };
+    for (const double part : {0.1, 0.25, 0.7}) {
+      const Time time = of.slowly().begin() + part * of.slowly().period();
+      const double now = std::sin(2 * pi * part);
+      for (const double s : {1.2, 2.9}) {
+        CAPTURE(r, part, s);
+        const double by_statics = moment_at(of.slowly().loads_at(time), s);
+        CHECK(std::abs(by_statics) == Approx(0.5 * P * s * std::abs(now)).epsilon(1e-8));
+        const double sign = by_statics * now >= 0.0 ? 1.0 : -1.0;
+        CHECK(moment_at(response.loads_at(time), s) - by_statics ==
+              Approx(sign * beyond(s) * now).margin(2e-3 * std::abs(beyond(2.9))));
+        const Imbalance left = imbalance_of(response.loads_at(time));
+        CHECK(left.force.norm() < 1e-6 * P);
+        CHECK(left.moment.norm() < 1e-6 * P * L);
+      }
+    }
+    // At the middle, of the moment P L/4.
+    CHECK(of.estimated() == Approx(std::abs(beyond(3.0)) / (0.25 * P * L)).epsilon(0.02));
+  }
+}
+
+// 1 - cos of a force that is there at once and stays: of a cantilever under P at its end the first
+// mode has 4 P L/z^2 of the root moment of statics, by phi(L) = 2/sqrt(m L) and phi''(0) = 2
+// (z/L)^2/sqrt(m L), of modal mass one.
+TEST_CASE("a step of a force counts twice", "[frames_in_time]") {
+  constexpr double P = 50.0;
+  const double f = std::pow(1.8751040687119612 / L, 2) * std::sqrt(E * I / (rho * A)) / (2 * pi);
+  // A rise far shorter than the period.
+  const double rise = 0.01 / f;
+  const Solved of(beam(
+      clamped,
+      driven("beam.end", "[0, -1]",
+             fmt::format("kind = \"smooth step\", from = \"0 N\", to = \"{} N\", begin = \"{:.9g} "
+                         "s\", end = \"{:.9g} s\"",
+                         P, 0.0, rise))));
+  const FrameResponse response = of.response(1, 24);
+  const LoadSpan span = response.span_of(of.slowly().span());
+  double largest = 0.0;
+  for (int i = 0; i <= 400; ++i) {
+    const Time time = span.begin + span.period * (i / 400.0);
+    largest = std::max(largest, std::abs(moment_at(response.loads_at(time), 0.0)));
+  }
+  const double z = 1.8751040687119612;
+  CHECK(largest == Approx(P * L * (1.0 + 4.0 / (z * z))).epsilon(2e-3));
+  CHECK(of.estimated() > 0.9);
+}
+
+// A force that runs over a beam on two supports, P sin(n pi v t/L): Fryba, Vibration of Solids and
+// Structures under Moving Loads (1972), chapter 1: w = sum w_n sin(n pi x/L), w_n = 2 P/(m L)
+// (sin(k t) - k/omega sin(omega t))/(omega^2 - k^2), k = n pi v/L.
+TEST_CASE("a wheel that runs over a beam on two supports", "[frames_in_time]") {
+  constexpr double P = 200.0;
+  const double v = 0.4 * omega_of(1) * L / pi;
+  const Solved of(beam(
+      pinned,
+      fmt::format("[loads.wheel]\nkind = \"wheels\"\nwheels = [{{ force = [\"0 N\", \"{} N\"] }}]\n"
+                  "from = \"0 m\"\nto = \"6 m\"\nspeed = \"{:.17g} m/s\"\n",
+                  -P, v)));
+  const FrameResponse response = of.response(5, 24);
+  for (const double part : {0.3, 0.62, 0.85}) {
+    const double t = part * L / v;
+    for (const double x : {2.0, 4.1}) {
+      double beyond = 0.0;
+      for (int n = 1; n <= 5; ++n) {
+        const double omega = omega_of(n), k = n * pi * v / L;
+        const double w = (std::sin(k * t) - k / omega * std::sin(omega * t)) /
+                         (omega * omega - k * k),
+                     still = std::sin(k * t) / (omega * omega);
+        beyond += 2.0 * P / (rho * A * L) * (w - still) * std::sin(n * pi * x / L) * E * I *
+                  std::pow(n * pi / L, 2);
+      }
+      const Time time = si<Time>(t);
+      const double by_statics = moment_at(of.slowly().loads_at(time), x),
+                   statics = P * std::min(x, v * t) * (L - std::max(x, v * t)) / L;
+      CAPTURE(part, x);
+      CHECK(std::abs(by_statics) == Approx(statics).epsilon(1e-6));
+      const double sign = by_statics < 0.0 ? -1.0 : 1.0;
+      CHECK(moment_at(response.loads_at(time), x) - by_statics ==
+            Approx(sign * beyond).margin(3e-3 * P * L / 4.0));
+    }
+  }
+  CHECK(of.estimated() > 0.2);
+}
+
+// f^2 falls by N/N_cr of a pinned beam that is pressed: the axial force of statics softens it.
+TEST_CASE("a frame's axial force softens its vibration", "[frames_in_time]") {
+  const double N_cr = pi * pi * E * I / (L * L);
+  const std::string push = driven("beam.M", "[0, -1]", harmonic(1.0, 1.0));
+  const auto first = [&](double part) {
+    const Solved of(
+        beam(pinned, push + fmt::format("[loads.press]\nkind = \"force\"\nat = "
+                                        "\"beam.end\"\nforce = [\"{:.17g} N\", \"0 N\"]\n",
+                                        -part * N_cr)));
+    return VibratingFrame(of.project, of.structure(), 24).modes(0.0, 1).front().frequency;
+  };
+  CHECK(std::pow(first(0.6) / first(0.0), 2) == Approx(0.4).epsilon(1e-4));
+  CHECK_THROWS_AS(first(1.05), AnalysisError);
+}
+
+// Invariant: however the frame lies in its plane.
+TEST_CASE("a frame that is turned vibrates alike", "[frames_in_time]") {
+  const double f = 0.6 * omega_of(1) / (2 * pi);
+  const Solved of(beam(clamped, driven("beam.M", "[0, -1]", harmonic(10.0, f))));
+  const Solved turned(beam(clamped, driven("beam.M", "[0.8, -0.6]", harmonic(10.0, f)), "",
+                           "angle = \"53.13010235415598 deg\""));
+  const FrameResponse one = of.response(3, 12), other = turned.response(3, 12);
+  for (const double part : {0.1, 0.6}) {
+    const Time time = of.slowly().begin() + part * of.slowly().period();
+    CHECK(moment_at(other.loads_at(time), 1.0) ==
+          Approx(moment_at(one.loads_at(time), 1.0)).epsilon(1e-8));
+  }
+}
+
+TEST_CASE("what loads over time add to a frame stands in its model and its verdict",
+          "[frames_in_time]") {
+  const auto choose = [](double r, const std::string& model = "") {
+    const Project project = Solved::slender(beam(
+        pinned, driven("beam.M", "[0, -1]", harmonic(100.0, r * omega_of(1) / (2 * pi))), model));
+    ModelledRuns of = run_by_chosen_model(project);
+    return std::pair(of.model, unestimated_vibration_of(project, of.model, of.runs));
+  };
+  // Slow: r^2/(1 - r^2) is 0.25 %.
+  const auto [slow, nothing] = choose(0.05);
+  CHECK_THAT(slow.reason, Catch::Contains("loads act slowly"));
+  CHECK(slow.chosen.level == ModelLevel::flexible);
+  CHECK(nothing.empty());
+  const auto [fast, none] = choose(0.5);
+  CHECK(fast.chosen.level == ModelLevel::modal);
+  CHECK(fast.frequencies.front() == Approx(omega_of(1) / (2 * pi)).epsilon(1e-4));
+  CHECK(none.empty());
+  const auto [demanded, said] = choose(0.5, "[model]\ndemand = \"rigid\"\n");
+  CHECK(demanded.chosen.level == ModelLevel::flexible);
+  REQUIRE(said.size() == 1);
+  CHECK_THAT(said.front().reason, Catch::Contains("loads act slowly"));
+}
+
+}  // namespace frames_in_time_test
