@@ -187,6 +187,26 @@ double time_of(const Motion& motion, std::size_t instant, std::size_t count) {
   return motion.begin + motion.period * static_cast<double>(instant) / static_cast<double>(count);
 }
 
+/// Where contacts begin to stick or to slide while a motion is looked at.
+std::vector<SlipChange> slip_changes_in(const Motion& motion, const StateSolver& solver) {
+  constexpr std::size_t most_changes = 1000;
+  std::vector<SlipChange> changes = solver.slip_changes();
+  std::erase_if(changes, [&](const SlipChange& of) {
+    return of.time <= motion.begin || of.time >= motion.begin + motion.period;
+  });
+  if (changes.size() <= most_changes) return changes;
+  throw AnalysisError(
+      {fmt::format(
+           "contacts begin to stick or to slide {} times, more than can be looked at one by "
+           "one; give a shorter [motion] duration, or a creep velocity, which smooths "
+           "friction",
+           changes.size()),
+       "joint " + changes[most_changes].joint,
+       changes[most_changes].time,
+       {},
+       {}});
+}
+
 Motion motion_with(const Mechanism& mechanism, StateSolver& solver, int instants) {
   const TimeSpan span = time_span_of(mechanism);
   const auto count = static_cast<std::size_t>(instants);
@@ -204,6 +224,7 @@ Motion motion_with(const Mechanism& mechanism, StateSolver& solver, int instants
   }
   motion.end = solver.near(time_of(motion, count, count), motion.states.back());
   motion.change_points = solver.change_points();
+  motion.slip_changes = slip_changes_in(motion, solver);
   judge_uniqueness(mechanism, motion);
   if (!motion.closed) return motion;
   // An odd number of change points, or a gear that needs more turns, leads elsewhere.
@@ -275,6 +296,11 @@ std::vector<double> StateSolver::change_points() const {
   return driven != nullptr ? driven->change_points() : std::vector<double>{};
 }
 
+std::vector<SlipChange> StateSolver::slip_changes() const {
+  const auto* free = std::get_if<FreeSolver>(&solver_);
+  return free != nullptr ? free->slip_changes() : std::vector<SlipChange>{};
+}
+
 Motion solve_motion(const Mechanism& mechanism, int instants) {
   StateSolver solver(mechanism);
   return motion_with(mechanism, solver, instants);
@@ -295,9 +321,11 @@ Motion solve_motion(const Mechanism& mechanism) {
   constexpr double rounding = 1e-9;
   const int instants = std::max(fewest, static_cast<int>(std::ceil((4.0 - rounding) * waves)));
   Motion motion = motion_with(mechanism, solver, instants);
-  const RoughTimes rough(functions_of(mechanism), motion.begin, motion.period, motion.closed);
   while (true) {
     motion = doubled(solver, motion);
+    motion.slip_changes = slip_changes_in(motion, solver);
+    const RoughTimes rough(functions_of(mechanism), motion.begin, motion.period, motion.closed,
+                           times_of(motion.slip_changes));
     const Misfit accelerations =
         misfit_of(motion, rough, &State::a, equations.col_scale().cwiseInverse(), rest);
     const Misfit reactions =

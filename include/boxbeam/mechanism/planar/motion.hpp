@@ -19,6 +19,8 @@ struct Motion {
   State end;  ///< at begin + period: the first state again, or where an open motion ends
   DegreesOfFreedom freedom;
   std::vector<double> change_points;  ///< times at which two branches cross [s]
+  /// Where contacts that can stick begin to do so or to slide, by time.
+  std::vector<SlipChange> slip_changes = {};
 };
 
 /// Finds states of a mechanism: instant by instant where drivers fix the motion, else by
@@ -37,6 +39,7 @@ class StateSolver {
   State start();
   State near(double time, const State& known);
   std::vector<double> change_points() const;
+  std::vector<SlipChange> slip_changes() const;
 
  private:
   const Mechanism* mechanism_;

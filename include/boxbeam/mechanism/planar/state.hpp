@@ -2,6 +2,9 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <vector>
+
+#include "boxbeam/mechanism/common/friction.hpp"
 
 namespace boxbeam::planar {
 
@@ -20,6 +23,10 @@ struct State {
   /// Tells assemblies apart: the signs of the determinants of the Jacobian's irreducible blocks (a
   /// block is a loop that closes by itself). Zero where it is not known.
   std::uint64_t assembly = 0;
+  /// Of every contact (`friction_contacts_of`), on what slides, along its guide [N].
+  Eigen::VectorXd friction = {};
+  /// The same, of those that can stick; empty where drivers decide the motion.
+  std::vector<Slip> slips = {};
 };
 
 /// Between two states of a smooth motion: the polynomial of fifth degree that has the positions,
