@@ -149,7 +149,8 @@ TEST_CASE("contacts stick in space as in the plane, whatever the frame") {
   planar::FreeSolver solver(flat);
   planar::State plane = solver.start(0.0, planar::sketch_of(flat), planar::start_velocity_of(flat));
 
-  const Chain chain(upright), turned_chain(stacked(askew));
+  const Mechanism tilted = stacked(askew);
+  const Chain chain(upright), turned_chain(tilted);
   for (const double time : {0.2, 0.5, 0.9, 1.2, 1.5}) {
     CAPTURE(time);
     plane = solver.advance(time, plane);
