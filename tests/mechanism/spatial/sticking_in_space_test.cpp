@@ -118,6 +118,54 @@ TEST_CASE("a block in space slides, stops and stays, however its rail stands") {
   }
 }
 
+TEST_CASE("a contact that closes a loop stops what slides in it and holds it") {
+  // A sled draws a beam whose end lies in a slot of the ground: by hand half the beam's weight
+  // presses there, on the line of the slot, and mu m g/2 stops both masses.
+  constexpr double mu = 0.4, v0 = 0.8, sled_mass = 1.5, m = 4.0, l = 2.0;
+  for (const bool turned : {false, true}) {
+    CAPTURE(turned);
+    const Matrix3d frame = turned ? askew : Matrix3d(Matrix3d::Identity());
+    Mechanism of;
+    of.gravity = g * (frame * Vector3d(0.0, 0.0, -1.0));
+    of.duration.length = 1.2;
+    const int sled = add_block(of, "sled", frame, sled_mass, {}, v0);
+    int carrier = sled;
+    for (const char* name : {"cross", "beam"}) {
+      Joint joint;
+      joint.name = name;
+      joint.kind = JointKind::revolute;
+      joint.parent = carrier;
+      joint.axis = carrier == sled ? Vector3d::UnitY() : Vector3d::UnitZ();
+      joint.moved_by = MovedBy::loops;
+      of.bodies.emplace_back().name = name;
+      of.joints.push_back(joint);
+      carrier = static_cast<int>(of.bodies.size()) - 1;
+    }
+    spatial::Body& beam = of.bodies.back();
+    beam.mass = m;
+    beam.centre = {0.5 * l, 0.0, 0.0};
+    beam.inertia = Vector3d(0.1, 1.0, 1.0).asDiagonal();
+    ClosingJoint slot;
+    slot.name = "slot";
+    slot.kind = ClosingKind::slot;
+    slot.a = {ground, frame * Vector3d(l, 0.0, 0.0)};
+    slot.b = {carrier, {l, 0.0, 0.0}};
+    slot.axis = frame.col(0);
+    slot.friction = dry(mu);
+    of.closing.push_back(slot);
+    const Chain chain(of);
+    const double slows = 0.5 * mu * m * g / (sled_mass + m), stop = v0 / slows;
+    REQUIRE(chain.forced()->slip_changes().size() == 1);
+    CHECK(chain.forced()->slip_changes()[0].joint == "slot");
+    CHECK(chain.forced()->slip_changes()[0].time == Approx(stop).epsilon(1e-9));
+    CHECK(chain.at(0.5 * stop).friction[0] == Approx(-0.5 * mu * m * g).epsilon(1e-9));
+    const State state = chain.at(1.2);
+    CHECK(state.coordinates[0].value == Approx(v0 * v0 / (2.0 * slows)).epsilon(1e-9));
+    CHECK(std::abs(state.coordinates[0].rate) < 1e-12);
+    CHECK(std::abs(state.friction[0]) < 1e-8);
+  }
+}
+
 TEST_CASE("contacts stick in space as in the plane, whatever the frame") {
   planar::Mechanism flat;
   flat.gravity = {0.0, -g};
