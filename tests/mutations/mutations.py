@@ -200,7 +200,7 @@ MUTATIONS = [
          ("loop-branch", "return branch_ == 0 || J.sign_of_determinant() == branch_;", "return true;",
           "the branch of the start is kept", "loops_test")),
     *_in("src/mechanism/spatial", "forced_steps.cpp",
-         ("forced-change", "step.changes = *acting != acting_in(tree.mechanism(), state);", "step.changes = false;",
+         ("forced-change", "step.changes = *acting != acting_in(tree.mechanism(), state) ||", "step.changes =",
           "a step ends where a stop begins to act", "forced_motion_test"),
          ("forced-halves", "if (agrees_with_halves(tree, from, step, dt, effort)) return step;", "return step;",
           "what the error of a step does not see", "forced_motion_test")),

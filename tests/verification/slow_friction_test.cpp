@@ -8,6 +8,8 @@
 #include <cmath>
 #include <string>
 
+#include "boxbeam/report/motion_text.hpp"
+#include "boxbeam/verification/motion_result.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
@@ -114,6 +116,10 @@ TEST_CASE("a contact with a creep velocity that forces move more slowly than tha
   const Project sticks = pushed("0.5 kN", "");
   CHECK_THAT(line_of(sticks), !Catch::Contains("dry friction"));
   CHECK(moment_at_slider(sticks) == Approx(1e3).epsilon(1e-9));
+  CHECK_THAT(motion_text(sticks, motion_of(sticks, {})),
+             Catch::Contains("A sticks once: from 0 s on"));
+  CHECK_THAT(motion_text(pushed("0.95 kN", ""), motion_of(pushed("0.95 kN", ""), {})),
+             Catch::Contains("A never sticks"));
 }
 
 TEST_CASE("what more a contact may take standing than sliding is said where drivers move it") {
