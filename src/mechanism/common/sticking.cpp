@@ -29,8 +29,8 @@ struct TriedSlips {
 }
 
 /// Whether contacts that were tried obey the law of standing ones.
-bool obeys_law(const std::vector<Friction>& laws, const FrictionResponse& response,
-               const std::vector<std::size_t>& standing, const TriedSlips& tried) {
+bool obeys_coulomb(const std::vector<Friction>& laws, const FrictionResponse& response,
+                   const std::vector<std::size_t>& standing, const TriedSlips& tried) {
   constexpr double round_off_of_rates = 1e-9;
   const Eigen::VectorXd load = response.load_0 + response.load * tried.of.forces;
   for (const std::size_t contact : standing) {
@@ -52,9 +52,10 @@ bool obeys_law(const std::vector<Friction>& laws, const FrictionResponse& respon
 
 /// The one state of standing contacts that agrees with Coulomb's law of one coefficient; of several
 /// that are the same to round-off that in which fewest slide.
-TriedSlips only_state(const std::vector<Friction>& laws, const FrictionResponse& response,
-                      const std::vector<Slip>& known, const std::vector<std::size_t>& standing,
-                      const std::vector<std::string>& names, double time) {
+TriedSlips only_state_of_contacts(const std::vector<Friction>& laws,
+                                  const FrictionResponse& response, const std::vector<Slip>& known,
+                                  const std::vector<std::size_t>& standing,
+                                  const std::vector<std::string>& names, double time) {
   constexpr double same = 1e-6;
   std::vector<std::string> of_standing;
   for (const std::size_t contact : standing) of_standing.push_back(names[contact]);
@@ -74,7 +75,7 @@ TriedSlips only_state(const std::vector<Friction>& laws, const FrictionResponse&
     if (!forces) continue;
     tried.of.forces = *forces;
     tried.rate = response.rate_0 + response.rate * *forces;
-    if (obeys_law(laws, response, standing, tried)) found.push_back(std::move(tried));
+    if (obeys_coulomb(laws, response, standing, tried)) found.push_back(std::move(tried));
   }
   if (found.empty()) {
     refuse_slips(
@@ -140,7 +141,7 @@ Sticking decide_sticking(const std::vector<Friction>& laws, const FrictionRespon
                  names, time);
   }
   while (true) {
-    const TriedSlips state = only_state(now, response, slips, standing, names, time);
+    const TriedSlips state = only_state_of_contacts(now, response, slips, standing, names, time);
     // What slides has less friction than what stood, if mu is below mu_s.
     bool less = false;
     std::vector<std::size_t> still;
@@ -158,9 +159,9 @@ Sticking decide_sticking(const std::vector<Friction>& laws, const FrictionRespon
   }
 }
 
-bool goes_on(const std::vector<Friction>& laws, const std::vector<Slip>& slips,
-             const Eigen::VectorXd& velocity, const Eigen::VectorXd& forces,
-             const Eigen::VectorXd& pressure, double rest) {
+bool slips_go_on(const std::vector<Friction>& laws, const std::vector<Slip>& slips,
+                 const Eigen::VectorXd& velocity, const Eigen::VectorXd& forces,
+                 const Eigen::VectorXd& pressure, double rest) {
   for (std::size_t contact = 0; contact < laws.size(); ++contact) {
     if (!can_stick(laws[contact])) continue;
     const auto j = static_cast<Eigen::Index>(contact);

@@ -274,7 +274,7 @@ bool FreeSolver::contacts_go_on(const State& state) const {
     velocity[j] = sliding_velocity_of(contact, state.q, state.v);
     pressure[j] = pressure_on(contact, state.lambda);
   }
-  return goes_on(laws_, state.slips, velocity, state.friction, pressure, turning_back * rest_);
+  return slips_go_on(laws_, state.slips, velocity, state.friction, pressure, turning_back * rest_);
 }
 
 double FreeSolver::contact_changes_within(const State& known, const Step& step) {

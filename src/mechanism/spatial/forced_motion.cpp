@@ -265,8 +265,8 @@ ForcedMotion::Solution ForcedMotion::solve(const Tree& tree, State& state,
       Eigen::VectorXd pressure(friction->size());
       for (Eigen::Index j = 0; j < pressure.size(); ++j)
         pressure[j] = pressure_of(laws_[static_cast<std::size_t>(j)], load.segment<6>(6 * j));
-      of.go_on =
-          goes_on(laws_, slips, response.of.velocity, *friction, pressure, turning_back * rest_);
+      of.go_on = slips_go_on(laws_, slips, response.of.velocity, *friction, pressure,
+                             turning_back * rest_);
     }
   }
   for (Eigen::Index k = 0; k < n; ++k) of.accelerations[k] *= scales_[static_cast<std::size_t>(k)];

@@ -40,9 +40,9 @@ Sticking decide_sticking(const std::vector<Friction>& laws, const FrictionRespon
 
 /// Whether contacts may go on as they do: those that slide have not turned round, by more than a
 /// velocity `rest` [m/s], and those that stick bear no more than mu_s P. `forces`: friction [N].
-bool goes_on(const std::vector<Friction>& laws, const std::vector<Slip>& slips,
-             const Eigen::VectorXd& velocity, const Eigen::VectorXd& forces,
-             const Eigen::VectorXd& pressure, double rest);
+bool slips_go_on(const std::vector<Friction>& laws, const std::vector<Slip>& slips,
+                 const Eigen::VectorXd& velocity, const Eigen::VectorXd& forces,
+                 const Eigen::VectorXd& pressure, double rest);
 
 /// Of velocities that are none, below this share of them what slides has not turned round.
 inline constexpr double turning_back = 1e-3;
