@@ -221,10 +221,23 @@ Friction read_friction(TableReader& joint) {
   }
   friction.viscous =
       table.not_negative({"viscous", "force per velocity"}, wanted::damping, friction.viscous);
-  friction.creep = table.positive({"creep",
-                                   "below it friction is smoothed; by default at most 2 % of the "
-                                   "largest velocity that drivers give it"},
-                                  wanted::velocity, friction.creep);
+  const Key standing{"static_coefficient",
+                     "of a contact that sticks, which one without a creep does where forces move "
+                     "it; by default the coefficient"};
+  const Key creep{"creep",
+                  "below it friction is smoothed; by default at most 2 % of the largest velocity "
+                  "that drivers give it, and where forces move it nothing is: it sticks"};
+  friction.standing = table.any_number(standing, friction.standing);
+  if (table.has("static_coefficient")) {
+    if (friction.standing < friction.coulomb || friction.standing > 3.0 ||
+        friction.coulomb == 0.0) {
+      table.problem("static_coefficient",
+                    "\"static_coefficient\" is at least the coefficient of what slides, which is "
+                    "above zero, and at most 3",
+                    "write for example coefficient = 0.1, static_coefficient = 0.15");
+    }
+  }
+  friction.creep = table.positive(creep, wanted::velocity, friction.creep);
   friction.guide = table.not_negative(
       {"guide_length", "between the two contacts of a slider that carries a moment"},
       wanted::length, friction.guide);

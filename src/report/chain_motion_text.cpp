@@ -180,6 +180,8 @@ std::string motion_text(const Project& project, const ChainMotionResult& motion)
           fmt::join(loops.not_unique, ", ")));
     }
   }
+  for (const StickingContact& contact : motion.sticking)
+    out += layout::paragraph(to_text(contact) + ".");
   if (project.situations.size() > 1) {
     out += layout::paragraph(
         "This is the case as it stands; what its situations change is not part of it.");

@@ -115,8 +115,9 @@ std::string acting_text(Acts acts, const std::optional<Impact>& impact) {
 std::string friction_text(const Friction& law) {
   std::string text;
   if (law.coulomb > 0.0) {
-    text += fmt::format("friction coefficient {} above a creep of {} m/s", plain(law.coulomb),
-                        plain(law.creep));
+    text += fmt::format("friction coefficient {}", plain(law.coulomb));
+    if (law.standing > law.coulomb) text += fmt::format(", {} standing", plain(law.standing));
+    if (law.creep > 0.0) text += fmt::format(" above a creep of {} m/s", plain(law.creep));
     if (law.guide > 0.0) text += fmt::format(", guide {} m long", plain(law.guide));
   }
   if (law.viscous > 0.0) {

@@ -150,6 +150,19 @@ void put_hand_formula(Fields& to, const HandComparison& hand) {
   to.text("note", hand.formula.note);
 }
 
+void put_sticking(Fields& to, const std::vector<StickingContact>& contacts) {
+  to.named(
+      {"sticking", "contacts with dry friction that can stick"}, contacts,
+      [](const StickingContact& contact) { return contact.joint; },
+      [](Fields& of, const StickingContact& contact) {
+        of.list({"spans", "in which it does"}, "", contact.spans,
+                [](Fields& span, const StickingSpan& each) {
+                  span.number("from", "s", each.from);
+                  span.number_or_null({"until", "null where it does to the end"}, "s", each.until);
+                });
+      });
+}
+
 }  // namespace
 
 void put_motion(Fields& to, const AnyMotionResult& motion) {
@@ -162,6 +175,7 @@ void put_motion(Fields& to, const MotionResult& motion) {
   to.whole("degrees_of_freedom", motion.freedom.by_rank, "1");
   to.texts({"redundant", "joints that repeat others"}, motion.redundant);
   to.numbers({"change_points", "at which two branches cross"}, "s", motion.change_points);
+  put_sticking(to, motion.sticking);
   to.list("states", "", motion.states,
           [](Fields& of, const InstantResult& state) { put_state(of, state); });
 }
@@ -172,6 +186,7 @@ void put_motion(Fields& to, const ChainMotionResult& motion) {
   to.text({"axes", "in which vectors are given: world, or a body"}, motion.axes);
   to.whole("degrees_of_freedom", motion.driven + motion.forced, "1");
   to.object_or_null({"loops", "of a mechanism that is closed"}, motion.loops, put_loops);
+  put_sticking(to, motion.sticking);
   to.list("states", "", motion.states,
           [](Fields& of, const ChainInstant& state) { put_state(of, state); });
   to.list({"hand_formulas", "formulas of the case beside what the program computes"}, "{name}",

@@ -31,6 +31,7 @@ std::string motion_text(const Project& project, const MotionResult& motion) {
     out += layout::line(fmt::format(
         "change point at t = {:.6g} s: two branches cross, the smooth one is followed", time));
   }
+  for (const StickingContact& contact : motion.sticking) out += layout::line(to_text(contact));
   const auto f = [](double x) { return fmt::format("{:.6g}", x == 0.0 ? 0.0 : x); };  // no "-0"
   for (const InstantResult& state : motion.states) {
     std::string about = fmt::format("t = {:.6g} s: branch", state.time);

@@ -7,6 +7,7 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/section/torsion.hpp"
 #include "elastic_motion_in_space.hpp"
+#include "members_in_space.hpp"
 #include "modal_transient.hpp"
 
 namespace boxbeam {
@@ -40,9 +41,11 @@ class StoppedStress {
     }
     for (std::size_t k = 0; k < mechanism_->closing.size(); ++k)
       add_closing(mechanism_->closing[k], wrenches[mechanism_->joints.size() + k].force);
-    for (const spatial::Spring& spring : mechanism_->springs)
+    for (std::size_t i = 0; i < mechanism_->springs.size(); ++i) {
+      const spatial::Spring& spring = mechanism_->springs[i];
       if (spatial::acts(spring, state))
-        add_line(spring.a, spring.b, spatial::force_of(spring, state));
+        add_line(spring.a, spring.b, spatial::force_of(*mechanism_, i, state));
+    }
     for (const spatial::AppliedLoad& load : mechanism_->loads) {
       if (load.kind != spatial::LoadKind::force || load.axes != spatial::ground) continue;
       if (load.on == spatial::ground || load.at.body != load.on) continue;
@@ -126,8 +129,9 @@ frame::SceneStress stress_in(const spatial::Chain& chain, const spatial::State& 
 }
 
 BentInSpace::BentInSpace(const Project& project, const spatial::Chain& chain, int parts)
-    : chain_(&chain), stopped_(project, chain, parts, true), whole_{is_closed(project.beam)} {
-  for (const ElasticBeside& other : project.elastic_beside) whole_.push_back(is_closed(other.beam));
+    : chain_(&chain), stopped_(project, chain, parts, true) {
+  for (const ElasticMember& member : elastic_members(project, chain.mechanism()))
+    whole_.push_back(is_closed(*member.beam));
 }
 
 std::optional<frame::BentScene> BentInSpace::at(const spatial::State& state,

@@ -243,7 +243,10 @@ ChainMotionResult chain_motion_of(const Project& project, std::vector<double> ti
   result.driven = static_cast<std::size_t>(
       std::count_if(mechanism.joints.begin(), mechanism.joints.end(), spatial::is_driven) +
       std::count_if(mechanism.closing.begin(), mechanism.closing.end(), driven_length));
-  if (chain.forced() != nullptr) result.forced = chain.forced()->freedoms();
+  if (const spatial::ForcedMotion* forced = chain.forced()) {
+    result.forced = forced->freedoms();
+    result.sticking = sticking_contacts(forced->first_slips(), 0.0, forced->slip_changes());
+  }
   if (const spatial::Loops* loops = chain.loops()) result.loops = loops_of(mechanism, *loops);
   for (const double time : times) {
     ChainInstant instant = instant_of(project, chain, places, time);

@@ -99,9 +99,6 @@ class ElasticMotionInSpace {
   double lowest_ = 1e300;
 };
 
-/// Loads on a beam with those of its modes: what one joint does at a place is one load.
-BeamLoads with_vibration(BeamLoads loads, const BeamLoads& vibrating);
-
 /// Why modes of the beams do not hold in their motion: a joint that slides along one, or teeth; ""
 /// where they do. `beams`: the elastic ones, the verified one first.
 std::string obstacle_to_modes(const spatial::Mechanism& mechanism,

@@ -87,6 +87,13 @@ InstantResult instant_of(const Project& project, const planar::State& state,
   return result;
 }
 
+/// What contacts that can stick do in a state.
+std::vector<FirstSlip> first_slips(const planar::Mechanism& mechanism, const planar::State& state) {
+  const std::vector<planar::FrictionContact> contacts = planar::friction_contacts_of(mechanism);
+  return first_slips_of(planar::laws_of(contacts), planar::names_of(mechanism, contacts),
+                        state.slips);
+}
+
 /// What forces decide, at asked times only: integrated up to the last of them, and looked at in
 /// between by nobody.
 MotionResult integrated_motion(const Project& project, planar::StateSolver& solver,
@@ -97,6 +104,7 @@ MotionResult integrated_motion(const Project& project, planar::StateSolver& solv
   std::sort(ascending.begin(), ascending.end());
   std::map<double, planar::State> states;
   planar::State state = solver.start();
+  const std::vector<FirstSlip> first = first_slips(mechanism, state);
   for (const double time : ascending) {
     if (time < span.begin || time > (span.begin + span.length) * (1.0 + 1e-12)) {
       throw AnalysisError({fmt::format("the motion lasts from {:.6g} s to {:.6g} s", span.begin,
@@ -111,6 +119,7 @@ MotionResult integrated_motion(const Project& project, planar::StateSolver& solv
   }
   MotionResult result;
   result.freedom = solver.freedom();
+  result.sticking = sticking_contacts(first, 0.0, solver.slip_changes());
   for (const auto& [time, at] : states) {
     planar::judge_uniqueness(mechanism, at.q, result.freedom);
   }
@@ -136,6 +145,8 @@ MotionResult motion_of(const Project& project, std::vector<double> times) {
   result.freedom = motion.freedom;
   result.redundant = planar::names_of_joints(planar_of(project), motion.freedom.repeating);
   result.change_points = motion.change_points;
+  result.sticking = sticking_contacts(first_slips(planar_of(project), motion.states.front()),
+                                      motion.begin, motion.slip_changes);
   planar::StateFinder finder(planar_of(project), motion);
   for (const double time : times) {
     planar::State state = finder.at(time);

@@ -116,6 +116,11 @@ class PlanarMotion : public SolvedMotion {
     LoadSpan span{si<Time>(motion.begin), si<Time>(motion.period), motion.states.size(),
                   motion.closed,
                   break_times_in(planar::functions_of(*mechanism_), motion.begin, motion.period)};
+    // States between instants are integrated anew, and come to it a little earlier or later.
+    constexpr double aside = 2e-9;
+    for (const double at : times_of(motion.slip_changes))
+      for (const double side : {-aside, aside})
+        span.breaks.push_back(si<Time>(at + side * motion.period));
     for (const double at : motion.changes) span.breaks.push_back(si<Time>(at));
     std::sort(span.breaks.begin(), span.breaks.end());
     return elastic_loads_of(*project_, *mechanism_, motion, model_, span,

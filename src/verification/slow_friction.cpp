@@ -29,8 +29,12 @@ struct Course {
   void add(double pressure, double velocity) {
     fastest = std::max(fastest, std::abs(velocity));
     full.push_back(law.coulomb * pressure);
-    share.push_back(std::abs(velocity) / std::hypot(velocity, law.creep));
+    // Of what sticks all that Coulomb's law says.
+    share.push_back(can_stick(law) ? 1.0 : std::abs(velocity) / std::hypot(velocity, law.creep));
   }
+
+  /// What it may take where it stands, by what it takes sliding.
+  double standing() const { return static_coefficient_of(law) / law.coulomb; }
 };
 
 /// The contacts with dry friction of a situation.
@@ -43,18 +47,13 @@ struct Courses {
 Courses courses_of(const planar::Mechanism& mechanism, const SituationRun& run) {
   const planar::Motion& motion = planar_motion_of(run);
   Courses courses{{}, motion.freedom.undriven > 0, motion.closed};
-  for (planar::FrictionContact contact : planar::friction_contacts_of(mechanism)) {
+  for (const planar::FrictionContact& contact : planar::friction_contacts_of(mechanism)) {
     if (contact.law.coulomb == 0.0) continue;
     Course& course = courses.of.emplace_back();
     course.joint = mechanism.joints[static_cast<std::size_t>(contact.joint)].name;
     course.law = contact.law;
-    contact.law.viscous = 0.0;
     for (const planar::State& state : motion.states) {
-      // At an infinite velocity all of it acts.
-      constexpr double fast = 1e9;
-      const double full =
-          std::abs(planar::friction_force_of(contact, state.lambda, fast * contact.law.creep));
-      course.add(full / contact.law.coulomb,
+      course.add(planar::pressure_on(contact, state.lambda),
                  planar::sliding_velocity_of(contact, state.q, state.v));
     }
   }
@@ -155,6 +154,8 @@ std::string velocity_text(const Project& project, const SituationRun& run, const
   double acting = 0.0;
   for (std::size_t i = 0; i < course.full.size(); ++i)
     acting = std::max(acting, course.full[i] * course.share[i]);
+  if (can_stick(course.law)) return "";
+  const double standing = course.standing();
   if (acting < counts * full) {
     if (courses.forced)
       return fmt::format(
@@ -163,11 +164,17 @@ std::string velocity_text(const Project& project, const SituationRun& run, const
           1e3 * course.fastest, 1e3 * course.law.creep, 1e-3 * acting, 1e-3 * full);
     if (course.fastest < 1e-3 * course.law.creep)
       return fmt::format("it stands, and up to {:.3g} kN in either sense are not looked at",
-                         1e-3 * full);
+                         1e-3 * standing * full);
     return fmt::format(
         "at most {:.2g} of {:.3g} kN act, for it slides with at most {:.3g} mm/s "
         "(creep {:.3g} mm/s), or more slowly where it presses most",
         1e-3 * acting, 1e-3 * full, 1e3 * course.fastest, 1e3 * course.law.creep);
+  }
+  if (standing > 1.0) {
+    return fmt::format(
+        "where it stands or turns round up to {:.3g} kN may act in either sense, and no more than "
+        "{:.3g} kN are looked at",
+        1e-3 * standing * full, 1e-3 * full);
   }
   if (courses.forced) return "";
   const double unseen = unseen_in_long_stretches(

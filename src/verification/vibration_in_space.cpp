@@ -729,8 +729,8 @@ double vibration_missed_in_space(const Project& project, const ModelChoice& mode
   if (model.chosen.level == ModelLevel::modal) return 0.0;
   if (model.weighed.empty()) return 0.0;
   const ModelEstimate& by_rigid = model.weighed.front();
-  const SecondOrderEstimate& second = model.second_order;
-  const double bending = second.whole ? second.change.value_or(0.0) : 0.0;
+  const SecondOrderEstimate& pressed = model.second_order;
+  const double bending = pressed.whole ? pressed.change.value_or(0.0) : 0.0;
   return std::max({0.0, by_rigid.error - bending, by_rigid.found.value_or(0.0)});
 }
 

@@ -416,6 +416,15 @@ TEST_CASE("joints that slide say what rubs in them") {
   // A creep velocity that is not said is a fiftieth of the fastest.
   CHECK(joint(rubbing("prismatic", "coefficient = 0.1", ahead), "hinge").friction.creep ==
         Approx(0.006));
+  // None where forces move it: it sticks.
+  const std::string forced = "prismatic\"\nmoved_by = \"forces";
+  const Friction sticks =
+      joint(rubbing(forced.c_str(), "coefficient = 0.1, static_coefficient = 0.2", ""), "hinge")
+          .friction;
+  CHECK(sticks.creep == 0.0);
+  CHECK(sticks.standing == 0.2);
+  CHECK(joint(rubbing(forced.c_str(), "coefficient = 0.1, creep = \"4 mm/s\"", ""), "hinge")
+            .friction.creep == Approx(0.004));
   // Of a cylindrical joint what slides in it.
   const Project screw = rubbing("cylindrical", "coefficient = 0.1",
                                 "[drivers.a]\njoint = \"hinge.1\"\nkind = \"hold\"\nvalue = \"0 "

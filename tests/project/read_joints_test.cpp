@@ -111,6 +111,14 @@ TEST_CASE("friction of a slider: given values, and what is not given as in the s
   CHECK(some.viscous == Friction{}.viscous);
   CHECK(some.creep == Friction{}.creep);
   CHECK(some.guide == Friction{}.guide);
+  CHECK(some.standing == 0.0);
+  CHECK(slider(line + "friction = { coefficient = 0.1, static_coefficient = 0.2 }\n")
+            .friction.standing == 0.2);
+  CHECK(contains(
+      problem_of("[joints.X]\nkind = \"slider\"\n" + line +
+                 "friction = { coefficient = 0.3, static_coefficient = 0.2 }\n" + for_a_second)
+          .message,
+      "at least the coefficient of what slides"));
   const Friction all = slider(line +
                               "[joints.X.friction]\ncoefficient = 2\nviscous = \"0.5 kN s/m\"\n"
                               "creep = \"2 mm/s\"\nguide_length = \"200 mm\"\n")

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <string>
 
+#include "boxbeam/report/motion_text.hpp"
+#include "boxbeam/verification/motion_result.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
@@ -93,10 +95,10 @@ TEST_CASE("friction that a given creep velocity takes away is said") {
              !Catch::Contains("dry friction"));
 }
 
-TEST_CASE("a contact that forces move more slowly than it would stick says so") {
+TEST_CASE("a contact with a creep velocity that forces move more slowly than that says so") {
   // By hand: 0.5 of 0.9 kN balance the push at v = 10 mm/s (5/9)/sqrt(1 - (5/9)^2) = 6.68 mm/s.
-  const auto pushed = [](const char* size) {
-    std::string text = post(swaying("1 Hz"), "size = \"3 kN\"\n").text;
+  const auto pushed = [](const char* size, const std::string& creep = ", creep = \"10 mm/s\"") {
+    std::string text = post(swaying("1 Hz"), "size = \"3 kN\"\n", creep).text;
     const std::size_t from = text.find("[drivers.d]"), to = text.find("[forces.P]");
     return parse_project(
         "post.toml", text.replace(from, to - from,
@@ -110,6 +112,22 @@ TEST_CASE("a contact that forces move more slowly than it would stick says so") 
       Catch::Contains("forces move it with at most 6.68 mm/s (creep 10 mm/s), at most 0.5 of "
                       "0.9 kN act, and it does not stick"));
   CHECK_THAT(line_of(pushed("0.95 kN")), !Catch::Contains("dry friction"));
+  // Without one it sticks, and bears at its slider what is pushed, 0.5 kN x 2 m.
+  const Project sticks = pushed("0.5 kN", "");
+  CHECK_THAT(line_of(sticks), !Catch::Contains("dry friction"));
+  CHECK(moment_at_slider(sticks) == Approx(1e3).epsilon(1e-9));
+  CHECK_THAT(motion_text(sticks, motion_of(sticks, {})),
+             Catch::Contains("A sticks once: from 0 s on"));
+  CHECK_THAT(motion_text(pushed("0.95 kN", ""), motion_of(pushed("0.95 kN", ""), {})),
+             Catch::Contains("A never sticks"));
+}
+
+TEST_CASE("what more a contact may take standing than sliding is said where drivers move it") {
+  // By hand: 0.3 and 0.5 of 300 kN.
+  CHECK_THAT(
+      line_of(post(swaying("2 Hz"), pressed, ", static_coefficient = 0.5")),
+      Catch::Contains("dry friction of A: where it stands or turns round up to 150 kN may act "
+                      "in either sense, and no more than 90 kN are looked at"));
 }
 
 TEST_CASE("friction of a contact that stands is said where it may count") {
@@ -216,24 +234,32 @@ TEST_CASE("a beam in space that its guide rubs is pressed or pulled by the frict
         Approx(-friction - 200.0).epsilon(1e-9));
 }
 
-TEST_CASE("a contact in space that forces move more slowly than it would stick says so") {
+TEST_CASE("a contact in space with a creep velocity that forces move more slowly says so") {
   // By hand, as in the plane: 0.5 of 0.3 x 3 kN balance the push at v = 10 mm/s (5/9)/sqrt(1 -
   // (5/9)^2) = 6.68 mm/s. At the start the push moves a mass whose centre is 1 m above the slide.
-  std::string text = post_in_space("").text;
-  const auto replace = [&](const char* from, const char* until, const std::string& by) {
-    const std::size_t at = text.find(from);
-    text.replace(at, text.find(until) - at, by);
-  };
-  replace("duration = \"1 s\"", "[bodies.beam]", "duration = \"5 ms\"\n");
-  replace("[joints.push]", "[forces.P]",
-          "moved_by = \"forces\"\n[forces.Q]\nkind = \"force\"\npoint = \"beam.A\"\ndirection = "
-          "\"x\"\naxes = \"world\"\nsize = \"0.5 kN\"\n");
-  replace("direction = \"y\"", "[sections.s]", "direction = \"-z\"\nsize = \"3 kN\"\n");
-  replace("density", "[[beam.segments]]", "density = \"78.5 kg/m^3\"\n");
-  CHECK_THAT(line_of(parse_project("post.toml", text)),
-             Catch::Contains("dry friction of slide: a couple of up to 0.5 kN m on its guide") &&
-                 Catch::Contains("presses nowhere; forces move it with at most 6.68 mm/s (creep 10 "
-                                 "mm/s), at most 0.5 of 0.9 kN act, and it does not stick"));
+  for (const bool creeps : {true, false}) {
+    std::string text = post_in_space(creeps ? ", creep = \"10 mm/s\"" : "").text;
+    const auto replace = [&](const char* from, const char* until, const std::string& by) {
+      const std::size_t at = text.find(from);
+      text.replace(at, text.find(until) - at, by);
+    };
+    replace("duration = \"1 s\"", "[bodies.beam]", "duration = \"5 ms\"\n");
+    replace("[joints.push]", "[forces.P]",
+            "moved_by = \"forces\"\n[forces.Q]\nkind = \"force\"\npoint = \"beam.A\"\ndirection = "
+            "\"x\"\naxes = \"world\"\nsize = \"0.5 kN\"\n");
+    replace("direction = \"y\"", "[sections.s]", "direction = \"-z\"\nsize = \"3 kN\"\n");
+    replace("density", "[[beam.segments]]", "density = \"78.5 kg/m^3\"\n");
+    const std::string line = line_of(parse_project("post.toml", text));
+    CHECK_THAT(line, Catch::Contains("dry friction of slide: a couple of up to"));
+    const std::string slow =
+        "presses nowhere; forces move it with at most 6.68 mm/s (creep 10 mm/s), at most 0.5 of "
+        "0.9 "
+        "kN act, and it does not stick";
+    if (creeps)
+      CHECK_THAT(line, Catch::Contains("0.5 kN m on its guide") && Catch::Contains(slow));
+    else
+      CHECK_THAT(line, !Catch::Contains("act, and it"));
+  }
 }
 
 TEST_CASE("what is not looked at of dry friction in space is said") {

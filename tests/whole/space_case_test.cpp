@@ -58,8 +58,8 @@ bool contains(const std::string& text, const std::string& part) {
 TEST_CASE("motion of a case in space: keys in their order, the values of the chain", "[space]") {
   const Json document = motion_document({"--at", "0.2"});
   CHECK(keys_of(document) == std::vector<std::string>{"schema", "kind", "axes",
-                                                      "degrees_of_freedom", "loops", "states",
-                                                      "hand_formulas"});
+                                                      "degrees_of_freedom", "loops", "sticking",
+                                                      "states", "hand_formulas"});
   CHECK(document["schema"] == "boxbeam.motion/1");
   CHECK(document["kind"] == "spatial");
   CHECK(document["axes"] == "world");

@@ -83,6 +83,7 @@ struct ChainMotionResult {
   std::optional<ChainLoops> loops = {};
   std::vector<ChainInstant> states;
   std::vector<HandComparison> hand_formulas;
+  std::vector<StickingContact> sticking = {};  ///< contacts that can, from t = 0 on
 };
 
 /// The mechanism of a case in space at the given times [s], or at twelve instants of its span where

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "boxbeam/mechanism/common/sticking_spans.hpp"
 #include "boxbeam/mechanism/planar/degrees_of_freedom.hpp"
 #include "boxbeam/project/project.hpp"
 
@@ -64,6 +65,7 @@ struct MotionResult {
   std::vector<std::string> redundant;  ///< joints that repeat others
   std::vector<double> change_points;   ///< times at which two branches cross [s]
   std::vector<InstantResult> states;
+  std::vector<StickingContact> sticking = {};  ///< contacts that can, until the last of the states
 };
 
 /// Solves the mechanism of a case at the given times [s], or at twelve instants of its period where

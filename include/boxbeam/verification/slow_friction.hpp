@@ -17,9 +17,11 @@ namespace boxbeam {
 ///   the friction does), and by seven tenths of its largest stress;
 /// - in space, that take a couple about their guide, or one that tilts them without a guide_length,
 ///   which presses nowhere, and would at least with 2 M over the mechanism's size;
+/// - that do not stick, of which more may act standing than sliding (a static coefficient);
 /// of those only that bear a hundredth of the largest force on the beam. Where forces decide the
-/// motion a contact may stick, which is right, and of its velocity only the first is said. In space
-/// nothing is said of joints that drives move, which take their friction.
+/// motion contacts stick, which is all that Coulomb's law says; of those that a case gives a creep
+/// velocity there, the first is said. In space nothing is said of joints that drives move, which
+/// take their friction.
 std::vector<NotJudged> slow_friction_of(const Project& project,
                                         const std::deque<SituationRun>& runs);
 

@@ -34,7 +34,8 @@ double pressure_change(const Friction& law, const GuideLoad& load, const GuideLo
 }
 
 /// Of the pressure, with its sign against the sliding.
-double coulomb_share(const Friction& law, double v) {
+double coulomb_share(const Friction& law, double v, Slip slip) {
+  if (law.creep == 0.0) return -law.coulomb * static_cast<double>(slip);
   return -law.coulomb * v / std::hypot(v, law.creep);
 }
 
@@ -45,39 +46,54 @@ double pressure_of(const Friction& law, const GuideLoad& load) {
   return ends.one.norm() + ends.other.norm();
 }
 
-double friction_force_of(const Friction& law, const GuideLoad& load, double v) {
-  return coulomb_share(law, v) * pressure_of(law, load) - law.viscous * v;
+FrictionResponse::FrictionResponse(std::size_t contacts) {
+  const auto count = static_cast<Eigen::Index>(contacts);
+  velocity.setZero(count);
+  load_0.setZero(6 * count);
+  load.setZero(6 * count, count);
+  rate_0.setZero(count);
+  rate.setZero(count, count);
 }
 
 std::optional<Eigen::VectorXd> solve_friction(const std::vector<Friction>& laws,
-                                              const Eigen::VectorXd& v,
-                                              const Eigen::VectorXd& load_0,
-                                              const Eigen::MatrixXd& response) {
+                                              const std::vector<Slip>& slips,
+                                              const FrictionResponse& response) {
   constexpr int most = 50;
   const auto count = static_cast<Eigen::Index>(laws.size());
   Eigen::VectorXd force = Eigen::VectorXd::Zero(count);
-  Eigen::VectorXd load = load_0;
+  Eigen::VectorXd load = response.load_0;
   Eigen::MatrixXd slope(count, count);
   Eigen::VectorXd gap(count);
   for (int iteration = 0; iteration < most; ++iteration) {
     double largest = 0.0;
     for (Eigen::Index j = 0; j < count; ++j) {
-      const Friction& law = laws[static_cast<std::size_t>(j)];
-      const GuideLoad at = load.segment<6>(6 * j);
-      const double share = coulomb_share(law, v[j]);
-      gap[j] = force[j] - friction_force_of(law, at, v[j]);
-      largest = std::max(largest, std::abs(force[j]) + std::abs(gap[j]));
-      for (Eigen::Index k = 0; k < count; ++k) {
-        const GuideLoad by = response.col(k).segment<6>(6 * j);
-        slope(j, k) = (j == k ? 1.0 : 0.0) - share * pressure_change(law, at, by);
+      const auto contact = static_cast<std::size_t>(j);
+      const Friction& law = laws[contact];
+      const double v = response.velocity[j];
+      const Slip slip = slips.empty() ? slip_of(v) : slips[contact];
+      if (!slips.empty() && can_stick(law) && slip == Slip::none) {
+        const double own = response.rate(j, j);
+        if (!(own > 0.0)) return {};  // no force moves it
+        gap[j] = (response.rate_0[j] + response.rate.row(j).dot(force)) / own;
+        slope.row(j) = response.rate.row(j) / own;
+      } else {
+        const GuideLoad at = load.segment<6>(6 * j);
+        const double share = coulomb_share(law, v, slip);
+        gap[j] = force[j] - share * pressure_of(law, at) + law.viscous * v;
+        for (Eigen::Index k = 0; k < count; ++k) {
+          const GuideLoad by = response.load.col(k).segment<6>(6 * j);
+          slope(j, k) = (j == k ? 1.0 : 0.0) - share * pressure_change(law, at, by);
+        }
       }
+      largest = std::max(largest, std::abs(force[j]) + std::abs(gap[j]));
     }
     if (gap.lpNorm<Eigen::Infinity>() <= 1e-13 * largest) return force;
     const Eigen::PartialPivLU<Eigen::MatrixXd> lu(slope);
-    // Without friction the determinant is 1; where it reaches zero, friction holds any force.
+    // Without friction the determinant is 1, of contacts that stick that of how they move each
+    // other; where it reaches zero, friction holds any force.
     if (!(lu.determinant() > 1e-9)) return {};
     force -= lu.solve(gap);
-    load = load_0 + response * force;
+    load = response.load_0 + response.load * force;
   }
   return {};
 }

@@ -5,11 +5,11 @@
 namespace boxbeam {
 
 RoughTimes::RoughTimes(const std::vector<DriverUse>& uses, double begin, double period, bool closed,
-                       const std::vector<double>& bends)
+                       const std::vector<double>& more)
     : rounding_(1e-9 * period) {
   std::vector<Break> found = breaks_of(uses, begin, begin + period);
   std::erase_if(found, [](const Break& each) { return each.order > 1; });
-  for (const double at : bends) found.push_back({at, 1});
+  for (const double at : more) found.push_back({at, 0});
   std::stable_sort(found.begin(), found.end(),
                    [](const Break& a, const Break& b) { return a.at < b.at; });
   if (!closed) {

@@ -85,6 +85,9 @@ class StressedScene {
     MatrixSum sum;
     strained_ = VectorXd::Zero(rows_.size);
     for (std::size_t b = 0; b < scene.beams.size(); ++b) add_beam(b, stress.whole[b], sum);
+    // What is in joints and rods that give way strains them.
+    for (const Tied& of : matrices_.giving)
+      for (const auto& [row, per] : of.gap.parts) strained_.segment<6>(row) += *of.tie->rigid * per;
     for (const SceneStress::Force& force : stress.forces) add_force(force, sum);
     for (const SceneStress::Line& line : stress.lines) add_line(line, sum);
     stress_ = sum.of_size(rows_.size, rows_.size);

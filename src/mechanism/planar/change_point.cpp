@@ -78,6 +78,7 @@ void InstantSolver::interpolate_singular(double time, const State& before, const
   }
   const double share = (time - before.time) / (behind.time - before.time);
   result.lambda = (1.0 - share) * before.lambda + share * behind.lambda;
+  result.friction = (1.0 - share) * before.friction + share * behind.friction;
 }
 
 bool InstantSolver::start_at_change_point(double time, const Eigen::VectorXd& sketch,

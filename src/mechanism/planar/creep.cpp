@@ -36,6 +36,19 @@ std::vector<double> largest_velocities(const std::vector<FrictionContact>& conta
   return largest;
 }
 
+/// Takes the creep velocity of contacts whose bodies forces move.
+void let_stick(Mechanism& mechanism, const std::vector<int>& joints,
+               const std::vector<int>& moving) {
+  const auto is_in = [](const std::vector<int>& all, int one) {
+    return std::find(all.begin(), all.end(), one) != all.end();
+  };
+  for (const FrictionContact& contact : friction_contacts_of(mechanism)) {
+    const bool moves = is_in(moving, contact.point.body) || is_in(moving, contact.guide.body);
+    if (!moves || !is_in(joints, contact.joint)) continue;
+    friction_of(mechanism.joints[static_cast<std::size_t>(contact.joint)])->creep = 0.0;
+  }
+}
+
 }  // namespace
 
 void fit_creep(Mechanism& mechanism, const std::vector<int>& joints) {
@@ -48,7 +61,11 @@ void fit_creep(Mechanism& mechanism, const std::vector<int>& joints) {
   }
   try {
     const double waves = waves_of(time_span_of(moved), most);
-    if (StateSolver(moved).integrates()) return;
+    const StateSolver solver(moved);
+    if (solver.integrates()) {
+      let_stick(mechanism, joints, solver.freedom().moving);
+      return;
+    }
     const Motion motion =
         solve_motion(moved, std::clamp(static_cast<int>(std::ceil(8.0 * waves)), 96, most));
     const std::vector<FrictionContact> contacts = friction_contacts_of(mechanism);

@@ -21,6 +21,8 @@ EquationsOfMotion::EquationsOfMotion(const Mechanism& mechanism)
       weight_(mechanism.coordinates()),
       phi_(mechanism.equations()),
       gamma_(mechanism.equations()) {
+  sticking_ = std::any_of(contacts_.begin(), contacts_.end(),
+                          [](const FrictionContact& of) { return can_stick(of.law); });
   Eigen::Index i = 0;
   for (const Body& body : mechanism.bodies) {
     mass_.segment<3>(i) << body.mass, body.mass, body.inertia;
@@ -176,34 +178,64 @@ double EquationsOfMotion::residual() const {
 }
 
 bool EquationsOfMotion::solve_rates(double time, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
-                                    Eigen::VectorXd& a, Eigen::VectorXd& lambda,
-                                    const std::vector<Touch>& touches) {
+                                    Eigen::VectorXd& a, Eigen::VectorXd& lambda) {
+  State state;
+  state.time = time;
+  state.q = q;
+  state.v = v;
+  if (!solve_rates(state)) return false;
+  a = std::move(state.a);
+  lambda = std::move(state.lambda);
+  return true;
+}
+
+bool EquationsOfMotion::solve_rates(State& state) {
   const Eigen::Index n = mechanism_->coordinates();
-  if (!stand_at(time, q)) return false;
+  FrictionResponse response;
+  if (!friction_response(state, response)) return false;
+  // What acts without friction.
+  state.a = solution_.head(n);
+  state.lambda = solution_.tail(solution_.size() - n);
+  if (contacts_.empty()) return true;
+  state.friction = solve_friction(*mechanism_, contacts_, state.time, state.slips, response);
+  state.a += by_unit_.topRows(n) * state.friction;
+  state.lambda += by_unit_.bottomRows(state.lambda.size()) * state.friction;
+  return true;
+}
+
+bool EquationsOfMotion::friction_response(const State& state, FrictionResponse& response) {
+  const Eigen::Index n = mechanism_->coordinates();
+  if (!stand_at(state.time, state.q)) return false;
+  const auto count = static_cast<Eigen::Index>(contacts_.size());
+  const Eigen::Index m = solution_.size() - n;
   Eigen::VectorXd Q = weight_;
-  add_applied_forces(*mechanism_, time, q, v, Q, touches);
-  constraints_.acceleration_right_side(v, gamma_);
+  by_unit_.resize(solution_.size(), count);
+  for (Eigen::Index j = 0; j < count; ++j) {
+    unit_friction(contacts_[static_cast<std::size_t>(j)], state.q, Q);
+    right_ << Q, Eigen::VectorXd::Zero(m);
+    solve(dynamics_);
+    by_unit_.col(j) = solution_;
+  }
+  Q = weight_;
+  add_applied_forces(*mechanism_, state.time, state.q, state.v, Q, state.touches);
+  constraints_.acceleration_right_side(state.v, gamma_);
   right_ << Q, gamma_;
   solve(dynamics_);
-  a = solution_.head(n);
-  lambda = solution_.tail(solution_.size() - n);
   if (contacts_.empty()) return true;
-  const auto count = static_cast<Eigen::Index>(contacts_.size());
-  Eigen::MatrixXd response(solution_.size(), count);
-  Eigen::VectorXd velocity(count);
+  response =
+      friction_response_of(contacts_, state.q, state.v, solution_.tail(m), by_unit_.bottomRows(m));
+  if (!sticking_) return true;
   for (Eigen::Index j = 0; j < count; ++j) {
     const FrictionContact& contact = contacts_[static_cast<std::size_t>(j)];
-    unit_friction(contact, q, Q);
-    right_ << Q, Eigen::VectorXd::Zero(gamma_.size());
-    solve(dynamics_);
-    response.col(j) = solution_;
-    velocity[j] = sliding_velocity_of(contact, q, v);
+    response.rate_0[j] = sliding_acceleration_of(contact, state.q, state.v, solution_.head(n));
+    for (Eigen::Index k = 0; k < count; ++k)
+      response.rate(j, k) = sliding_velocity_of(contact, state.q, by_unit_.col(k).head(n));
   }
-  const Eigen::VectorXd friction = solve_friction(*mechanism_, contacts_, time, lambda,
-                                                  response.bottomRows(lambda.size()), velocity);
-  a += response.topRows(n) * friction;
-  lambda += response.bottomRows(lambda.size()) * friction;
   return true;
+}
+
+Eigen::VectorXd EquationsOfMotion::velocities_by(const Eigen::VectorXd& impulses) const {
+  return by_unit_.topRows(mechanism_->coordinates()) * impulses;
 }
 
 bool EquationsOfMotion::project(double time, Eigen::VectorXd& q, Eigen::VectorXd& v) {

@@ -173,9 +173,30 @@ double sliding_velocity_of(const FrictionContact& contact, const Eigen::VectorXd
   return tangent_of(contact, q).dot(velocity_of(contact.point, q, v) - carried);
 }
 
-double friction_force_of(const FrictionContact& contact, const Eigen::VectorXd& lambda,
-                         double sliding_velocity) {
-  return boxbeam::friction_force_of(contact.law, guide_load_of(contact, lambda), sliding_velocity);
+double sliding_acceleration_of(const FrictionContact& contact, const Eigen::VectorXd& q,
+                               const Eigen::VectorXd& v, const Eigen::VectorXd& a) {
+  // Against the guide's body, in which its line stands:
+  // t . (a_P - a_G - alpha x r + omega^2 r - 2 omega x u), u the velocity against it.
+  const Eigen::Vector2d place = position_of(contact.point, q);
+  const auto left_of = [](const Eigen::Vector2d& of) { return Eigen::Vector2d(-of.y(), of.x()); };
+  Eigen::Vector2d turning = Eigen::Vector2d::Zero();
+  if (contact.point.body != ground) {
+    const Eigen::Index i = 3 * static_cast<Eigen::Index>(contact.point.body);
+    turning = -v[i + 2] * v[i + 2] * (place - q.segment<2>(i));
+  }
+  if (contact.guide.body != ground) {
+    const Eigen::Index i = 3 * static_cast<Eigen::Index>(contact.guide.body);
+    const double omega = v[i + 2];
+    const Eigen::Vector2d arm = place - q.segment<2>(i);
+    const Eigen::Vector2d against =
+        velocity_of(contact.point, q, v) - v.segment<2>(i) - omega * left_of(arm);
+    turning += omega * omega * arm - 2.0 * omega * left_of(against);
+  }
+  return sliding_velocity_of(contact, q, a) + tangent_of(contact, q).dot(turning);
+}
+
+double pressure_on(const FrictionContact& contact, const Eigen::VectorXd& lambda) {
+  return pressure_of(contact.law, guide_load_of(contact, lambda));
 }
 
 void unit_friction(const FrictionContact& contact, const Eigen::VectorXd& q, Eigen::VectorXd& Q) {
@@ -193,27 +214,42 @@ void unit_friction(const FrictionContact& contact, const Eigen::VectorXd& q, Eig
   push(contact.guide.body, -tangent);
 }
 
-Eigen::VectorXd solve_friction(const Mechanism& mechanism,
-                               const std::vector<FrictionContact>& contacts, double time,
-                               const Eigen::VectorXd& lambda_0, const Eigen::MatrixXd& response,
-                               const Eigen::VectorXd& sliding_velocity) {
+FrictionResponse friction_response_of(const std::vector<FrictionContact>& contacts,
+                                      const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                                      const Eigen::VectorXd& lambda_0,
+                                      const Eigen::MatrixXd& by_unit) {
   const auto count = static_cast<Eigen::Index>(contacts.size());
-  std::vector<Friction> laws;
-  Eigen::VectorXd load_0(6 * count);
-  Eigen::MatrixXd of_forces(6 * count, count);
+  FrictionResponse response(contacts.size());
   for (Eigen::Index j = 0; j < count; ++j) {
     const FrictionContact& contact = contacts[static_cast<std::size_t>(j)];
-    laws.push_back(contact.law);
-    load_0.segment<6>(6 * j) = guide_load_of(contact, lambda_0);
+    response.velocity[j] = sliding_velocity_of(contact, q, v);
+    response.load_0.segment<6>(6 * j) = guide_load_of(contact, lambda_0);
     for (Eigen::Index k = 0; k < count; ++k)
-      of_forces.col(k).segment<6>(6 * j) = guide_load_of(contact, response.col(k));
+      response.load.col(k).segment<6>(6 * j) = guide_load_of(contact, by_unit.col(k));
   }
-  if (const auto forces = boxbeam::solve_friction(laws, sliding_velocity, load_0, of_forces))
+  return response;
+}
+
+Eigen::VectorXd solve_friction(const Mechanism& mechanism,
+                               const std::vector<FrictionContact>& contacts, double time,
+                               const std::vector<Slip>& slips, const FrictionResponse& response) {
+  if (const auto forces = boxbeam::solve_friction(laws_of(contacts), slips, response))
     return *forces;
+  say_locked(names_of(mechanism, contacts), time);
+}
+
+std::vector<Friction> laws_of(const std::vector<FrictionContact>& contacts) {
+  std::vector<Friction> laws;
+  for (const FrictionContact& contact : contacts) laws.push_back(contact.law);
+  return laws;
+}
+
+std::vector<std::string> names_of(const Mechanism& mechanism,
+                                  const std::vector<FrictionContact>& contacts) {
   std::vector<std::string> names;
   for (const FrictionContact& contact : contacts)
     names.push_back(mechanism.joints[static_cast<std::size_t>(contact.joint)].name);
-  say_locked(names, time);
+  return names;
 }
 
 }  // namespace boxbeam::planar

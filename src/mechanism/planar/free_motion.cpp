@@ -55,7 +55,7 @@ std::vector<double> stops_between(const Mechanism& mechanism, double from, doubl
 double longest_with_friction(const Mechanism& mechanism, const State& state) {
   double longest = std::numeric_limits<double>::infinity();
   for (const FrictionContact& contact : friction_contacts_of(mechanism)) {
-    if (contact.law.coulomb == 0.0) continue;
+    if (contact.law.coulomb == 0.0 || can_stick(contact.law)) continue;
     const double speed = std::abs(sliding_velocity_of(contact, state.q, state.v));
     const double change = std::abs(sliding_velocity_of(contact, state.q, state.a));
     if (change > 0.0) longest = std::min(longest, 0.5 * (speed + contact.law.creep) / change);
@@ -104,28 +104,34 @@ FreeSolver::FreeSolver(const Mechanism& mechanism, double tolerance, bool projec
       project_(project),
       one_sided_(one_sided_in(mechanism)),
       touching_(1e-13 * size_of(mechanism)),
-      equations_(mechanism) {}
+      equations_(mechanism),
+      laws_(laws_of(equations_.contacts())),
+      names_(names_of(mechanism, equations_.contacts())),
+      rest_(100.0 * tolerance * size_of(mechanism)) {
+  sticking_ = std::any_of(laws_.begin(), laws_.end(), can_stick);
+}
 
-State FreeSolver::state_of(double time, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
-                           const std::vector<Touch>& touches) {
+State FreeSolver::state_of(const State& known) {
   State state;
-  state.time = time;
-  state.q = q;
-  state.v = v;
-  state.touches = touches;
-  if (touches.empty() && !one_sided_.empty()) {
+  state.time = known.time;
+  state.q = known.q;
+  state.v = known.v;
+  state.touches = known.touches;
+  state.slips = known.slips;
+  if (state.touches.empty() && !one_sided_.empty()) {
     // Of what touches from the beginning no approach is known, and nothing is lost.
     state.touches.resize(mechanism_->forces.size());
     for (const OneSided& of : one_sided_)
-      state.touches[of.force].on = depth_of(of, q, v).value > touching_;
+      state.touches[of.force].on = depth_of(of, state.q, state.v).value > touching_;
   }
-  if (!equations_.solve_rates(time, q, v, state.a, state.lambda, state.touches)) {
+  if (sticking_ && state.slips.empty()) decide_contacts(state);
+  if (!equations_.solve_rates(state)) {
     throw AnalysisError(
         {"accelerations are not determined: a freedom that no driver moves has no "
          "mass (give the body a mass and inertia, or drive it), or the mechanism "
          "stands exactly in a singular position",
          "mechanism",
-         time,
+         state.time,
          {},
          {}});
   }
@@ -163,13 +169,18 @@ State FreeSolver::start(double time, const Eigen::VectorXd& q, const Eigen::Vect
          {},
          {}});
   }
-  return state_of(time, position, velocity, {});
+  State first;
+  first.time = time;
+  first.q = position;
+  first.v = velocity;
+  return state_of(first);
 }
 
 struct FreeSolver::Step {
   State end;
   bool solved = true;
   double error = 0.0;      ///< in tolerances
+  double change = 1.0;     ///< of it, where a stage first has a contact that does not go on
   double pivot = 1.0;      ///< the smallest of its stages and its end
   double end_pivot = 1.0;  ///< of its end
 };
@@ -213,7 +224,7 @@ void FreeSolver::change(State& state) {
     touch = touch.on ? Touch{} : touched(of.law, depth_of(of, state.q, state.v).rate);
   }
   changes_.push_back(state.time);
-  state = state_of(state.time, state.q, state.v, state.touches);
+  state = state_of(state);
 }
 
 std::optional<FreeSolver::Change> FreeSolver::first_change(const State& from,
@@ -304,13 +315,15 @@ FreeSolver::Step FreeSolver::step_from(const State& known, double dt) {
   const auto rates = [&](const Vector& y, Vector& rate, double t) {
     end.q = Eigen::Map<const Eigen::VectorXd>(y.data(), n).cwiseProduct(scale);
     end.v = Eigen::Map<const Eigen::VectorXd>(y.data() + n, n).cwiseProduct(scale);
-    step.solved =
-        step.solved && equations_.solve_rates(t, end.q, end.v, end.a, end.lambda, end.touches);
+    end.time = t;
+    step.solved = step.solved && equations_.solve_rates(end);
     if (!step.solved) {
       std::fill(rate.begin(), rate.end(), 0.0);
       return;
     }
     step.pivot = std::min(step.pivot, equations_.smallest_pivot());
+    if (sticking_ && t != known.time && !contacts_go_on(end))
+      step.change = std::min(step.change, (t - known.time) / dt);
     Eigen::Map<Eigen::VectorXd>(rate.data(), n) = end.v.cwiseQuotient(scale);
     Eigen::Map<Eigen::VectorXd>(rate.data() + n, n) = end.a.cwiseQuotient(scale);
   };
@@ -330,8 +343,7 @@ FreeSolver::Step FreeSolver::step_from(const State& known, double dt) {
   end.v = Eigen::Map<const Eigen::VectorXd>(next.data() + n, n).cwiseProduct(scale);
   if (project_) step.solved = step.solved && equations_.project(end.time, end.q, end.v);
   // Where it ends must be regular as well.
-  step.solved = step.solved && std::isfinite(step.error) &&
-                equations_.solve_rates(end.time, end.q, end.v, end.a, end.lambda, end.touches);
+  step.solved = step.solved && std::isfinite(step.error) && equations_.solve_rates(end);
   end.residual = equations_.residual();
   step.end_pivot = step.solved ? equations_.smallest_pivot() : 0.0;
   step.pivot = std::min(step.pivot, step.end_pivot);
@@ -393,6 +405,8 @@ State FreeSolver::between(const Passage& passage, double time) {
   const double share = (time - before.time) / (behind.time - before.time);
   state.lambda = (1.0 - share) * before.lambda + share * behind.lambda;
   state.touches = before.touches;
+  state.friction = (1.0 - share) * before.friction + share * behind.friction;
+  state.slips = before.slips;
   if (project_) {
     // The way back onto the constraints that needs no regular position.
     const Assembly closed = Assembler(*mechanism_).assemble(time, state.q);
@@ -401,6 +415,76 @@ State FreeSolver::between(const Passage& passage, double time) {
   equations_.evaluate_at(time, state.q);
   state.residual = equations_.residual();
   return state;
+}
+
+bool FreeSolver::contacts_go_on(const State& state) const {
+  const std::vector<FrictionContact>& contacts = equations_.contacts();
+  const auto count = static_cast<Eigen::Index>(contacts.size());
+  Eigen::VectorXd velocity(count), pressure(count);
+  for (Eigen::Index j = 0; j < count; ++j) {
+    const FrictionContact& contact = contacts[static_cast<std::size_t>(j)];
+    velocity[j] = sliding_velocity_of(contact, state.q, state.v);
+    pressure[j] = pressure_on(contact, state.lambda);
+  }
+  return slips_go_on(laws_, state.slips, velocity, state.friction, pressure, turning_back * rest_);
+}
+
+double FreeSolver::contact_changes_within(const State& known, const Step& step) {
+  // A step sees its stages only, and these roughly.
+  constexpr int looks = 16;
+  const double dt = step.end.time - known.time;
+  if (step.change < 1.0) return step.change * dt;
+  const bool any_sticks =
+      std::find(known.slips.begin(), known.slips.end(), Slip::none) != known.slips.end();
+  for (int i = 1; i < looks; ++i) {
+    State at = interpolate(known.time + dt * i / looks, known, step.end);
+    at.lambda = known.lambda;
+    at.friction = known.friction;
+    at.slips = known.slips;
+    if (any_sticks && !equations_.solve_rates(at)) return 0.0;
+    if (!contacts_go_on(at)) return at.time - known.time;
+  }
+  return 0.0;
+}
+
+void FreeSolver::decide_contacts(State& state) {
+  FrictionResponse response;
+  if (!equations_.friction_response(state, response)) return;
+  const std::vector<char> stands = standing_contacts(laws_, state.slips, response.velocity, rest_);
+  state.v += equations_.velocities_by(holding_impulses(response, stands));
+  for (std::size_t j = 0; j < laws_.size(); ++j)
+    if (stands[j] != 0) response.velocity[static_cast<Eigen::Index>(j)] = 0.0;
+  state.slips = decide_sticking(laws_, response, stands, names_, state.time).slips;
+}
+
+void FreeSolver::settle_contacts(State& state) {
+  const std::vector<Slip> before = state.slips;
+  const auto velocity = [&](std::size_t j) {
+    return sliding_velocity_of(equations_.contacts()[j], state.q, state.v);
+  };
+  if (contacts_go_on(state)) {
+    bool slides = false;
+    for (std::size_t j = 0; j < laws_.size(); ++j) {
+      slides = slides || (can_stick(laws_[j]) && before[j] == Slip::none &&
+                          std::abs(velocity(j)) > turning_back * rest_);
+    }
+    if (!slides) return;
+  }
+  for (std::size_t j = 0; j < laws_.size(); ++j) {
+    if (!can_stick(laws_[j]) || static_cast<double>(before[j]) * velocity(j) >= -rest_) continue;
+    throw AnalysisError(
+        {"a contact with dry friction comes to rest where the mechanism passes a "
+         "singular position; give it a creep velocity, which smooths its friction",
+         "joint " + names_[j],
+         state.time,
+         {},
+         {}});
+  }
+  decide_contacts(state);
+  static_cast<void>(equations_.solve_rates(state));
+  // Ways begun at other instants lead to the same changes.
+  note_changes(slip_changes_, changes_between(names_, before, state.slips, state.time),
+               1e-9 * time_span_of(*mechanism_).length);
 }
 
 State FreeSolver::advance(double time, const State& known) {
@@ -414,8 +498,9 @@ State FreeSolver::advance(double time, const State& known) {
   }
   // What was set by hand has no accelerations yet.
   const bool touches_known = state.touches.size() == mechanism_->forces.size();
-  if (state.a.size() != state.q.size() || !(one_sided_.empty() || touches_known))
-    state = state_of(state.time, state.q, state.v, state.touches);
+  if (state.a.size() != state.q.size() || !(one_sided_.empty() || touches_known) ||
+      (sticking_ && state.slips.empty()))
+    state = state_of(state);
   constexpr double shortest = 1e-3;  // of a step in front of a singular position
   const double direction = time < state.time ? -1.0 : 1.0;
   const double smallest = 1e-13 * std::max(std::abs(time), std::abs(state.time)) + 1e-300;
@@ -441,7 +526,10 @@ State FreeSolver::advance(double time, const State& known) {
            {}});
     }
     while (stop != stops.end() && direction * (*stop - state.time) <= smallest) ++stop;
-    if (direction > 0.0 && has_changed(state)) change(state);
+    if (direction > 0.0 && has_changed(state)) {
+      change(state);
+      if (sticking_) settle_contacts(state);
+    }
     const double until = stop != stops.end() ? *stop : time;
     const double wanted = std::abs(dt);
     dt = direction * std::min({std::abs(dt), std::abs(until - state.time),
@@ -480,6 +568,14 @@ State FreeSolver::advance(double time, const State& known) {
            {},
            {}});
     }
+    if (sticking_ && !is_near_singular(step.pivot) && std::abs(dt) > 16.0 * smallest &&
+        contacts_go_on(step.end)) {
+      const double within = contact_changes_within(state, step);
+      if (within != 0.0) {
+        dt = within;
+        continue;
+      }
+    }
     if (is_near_singular(step.end_pivot) && !inside && std::abs(dt) > shortest * natural_) {
       std::optional<Step> over = step_over(state, dt);
       if (!over) {
@@ -497,19 +593,22 @@ State FreeSolver::advance(double time, const State& known) {
     natural_ = std::max(natural_, std::abs(dt) * longer);
     const double next =
         std::max(std::abs(dt) * std::min(5.0, longer), std::abs(dt) < wanted ? wanted : 0.0);
-    // No step goes on beyond a bend of friction, which its error does not show.
+    // No step goes on beyond a bend of friction, which its error does not show, nor beyond where a
+    // contact begins to stick or to slide.
     const std::vector<int> sides = pressed_sides_of(*mechanism_, state.lambda);
-    const auto keeps_sides = [&](const State& end) {
-      return sides.empty() || pressed_sides_of(*mechanism_, end.lambda) == sides;
+    const auto keeps_on = [&](const State& end) {
+      if (sides.empty()) return true;
+      return pressed_sides_of(*mechanism_, end.lambda) == sides &&
+             (!sticking_ || contacts_go_on(end));
     };
-    if (!is_near_singular(step.pivot) && !keeps_sides(step.end)) {
+    if (!is_near_singular(step.pivot) && !keeps_on(step.end)) {
       double low = 0.0;
       double high = dt;
       while (std::abs(high - low) > smallest + 1e-12 * std::abs(dt)) {
         const double half = 0.5 * (low + high);
         Step shorter = step_from(state, half);
         if (!shorter.solved) break;
-        if (keeps_sides(shorter.end)) {
+        if (keeps_on(shorter.end)) {
           low = half;
         } else {
           high = half;
@@ -538,6 +637,7 @@ State FreeSolver::advance(double time, const State& known) {
     inside = is_near_singular(step.end_pivot);
     ++steps_;
     state = std::move(step.end);
+    if (sticking_) settle_contacts(state);
     dt = direction * next;
   }
   state.time = time;

@@ -238,17 +238,17 @@ void InstantSolver::solve_multipliers(State& state) {
   if (contacts_.empty()) return;
   const auto count = static_cast<Eigen::Index>(contacts_.size());
   Eigen::MatrixXd response(mechanism_->equations(), count);
-  Eigen::VectorXd velocity(count);
   Eigen::VectorXd column(mechanism_->equations());
   for (Eigen::Index j = 0; j < count; ++j) {
     const FrictionContact& contact = contacts_[static_cast<std::size_t>(j)];
     unit_friction(contact, state.q, step_);
     solve_transposed(step_, column);
     response.col(j) = column;
-    velocity[j] = sliding_velocity_of(contact, state.q, state.v);
   }
-  state.lambda += response * solve_friction(*mechanism_, contacts_, state.time, state.lambda,
-                                            response, velocity);
+  state.friction =
+      solve_friction(*mechanism_, contacts_, state.time, {},
+                     friction_response_of(contacts_, state.q, state.v, state.lambda, response));
+  state.lambda += response * state.friction;
 }
 
 bool InstantSolver::complete(State& state) {

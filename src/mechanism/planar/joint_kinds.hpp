@@ -99,7 +99,7 @@ struct ReactionsOfKind {
   std::vector<Reaction>& reactions;
   int joint;
   const double* lambda;
-  const FrictionContact* contact;
+  double friction;  ///< on what slides, along its guide [N]
 
   void add(const Attachment& at, const Eigen::Vector2d& force, double moment) const {
     if (at.body != ground) reactions.push_back({joint, at.body, force, moment, at.p});
@@ -129,12 +129,7 @@ struct ReactionsOfKind {
   template <class Slide>
   void add_sliding(const Slide& slide, double moment) const {
     const Eigen::Vector2d along = turned(slide.direction, slide.guide.body);
-    Eigen::Vector2d force = -lambda[0] * left_side_of(along);
-    if (contact != nullptr) {
-      force += friction_force_of(*contact, state.lambda,
-                                 sliding_velocity_of(*contact, state.q, state.v)) *
-               along;
-    }
+    const Eigen::Vector2d force = friction * along - lambda[0] * left_side_of(along);
     add(slide.point, force, moment);
     add(place_on(slide.guide.body, position_of(slide.point, state.q)), -force, -moment);
   }

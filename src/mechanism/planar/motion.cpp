@@ -218,6 +218,26 @@ std::vector<double> changes_in(const Motion& motion, const StateSolver& solver) 
        {}});
 }
 
+/// Where contacts begin to stick or to slide while a motion is looked at.
+std::vector<SlipChange> slip_changes_in(const Motion& motion, const StateSolver& solver) {
+  constexpr std::size_t most_changes = 1000;
+  std::vector<SlipChange> changes = solver.slip_changes();
+  std::erase_if(changes, [&](const SlipChange& of) {
+    return of.time <= motion.begin || of.time >= motion.begin + motion.period;
+  });
+  if (changes.size() <= most_changes) return changes;
+  throw AnalysisError(
+      {fmt::format(
+           "contacts begin to stick or to slide {} times, more than can be looked at one by "
+           "one; give a shorter [motion] duration, or a creep velocity, which smooths "
+           "friction",
+           changes.size()),
+       "joint " + changes[most_changes].joint,
+       changes[most_changes].time,
+       {},
+       {}});
+}
+
 Motion motion_with(const Mechanism& mechanism, StateSolver& solver, int instants) {
   const TimeSpan span = time_span_of(mechanism);
   const auto count = static_cast<std::size_t>(instants);
@@ -236,6 +256,7 @@ Motion motion_with(const Mechanism& mechanism, StateSolver& solver, int instants
   motion.end = solver.near(time_of(motion, count, count), motion.states.back());
   motion.change_points = solver.change_points();
   motion.changes = changes_in(motion, solver);
+  motion.slip_changes = slip_changes_in(motion, solver);
   judge_uniqueness(mechanism, motion);
   if (!motion.closed) return motion;
   // An odd number of change points, or a gear that needs more turns, leads elsewhere.
@@ -316,6 +337,11 @@ std::vector<double> StateSolver::changes() const {
   return free != nullptr ? free->changes() : std::vector<double>{};
 }
 
+std::vector<SlipChange> StateSolver::slip_changes() const {
+  const auto* free = std::get_if<FreeSolver>(&solver_);
+  return free != nullptr ? free->slip_changes() : std::vector<SlipChange>{};
+}
+
 Motion solve_motion(const Mechanism& mechanism, int instants) {
   StateSolver solver(mechanism);
   return motion_with(mechanism, solver, instants);
@@ -336,10 +362,14 @@ Motion solve_motion(const Mechanism& mechanism) {
   constexpr double rounding = 1e-9;
   const int instants = std::max(fewest, static_cast<int>(std::ceil((4.0 - rounding) * waves)));
   Motion motion = motion_with(mechanism, solver, instants);
-  const RoughTimes rough(functions_of(mechanism), motion.begin, motion.period, motion.closed,
-                         motion.changes);
   while (true) {
     motion = doubled(solver, motion);
+    motion.changes = changes_in(motion, solver);
+    motion.slip_changes = slip_changes_in(motion, solver);
+    std::vector<double> changes = times_of(motion.slip_changes);
+    changes.insert(changes.end(), motion.changes.begin(), motion.changes.end());
+    const RoughTimes rough(functions_of(mechanism), motion.begin, motion.period, motion.closed,
+                           changes);
     const Misfit accelerations =
         misfit_of(motion, rough, &State::a, equations.col_scale().cwiseInverse(), rest);
     const Misfit reactions =

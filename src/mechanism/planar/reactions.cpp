@@ -7,16 +7,14 @@ namespace boxbeam::planar {
 std::vector<Reaction> reactions_of(const Mechanism& mechanism, const State& state) {
   std::vector<Reaction> reactions;
   reactions.reserve(2 * mechanism.joints.size());
-  const std::vector<FrictionContact> contacts = friction_contacts_of(mechanism);
-  auto contact = contacts.begin();
+  Eigen::Index contact = 0;
   Eigen::Index row = 0;
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const Joint& joint = mechanism.joints[i];
-    const bool rubs = contact != contacts.end() && contact->joint == static_cast<int>(i);
-    std::visit(ReactionsOfKind{state, reactions, static_cast<int>(i), state.lambda.data() + row,
-                               rubs ? &*contact : nullptr},
-               joint.kind);
-    if (rubs) ++contact;
+    const double friction = rubs(joint) ? state.friction[contact++] : 0.0;
+    std::visit(
+        ReactionsOfKind{state, reactions, static_cast<int>(i), state.lambda.data() + row, friction},
+        joint.kind);
     row += equations_of(joint);
   }
   return reactions;

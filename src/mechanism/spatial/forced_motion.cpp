@@ -41,6 +41,12 @@ ForcedMotion::ForcedMotion(const Tree& tree, const Loops* loops, double toleranc
     : loops_(loops), tolerance_(tolerance), contacts_(friction_contacts_of(tree.mechanism())) {
   const Mechanism& mechanism = tree.mechanism();
   const double size = size_of(mechanism);
+  rest_ = 100.0 * tolerance * size;
+  for (const FrictionContact& contact : contacts_) {
+    laws_.push_back(contact.law);
+    names_.push_back(name_of_contact(mechanism, contact));
+  }
+  sticking_ = std::any_of(laws_.begin(), laws_.end(), can_stick);
   one_sided_ = std::any_of(mechanism.springs.begin(), mechanism.springs.end(),
                            [](const Spring& of) { return of.acts != Spring::Acts::both; });
   Sample start;
@@ -69,9 +75,10 @@ ForcedMotion::ForcedMotion(const Tree& tree, const Loops* loops, double toleranc
   start.touches.resize(mechanism.springs.size());
   State first;
   if (place(tree, start.y, 0.0, start.loops, first)) require_within_clearance(mechanism, first);
+  settle_contacts(tree, start, nullptr);
   std::vector<Sample> steps{start};
   Effort effort;
-  advanced(tree, start, until, effort, &steps, &changes_);
+  advanced(tree, start, until, effort, &steps, &changes_, &slip_changes_);
   for (Sample& of : steps) know_accelerations(tree, of);
   samples_.push_back(steps.front());
   constexpr int most_halvings = 12;
@@ -94,7 +101,7 @@ void ForcedMotion::know_accelerations(const Tree& tree, Sample& at) const {
   State state;
   state.touches = at.touches;
   static_cast<void>(place(tree, at.y, at.time, at.loops, state));
-  const Solution of = solve(tree, state);
+  const Solution of = solve(tree, state, at.slips);
   if (of.unsolved) say_unsolved(tree, at.time, *of.unsolved);
   at.accelerations.clear();
   for (std::size_t k = 0; k < joints_.size(); ++k)
@@ -177,7 +184,7 @@ void ForcedMotion::move(const Tree& tree, State& state) const {
     tree.move(state);
 }
 
-ForcedMotion::Solution ForcedMotion::solve(const Tree& tree, State& state) const {
+ForcedMotion::Response ForcedMotion::response_in(const Tree& tree, State& state) const {
   constexpr double unit = 1e3;  // of acceleration: far above round-off of what acts without it
   const Mechanism& mechanism = tree.mechanism();
   const auto n = static_cast<Eigen::Index>(joints_.size());
@@ -199,8 +206,15 @@ ForcedMotion::Solution ForcedMotion::solve(const Tree& tree, State& state) const
     return of;
   };
   for (const std::size_t i : joints_) state.coordinates[i].acceleration = 0.0;
+  const auto sliding = [&] {
+    Eigen::VectorXd rates(rubbing);
+    for (Eigen::Index j = 0; j < rubbing; ++j)
+      rates[j] = sliding_acceleration_of(mechanism, contacts_[static_cast<std::size_t>(j)], state);
+    return rates;
+  };
   move(tree, state);
   const Eigen::VectorXd without = carried({});
+  const Eigen::VectorXd sliding_without = sliding();
   // Per unit of each friction force; of the size of what acts without them.
   Eigen::MatrixXd by_friction(without.size(), rubbing);
   double force = 1.0;
@@ -210,16 +224,17 @@ ForcedMotion::Solution ForcedMotion::solve(const Tree& tree, State& state) const
     forces[static_cast<std::size_t>(j)] = force;
     by_friction.col(j) = (carried(forces) - without) / force;
   }
-  Eigen::MatrixXd by_acceleration(without.size(), n);
+  Eigen::MatrixXd by_acceleration(without.size(), n), sliding_by_acceleration(rubbing, n);
   for (Eigen::Index k = 0; k < n; ++k) {
     double& acceleration = state.coordinates[joints_[static_cast<std::size_t>(k)]].acceleration;
     acceleration = unit * scales_[static_cast<std::size_t>(k)];
     move(tree, state);
     by_acceleration.col(k) = (carried({}) - without) / unit;
+    sliding_by_acceleration.col(k) = (sliding() - sliding_without) / unit;
     acceleration = 0.0;
   }
   const Eigen::MatrixXd inertia = by_acceleration.topRows(n);
-  Solution of;
+  Response of;
   of.accelerations = Eigen::VectorXd::Zero(n);
   Eigen::Index least = 0;
   if (!inertia.allFinite() || !(inertia.diagonal().minCoeff(&least) > 0.0)) {
@@ -241,34 +256,96 @@ ForcedMotion::Solution ForcedMotion::solve(const Tree& tree, State& state) const
     return -pivots.solve(along.cwiseQuotient(root)).cwiseQuotient(root);
   };
   of.accelerations = released(without.head(n));
-  if (rubbing > 0) {
-    const Eigen::Index rows = 6 * rubbing;
-    Eigen::MatrixXd with(n, rubbing);
-    for (Eigen::Index j = 0; j < rubbing; ++j) with.col(j) = released(by_friction.col(j).head(n));
-    std::vector<Friction> laws;
-    Eigen::VectorXd velocity(rubbing);
-    for (Eigen::Index j = 0; j < rubbing; ++j) {
-      const FrictionContact& contact = contacts_[static_cast<std::size_t>(j)];
-      laws.push_back(contact.law);
-      velocity[j] = sliding_velocity_of(mechanism, contact, state);
-    }
-    const Eigen::MatrixXd pressing = by_acceleration.bottomRows(rows);
-    const auto friction =
-        solve_friction(laws, velocity, without.tail(rows) + pressing * of.accelerations,
-                       by_friction.bottomRows(rows) + pressing * with);
+  const Eigen::Index rows = 6 * rubbing;
+  of.by_friction.resize(n, rubbing);
+  of.of = FrictionResponse(contacts_.size());
+  for (Eigen::Index j = 0; j < rubbing; ++j) {
+    of.by_friction.col(j) = released(by_friction.col(j).head(n));
+    of.of.velocity[j] =
+        sliding_velocity_of(mechanism, contacts_[static_cast<std::size_t>(j)], state);
+  }
+  const Eigen::MatrixXd pressing = by_acceleration.bottomRows(rows);
+  of.of.load_0 = without.tail(rows) + pressing * of.accelerations;
+  of.of.load = by_friction.bottomRows(rows) + pressing * of.by_friction;
+  of.of.rate_0 = sliding_without + sliding_by_acceleration * of.accelerations;
+  of.of.rate = sliding_by_acceleration * of.by_friction;
+  return of;
+}
+
+ForcedMotion::Solution ForcedMotion::solve(const Tree& tree, State& state,
+                                           const std::vector<Slip>& slips) const {
+  const Response response = response_in(tree, state);
+  Solution of{response.accelerations, {}, true, response.unsolved};
+  if (of.unsolved) return of;
+  const auto n = static_cast<Eigen::Index>(joints_.size());
+  if (!contacts_.empty()) {
+    const auto friction = solve_friction(laws_, slips, response.of);
     if (!friction) {
       of.unsolved = {0, true};
       return of;
     }
     of.friction.assign(friction->begin(), friction->end());
-    of.accelerations += with * *friction;
+    of.accelerations += response.by_friction * *friction;
+    if (sticking_) {
+      const Eigen::VectorXd load = response.of.load_0 + response.of.load * *friction;
+      Eigen::VectorXd pressure(friction->size());
+      for (Eigen::Index j = 0; j < pressure.size(); ++j)
+        pressure[j] = pressure_of(laws_[static_cast<std::size_t>(j)], load.segment<6>(6 * j));
+      of.go_on = slips_go_on(laws_, slips, response.of.velocity, *friction, pressure,
+                             turning_back * rest_);
+    }
   }
   for (Eigen::Index k = 0; k < n; ++k) of.accelerations[k] *= scales_[static_cast<std::size_t>(k)];
   return of;
 }
 
+void ForcedMotion::settle_contacts(const Tree& tree, Sample& at,
+                                   std::vector<SlipChange>* found) const {
+  if (!sticking_) return;
+  State state;
+  state.touches = at.touches;
+  if (!place(tree, at.y, at.time, at.loops, state)) return;
+  const std::vector<Slip> before = at.slips;
+  if (!before.empty()) {
+    const Solution of = solve(tree, state, before);
+    if (of.unsolved) say_unsolved(tree, at.time, *of.unsolved);
+    bool settled = of.go_on;
+    for (std::size_t j = 0; j < laws_.size(); ++j) {
+      const bool sticks = can_stick(laws_[j]) && before[j] == Slip::none;
+      const double v = sliding_velocity_of(tree.mechanism(), contacts_[j], state);
+      settled = settled && !(sticks && std::abs(v) > turning_back * rest_);
+    }
+    if (settled) return;
+  }
+  Response response = response_in(tree, state);
+  if (response.unsolved) say_unsolved(tree, at.time, *response.unsolved);
+  const std::vector<char> stands = standing_contacts(laws_, before, response.of.velocity, rest_);
+  const Eigen::VectorXd held = response.by_friction * holding_impulses(response.of, stands);
+  for (std::size_t k = 0; k < joints_.size(); ++k)
+    at.y[joints_.size() + k] += held[static_cast<Eigen::Index>(k)];
+  for (std::size_t j = 0; j < laws_.size(); ++j)
+    if (stands[j] != 0) response.of.velocity[static_cast<Eigen::Index>(j)] = 0.0;
+  at.slips = decide_sticking(laws_, response.of, stands, names_, at.time).slips;
+  at.accelerations.clear();
+  if (found == nullptr || before.empty()) return;
+  for (const SlipChange& change : changes_between(names_, before, at.slips, at.time))
+    found->push_back(change);
+}
+
+const std::vector<Slip>& ForcedMotion::slips_at(double time) const {
+  const auto later =
+      std::upper_bound(samples_.begin(), samples_.end(), time,
+                       [](double at, const Sample& sample) { return at < sample.time; });
+  return (later == samples_.begin() ? later : later - 1)->slips;
+}
+
 void ForcedMotion::accelerate(const Tree& tree, State& state) const {
-  Solution of = solve(tree, state);
+  accelerate(tree, state, slips_at(state.time));
+}
+
+void ForcedMotion::accelerate(const Tree& tree, State& state,
+                              const std::vector<Slip>& slips) const {
+  Solution of = solve(tree, state, slips);
   if (of.unsolved) say_unsolved(tree, state.time, *of.unsolved);
   for (std::size_t k = 0; k < joints_.size(); ++k)
     state.coordinates[joints_[k]].acceleration = of.accelerations[static_cast<Eigen::Index>(k)];

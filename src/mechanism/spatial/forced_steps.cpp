@@ -57,11 +57,11 @@ ForcedMotion::Step ForcedMotion::step_from(const Tree& tree, const Sample& from,
     step.followed = step.followed && place(tree, y, time, near, state);
     if (!step.followed) return;
     const std::vector<char> now = acting_in(tree.mechanism(), state);
+    const Solution of = solve(tree, state, from.slips);
     if (!acting)
       acting = now;
-    else if (now != *acting && time != from.time)
+    else if ((now != *acting || !of.go_on) && time != from.time)
       step.change = std::min(step.change, (time - from.time) / dt);
-    const Solution of = solve(tree, state);
     step.unsolved = of.unsolved;
     step.followed = !of.unsolved;
     if (of.unsolved) return;
@@ -90,7 +90,9 @@ ForcedMotion::Step ForcedMotion::step_from(const Tree& tree, const Sample& from,
                   place(tree, step.end.y, step.end.time, near, state);
   if (!step.followed) return step;
   if (loops_ != nullptr) step.end.loops = loops_->sample_of(state);
-  step.changes = *acting != acting_in(tree.mechanism(), state);
+  step.end.slips = from.slips;
+  step.changes = *acting != acting_in(tree.mechanism(), state) ||
+                 (sticking_ && !solve(tree, state, from.slips).go_on);
   return step;
 }
 
@@ -129,7 +131,7 @@ double ForcedMotion::until_another_acts(const Tree& tree, const Sample& from) co
   State state;
   state.touches = from.touches;
   if (!one_sided_ || !place(tree, from.y, from.time, from.loops, state)) return until;
-  accelerate(tree, state);
+  accelerate(tree, state, from.slips);
   for (const Spring& of : tree.mechanism().springs) {
     for (const Spring& spring : switches_of(of)) {
       const Eigen::Vector3d d = position_of(state, spring.b) - position_of(state, spring.a);
@@ -179,10 +181,13 @@ std::optional<ForcedMotion::Step> ForcedMotion::step_to_change(const Tree& tree,
 
 double ForcedMotion::acts_within(const Tree& tree, Sample& from, Sample& end) const {
   constexpr int looks = 24;
+  const bool any_sticks =
+      sticking_ && std::find(from.slips.begin(), from.slips.end(), Slip::none) != from.slips.end();
   if (from.accelerations.empty()) know_accelerations(tree, from);
   know_accelerations(tree, end);
   const double dt = end.time - from.time;
   State state;
+  state.touches = from.touches;
   std::vector<char> acting;
   for (int i = 0; i < looks; ++i) {
     const double at = from.time + dt * i / looks;
@@ -191,10 +196,21 @@ double ForcedMotion::acts_within(const Tree& tree, Sample& from, Sample& end) co
     const std::vector<char> now = acting_in(tree.mechanism(), state);
     if (i == 0)
       acting = now;
-    else if (now != acting)
+    else if (now != acting || (any_sticks && !solve(tree, state, from.slips).go_on) ||
+             any_turns_back(tree.mechanism(), state, from.slips))
       return at - from.time;
   }
   return 0.0;
+}
+
+bool ForcedMotion::any_turns_back(const Mechanism& mechanism, const State& state,
+                                  const std::vector<Slip>& slips) const {
+  for (std::size_t j = 0; sticking_ && j < contacts_.size(); ++j) {
+    if (!can_stick(laws_[j]) || slips[j] == Slip::none) continue;
+    const double v = sliding_velocity_of(mechanism, contacts_[j], state);
+    if (static_cast<double>(slips[j]) * v < -rest_) return true;
+  }
+  return false;
 }
 
 bool ForcedMotion::agrees_with_halves(const Tree& tree, const Sample& from, const Step& step,
@@ -245,7 +261,7 @@ std::optional<ForcedMotion::Step> ForcedMotion::good_step(const Tree& tree, Samp
       return std::nullopt;
     }
     step = *std::move(until_change);
-  } else if (one_sided_) {
+  } else if (one_sided_ || sticking_) {
     // What begins and ends to act between two stages is seen between the ends of the step.
     const double within = acts_within(tree, from, step.end);
     if (within != 0.0) {
@@ -260,7 +276,8 @@ std::optional<ForcedMotion::Step> ForcedMotion::good_step(const Tree& tree, Samp
 
 ForcedMotion::Sample ForcedMotion::advanced(const Tree& tree, Sample from, double until,
                                             Effort& effort, std::vector<Sample>* kept,
-                                            std::vector<double>* changes) const {
+                                            std::vector<double>* changes,
+                                            std::vector<SlipChange>* slip_changes) const {
   const double direction = until < from.time ? -1.0 : 1.0;
   const double smallest = smallest_step(from.time, until);
   double dt = until - from.time;
@@ -283,6 +300,7 @@ ForcedMotion::Sample ForcedMotion::advanced(const Tree& tree, Sample from, doubl
     dt = std::abs(dt) < wanted ? std::max(next, wanted) : next;
     std::optional<Sample> before = std::move(step->before);
     from = std::move(step->end);
+    settle_contacts(tree, from, slip_changes);
     ++effort.steps;
     if (kept != nullptr && before) kept->push_back(std::move(*before));
     if (kept != nullptr) kept->push_back(from);

@@ -79,6 +79,21 @@ double sliding_velocity_of(const Mechanism& mechanism, const FrictionContact& co
   return axis_of_contact(mechanism, contact, state).dot(velocity_of(state, closing->b) - carried);
 }
 
+double sliding_acceleration_of(const Mechanism& mechanism, const FrictionContact& contact,
+                               const State& state) {
+  const ClosingJoint* const closing = closing_of(mechanism, contact);
+  if (closing == nullptr) return state.coordinates[contact.joint].acceleration;
+  // Against the guide's body, in which its axis stands:
+  // a . (a_P - a_G - alpha x r - omega x (omega x r) - 2 omega x u), u the velocity against it.
+  const BodyMotion& guide = motion_of(state, closing->a.body);
+  const Eigen::Vector3d arm = position_of(state, closing->b) - guide.position;
+  const Eigen::Vector3d carried = guide.omega.cross(arm);
+  const Eigen::Vector3d against = velocity_of(state, closing->b) - guide.velocity - carried;
+  return axis_of_contact(mechanism, contact, state)
+      .dot(acceleration_of(state, closing->b) - guide.acceleration - guide.alpha.cross(arm) -
+           guide.omega.cross(carried) - 2.0 * guide.omega.cross(against));
+}
+
 GuideLoad guide_load_of(const Mechanism& mechanism, const FrictionContact& contact,
                         const State& state, const std::vector<Wrench>& joints) {
   const Eigen::Vector3d a = axis_of_contact(mechanism, contact, state);
@@ -129,32 +144,31 @@ std::vector<double> friction_forces_of(const Tree& tree, const Loops* loops, con
   // Of the size of what acts without friction, so that round-off of neither counts in the other.
   double unit = 1.0;
   for (const Wrench& joint : joints) unit = std::max(unit, joint.force.norm());
-  const Eigen::VectorXd load_0 = loads();
-  Eigen::MatrixXd response = Eigen::MatrixXd::Zero(6 * count, count);
-  Eigen::VectorXd velocity(count);
+  FrictionResponse response(contacts.size());
+  response.load_0 = loads();
+  const Eigen::VectorXd load_0 = response.load_0;
   std::vector<Friction> laws;
   for (Eigen::Index j = 0; j < count; ++j) {
     const FrictionContact& contact = contacts[static_cast<std::size_t>(j)];
     laws.push_back(contact.law);
-    velocity[j] = sliding_velocity_of(mechanism, contact, state);
+    response.velocity[j] = sliding_velocity_of(mechanism, contact, state);
     if (loops == nullptr || is_taken_by_drive(mechanism, contact)) continue;
     std::vector<double> forces(contacts.size(), 0.0);
     forces[static_cast<std::size_t>(j)] = unit;
     wrenches_beside_friction(tree, loops, state, contacts, forces, joints);
-    response.col(j) = (loads() - load_0) / unit;
+    response.load.col(j) = (loads() - load_0) / unit;
   }
   // What pushes teeth apart goes by the size of their force, along either of them: where friction
   // turns one round, loads are not what they were by steps from none.
-  Eigen::VectorXd straight = load_0;
   for (int pass = 0; pass < most_passes; ++pass) {
-    const auto solved = solve_friction(laws, velocity, straight, response);
+    const auto solved = solve_friction(laws, {}, response);
     if (!solved) break;
     std::vector<double> forces{solved->begin(), solved->end()};
     if (loops == nullptr || !has_pushing_teeth(mechanism)) return forces;
     wrenches_beside_friction(tree, loops, state, contacts, forces, joints);
-    const Eigen::VectorXd missed = loads() - straight - response * *solved;
+    const Eigen::VectorXd missed = loads() - response.load_0 - response.load * *solved;
     if (missed.lpNorm<Eigen::Infinity>() <= 1e-11 * unit) return forces;
-    straight += missed;
+    response.load_0 += missed;
   }
   say_locked_contacts(mechanism, contacts, state.time);
 }
@@ -213,9 +227,16 @@ void require_known_pressure(const Mechanism& mechanism, const Loops& loops,
 void fit_creep(Mechanism& mechanism, const std::vector<std::size_t>& joints) {
   constexpr int fewest = 96, most = 24576;
   constexpr double of_a_wave = 8.0;
-  if (joints.empty() || std::any_of(mechanism.joints.begin(), mechanism.joints.end(), is_forced))
-    return;
   const std::vector<FrictionContact> contacts = friction_contacts_of(mechanism);
+  if (std::any_of(mechanism.joints.begin(), mechanism.joints.end(), is_forced)) {
+    for (const FrictionContact& contact : contacts) {
+      const bool chosen = std::find(joints.begin(), joints.end(), contact.joint) != joints.end();
+      if (chosen && !is_taken_by_drive(mechanism, contact))
+        friction_in(mechanism, contact.joint).creep = 0.0;
+    }
+    return;
+  }
+  if (joints.empty()) return;
   // Drivers decide how it moves: no force is asked for.
   Mechanism moved = mechanism;
   for (const FrictionContact& contact : contacts) friction_in(moved, contact.joint) = {};

@@ -152,15 +152,18 @@ std::vector<double> changes_by_drivers(const Chain& chain, const TimeSpan& span)
 
 std::vector<double> changes_of(const Chain& chain, const TimeSpan& span) {
   constexpr std::size_t most_changes = 1000;
-  if (switches_of(chain.mechanism()).empty()) return {};
-  std::vector<double> changes =
-      chain.forced() != nullptr ? chain.forced()->changes() : changes_by_drivers(chain, span);
+  std::vector<double> changes;
+  if (chain.forced() != nullptr)
+    changes = chain.forced()->changes();
+  else if (!switches_of(chain.mechanism()).empty())
+    changes = changes_by_drivers(chain, span);
   std::erase_if(changes,
                 [&](double at) { return at <= span.begin || at >= span.begin + span.length; });
   if (changes.size() <= most_changes) return changes;
   throw AnalysisError(
-      {fmt::format("stops and cables begin and end to act {} times, more than can be looked at one "
-                   "by one; give a shorter [motion] duration, or their springs more damping",
+      {fmt::format("stops and cables begin and end to act, and contacts to stick, {} times, more "
+                   "than can be looked at one by one; give a shorter [motion] duration, their "
+                   "springs more damping, or contacts a creep velocity",
                    changes.size()),
        "mechanism",
        changes[most_changes],

@@ -619,8 +619,10 @@ TEST_CASE("a creep velocity is a fiftieth of the fastest that drivers give a con
   CHECK(given.joints[0].friction.creep == 1.0);
   CHECK(fitted_creep(given.joints[0].friction, 1e-17, 1.0) == 1.0);  // it stands
   given.joints[0].moved_by = MovedBy::forces;
-  fit_creep(given, {0});
+  fit_creep(given, {});
   CHECK(given.joints[0].friction.creep == 1.0);
+  fit_creep(given, {0});
+  CHECK(given.joints[0].friction.creep == 0.0);  // it sticks
 }
 
 }  // namespace spatial_friction_test

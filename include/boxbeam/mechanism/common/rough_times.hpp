@@ -11,9 +11,9 @@ namespace boxbeam {
 class RoughTimes {
  public:
   /// Over the time from `begin` to `begin + period`; a closed motion goes on with its beginning.
-  /// `bends`: further times at which a slope jumps.
+  /// `more`: further times at which loads jump or bend.
   RoughTimes(const std::vector<DriverUse>& uses, double begin, double period, bool closed,
-             const std::vector<double>& bends = {});
+             const std::vector<double>& more = {});
 
   /// Whether samples from one time to the other lie on both sides of such a time; at a jump a
   /// sample has the value behind it. Both within one period of the time looked at.

@@ -5,6 +5,7 @@
 
 #include "boxbeam/mechanism/planar/constraints.hpp"
 #include "boxbeam/mechanism/planar/forces.hpp"
+#include "boxbeam/mechanism/planar/state.hpp"
 
 namespace boxbeam::planar {
 
@@ -19,11 +20,21 @@ class EquationsOfMotion {
  public:
   explicit EquationsOfMotion(const Mechanism& mechanism);
 
-  /// Accelerations and multipliers; false where they are not determined. `touches`: as those of a
-  /// state.
+  /// Accelerations and multipliers, of contacts that slide and of what acts as its length says;
+  /// false where they are not determined.
   bool solve_rates(double time, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
-                   Eigen::VectorXd& a, Eigen::VectorXd& lambda,
-                   const std::vector<Touch>& touches = {});
+                   Eigen::VectorXd& a, Eigen::VectorXd& lambda);
+  /// The same of a state, with its friction; contacts slide or stick as its slips say, without them
+  /// by their velocity; what acts one way as its touches say.
+  bool solve_rates(State& state);
+
+  /// Contacts that rub.
+  const std::vector<FrictionContact>& contacts() const { return contacts_; }
+  /// Accelerations and multipliers without friction, and what it does; rates of sliding as well.
+  /// False where they are not determined.
+  bool friction_response(const State& state, FrictionResponse& response);
+  /// What impulses along contacts do to velocities, at the state of the last `friction_response`.
+  Eigen::VectorXd velocities_by(const Eigen::VectorXd& impulses) const;
 
   /// Moves positions and velocities onto the constraints, the shortest way with lengths by the
   /// mechanism's size; false at a singular position, and where they cannot be met. Source: Eich,
@@ -62,6 +73,8 @@ class EquationsOfMotion {
   const Mechanism* mechanism_;
   ConstraintEquations constraints_;
   std::vector<FrictionContact> contacts_;
+  bool sticking_ = false;    ///< whether any of them can stick
+  Eigen::MatrixXd by_unit_;  ///< accelerations and multipliers per unit of each friction force
   Eigen::VectorXd mass_, weight_, metric_;
   Eigen::VectorXd scale_;  ///< of rows and columns of the whole system
   SparsePattern pattern_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "boxbeam/mechanism/planar/mechanism.hpp"
@@ -63,20 +64,32 @@ Eigen::Vector2d tangent_of(const FrictionContact& contact, const Eigen::VectorXd
 double sliding_velocity_of(const FrictionContact& contact, const Eigen::VectorXd& q,
                            const Eigen::VectorXd& v);
 
-/// Friction force on the sliding body along the guide's direction, for given multipliers [N].
-double friction_force_of(const FrictionContact& contact, const Eigen::VectorXd& lambda,
-                         double sliding_velocity);
+/// Rate of change of the sliding velocity [m/s^2].
+double sliding_acceleration_of(const FrictionContact& contact, const Eigen::VectorXd& q,
+                               const Eigen::VectorXd& v, const Eigen::VectorXd& a);
+
+/// What presses on the guide, by the multipliers [N].
+double pressure_on(const FrictionContact& contact, const Eigen::VectorXd& lambda);
 
 /// The generalised force of a unit friction force: on the sliding body along the guide, and its
 /// opposite on the guide's body at the same place.
 void unit_friction(const FrictionContact& contact, const Eigen::VectorXd& q, Eigen::VectorXd& Q);
 
-/// The friction forces of all contacts by `boxbeam::solve_friction`. `response`: change of the
-/// multipliers per unit of each force, a column each. Throws AnalysisError where friction locks the
-/// mechanism.
+/// Velocities and loads of all contacts; rates are left zero. `lambda_0`: the multipliers without
+/// friction; `by_unit`: their change per unit of each force, a column each.
+FrictionResponse friction_response_of(const std::vector<FrictionContact>& contacts,
+                                      const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                                      const Eigen::VectorXd& lambda_0,
+                                      const Eigen::MatrixXd& by_unit);
+
+/// The friction forces of all contacts by `boxbeam::solve_friction`. Throws AnalysisError where
+/// friction locks the mechanism.
 Eigen::VectorXd solve_friction(const Mechanism& mechanism,
                                const std::vector<FrictionContact>& contacts, double time,
-                               const Eigen::VectorXd& lambda_0, const Eigen::MatrixXd& response,
-                               const Eigen::VectorXd& sliding_velocity);
+                               const std::vector<Slip>& slips, const FrictionResponse& response);
+
+std::vector<Friction> laws_of(const std::vector<FrictionContact>& contacts);
+std::vector<std::string> names_of(const Mechanism& mechanism,
+                                  const std::vector<FrictionContact>& contacts);
 
 }  // namespace boxbeam::planar

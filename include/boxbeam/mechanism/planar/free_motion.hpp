@@ -2,8 +2,10 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "boxbeam/mechanism/common/sticking.hpp"
 #include "boxbeam/mechanism/planar/equations_of_motion.hpp"
 #include "boxbeam/mechanism/planar/instant_solver.hpp"
 
@@ -18,8 +20,10 @@ namespace boxbeam::planar {
 /// step must agree with its two halves, for the error of the method sees first and last stages
 /// only. No step ends close to a singular position, where accelerations lose digits and another
 /// branch begins: it is passed over in one step, the most accurate of many, whose error may be
-/// 1e-6; states asked for within are interpolated. Sources: Fehlberg, NASA TR R-287 (1968); Eich,
-/// SIAM J. Numer. Anal. 30 (1993).
+/// 1e-6; states asked for within are interpolated. Contacts without a creep velocity stick or
+/// slide: steps end where one that slides comes to rest and where one that sticks can bear no more,
+/// and what they do then is decided (`decide_sticking`). Sources: Fehlberg, NASA TR R-287 (1968);
+/// Eich, SIAM J. Numer. Anal. 30 (1993).
 class FreeSolver {
  public:
   /// `tolerance`: error of a step in scaled coordinates and their rates. `project` false leaves the
@@ -30,12 +34,16 @@ class FreeSolver {
   /// Throws AnalysisError where the mechanism cannot be assembled or its mass is singular.
   State start(double time, const Eigen::VectorXd& q, const Eigen::VectorXd& v);
 
-  /// The state at a later (or earlier) time. Throws AnalysisError where the step falls below what
-  /// arithmetic can tell apart.
+  /// The state at a later (or earlier) time; with contacts that can stick at a later one. Throws
+  /// AnalysisError where the step falls below what arithmetic can tell apart, and where it cannot
+  /// be decided whether contacts stick.
   State advance(double time, const State& known);
 
   /// When what acts one way has begun or ended to so far, in the order of the looks at it.
   const std::vector<double>& changes() const { return changes_; }
+
+  /// Where contacts began to stick or to slide on the ways so far, by time.
+  const std::vector<SlipChange>& slip_changes() const { return slip_changes_; }
 
   /// Steps taken and equations solved so far.
   int steps() const { return steps_; }
@@ -48,8 +56,8 @@ class FreeSolver {
     State before, behind;
   };
 
-  State state_of(double time, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
-                 const std::vector<Touch>& touches);
+  /// Of its time, position and velocities, with what is known of its touches and slips.
+  State state_of(const State& known);
   Step step_from(const State& known, double dt);
   /// Whether a pivot is that of a position close to a singular one.
   bool is_near_singular(double pivot) const;
@@ -59,6 +67,14 @@ class FreeSolver {
   /// The passage that a state lies within; nullptr where there is none.
   const Passage* passage_of(const State& known) const;
   State between(const Passage& passage, double time);
+  /// Whether contacts go on as the state's slips say.
+  bool contacts_go_on(const State& state) const;
+  /// How far into a step one of them does not, though all do at its end; 0: nowhere [s].
+  double contact_changes_within(const State& known, const Step& step);
+  /// Decides how contacts go on from a state.
+  void decide_contacts(State& state);
+  /// The same where they do not go on, which it notes; and takes what contacts slide that stick.
+  void settle_contacts(State& state);
 
   /// Whether bodies press on each other by the law of an impact.
   bool in_impact(const State& state) const;
@@ -89,6 +105,11 @@ class FreeSolver {
   double natural_ = 0.0;  ///< the longest step that an error allowed, whatever was looked at [s]
   std::vector<Passage> passages_;
   int steps_ = 0;
+  bool sticking_ = false;  ///< whether any contact can
+  std::vector<Friction> laws_;
+  std::vector<std::string> names_;
+  double rest_ = 0.0;  ///< sliding velocity that is none, for the tolerance [m/s]
+  std::vector<SlipChange> slip_changes_;
 };
 
 }  // namespace boxbeam::planar

@@ -22,6 +22,8 @@ struct Motion {
   /// When a stop, a cable or a pin in its clearance begins or ends to act, ascending: there loads
   /// bend, however short it acts between two instants [s].
   std::vector<double> changes = {};
+  /// Where contacts that can stick begin to do so or to slide, by time.
+  std::vector<SlipChange> slip_changes = {};
 };
 
 /// Finds states of a mechanism: instant by instant where drivers fix the motion, else by
@@ -42,6 +44,7 @@ class StateSolver {
   State near(double time, const State& known);
   std::vector<double> change_points() const;
   std::vector<double> changes() const;
+  std::vector<SlipChange> slip_changes() const;
 
  private:
   const Mechanism* mechanism_;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "boxbeam/mechanism/common/contact.hpp"
+#include "boxbeam/mechanism/common/friction.hpp"
 
 namespace boxbeam::planar {
 
@@ -26,6 +27,10 @@ struct State {
   /// Of every force, whether it has got to the length from which it acts one way; empty where that
   /// is as the position says and nothing is lost.
   std::vector<Touch> touches = {};
+  /// Of every contact (`friction_contacts_of`), on what slides, along its guide [N].
+  Eigen::VectorXd friction = {};
+  /// The same, of those that can stick; empty where drivers decide the motion.
+  std::vector<Slip> slips = {};
 };
 
 /// Between two states of a smooth motion: the polynomial of fifth degree that has the positions,

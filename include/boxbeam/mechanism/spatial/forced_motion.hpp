@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "boxbeam/mechanism/common/sticking_spans.hpp"
 #include "boxbeam/mechanism/spatial/friction.hpp"
 #include "boxbeam/mechanism/spatial/loops.hpp"
 
@@ -16,7 +17,8 @@ namespace boxbeam::spatial {
 /// that rubs, for that is linear in accelerations and friction forces. Integrated by
 /// a Runge-Kutta method of order 8 with a step chosen by its error (Fehlberg 7(8), Boost.Odeint),
 /// which sees its first and last stages only: each step must agree with its two halves. Steps end
-/// where drivers or loads bend or jump, and where a stop or a cable begins or ends to act. Between,
+/// where drivers or loads bend or jump, where a stop or a cable begins or ends to act, and where a
+/// contact without a creep velocity begins to stick or to slide (`decide_sticking`). Between,
 /// by Hermite's polynomial of degree 5 from positions, rates and accelerations so near each other
 /// that it differs from a step by no more than a hundred times its tolerance. Source: Walker and
 /// Orin, J. Dyn. Sys., Meas., Control 104 (1982), method 1; Fehlberg, NASA TR R-287 (1968).
@@ -38,9 +40,14 @@ class ForcedMotion {
 
   std::size_t freedoms() const { return joints_.size(); }
 
-  /// When a stop or a cable begins or ends to act, ascending, over the time that is looked at and
-  /// what goes before it.
+  /// When a stop or a cable begins or ends to act, or a contact to stick, ascending, over the time
+  /// that is looked at and what goes before it.
   const std::vector<double>& changes() const { return changes_; }
+  /// What contacts that can stick do at t = 0, and where they change.
+  std::vector<FirstSlip> first_slips() const {
+    return first_slips_of(laws_, names_, samples_.front().slips);
+  }
+  const std::vector<SlipChange>& slip_changes() const { return slip_changes_; }
 
  private:
   /// Where it has come to; y: coordinates and rates without units.
@@ -50,6 +57,7 @@ class ForcedMotion {
     std::vector<double> accelerations = {};  ///< without units
     Loops::Sample loops = {};
     std::vector<Touch> touches = {};  ///< of every spring, of that from here on
+    std::vector<Slip> slips = {};     ///< of contacts that can stick, from there on
   };
   /// Why accelerations are not determined.
   struct Unsolved {
@@ -61,8 +69,8 @@ class ForcedMotion {
     bool followed = true;                   ///< the loops, and accelerations are determined
     std::optional<Unsolved> unsolved = {};  ///< why they are not
     double error = 0.0;                     ///< in tolerances
-    bool changes = false;                   ///< others act at its end than at its beginning
-    std::optional<Sample> before = {};      ///< just before those do, where a force jumps
+    bool changes = false;  ///< others act at its end than at its beginning, or contacts change
+    std::optional<Sample> before = {};  ///< just before those do, where a force jumps
     double change = 1.0;  ///< of the step, where a stage first has others acting than its beginning
   };
 
@@ -77,13 +85,25 @@ class ForcedMotion {
   bool place(const Tree& tree, const std::vector<double>& y, double time, const Loops::Sample& near,
              State& state) const;
   void set(State& state, const std::vector<double>& y) const;
-  /// The accelerations, and the friction force of every contact.
+  /// The accelerations without friction and what it does to them, without units.
+  struct Response {
+    Eigen::VectorXd accelerations;
+    Eigen::MatrixXd by_friction;  ///< per unit of each force, a column each
+    FrictionResponse of;
+    std::optional<Unsolved> unsolved = {};
+  };
+  Response response_in(const Tree& tree, State& state) const;
+  /// The accelerations, the friction force of every contact, and what presses on it.
   struct Solution {
     Eigen::VectorXd accelerations;
     std::vector<double> friction = {};
+    bool go_on = true;  ///< contacts, as they slide or stick
     std::optional<Unsolved> unsolved = {};
   };
-  Solution solve(const Tree& tree, State& state) const;
+  Solution solve(const Tree& tree, State& state, const std::vector<Slip>& slips) const;
+  void accelerate(const Tree& tree, State& state, const std::vector<Slip>& slips) const;
+  /// What contacts do at a time.
+  const std::vector<Slip>& slips_at(double time) const;
   void move(const Tree& tree, State& state) const;
   /// Between two positions.
   std::vector<double> between(const Sample& from, const Sample& to, double time) const;
@@ -93,10 +113,14 @@ class ForcedMotion {
               std::vector<Sample>& kept) const;
   [[noreturn]] void say_unsolved(const Tree& tree, double time, const Unsolved& why) const;
 
+  /// Decides how contacts go on from a sample, where they do not go on, or nothing is known of them
+  /// yet; those that stick slide no more. What changes is added to `found`.
+  void settle_contacts(const Tree& tree, Sample& at, std::vector<SlipChange>* found) const;
+
   // forced_steps.cpp
   Sample advanced(const Tree& tree, Sample from, double until, Effort& effort,
-                  std::vector<Sample>* kept = nullptr,
-                  std::vector<double>* changes = nullptr) const;
+                  std::vector<Sample>* kept = nullptr, std::vector<double>* changes = nullptr,
+                  std::vector<SlipChange>* slip_changes = nullptr) const;
   Step step_from(const Tree& tree, const Sample& from, double dt, Effort& effort) const;
   /// A step of no more than `dt` that is good, or nothing, with a shorter `dt`.
   std::optional<Step> good_step(const Tree& tree, Sample& from, double smallest, Effort& effort,
@@ -108,6 +132,9 @@ class ForcedMotion {
   double until_another_acts(const Tree& tree, const Sample& from) const;
   /// How far into a step another one acts, by the polynomial between its ends; 0: none does.
   double acts_within(const Tree& tree, Sample& from, Sample& end) const;
+  /// Whether a contact that slides has turned round, by positions between two.
+  bool any_turns_back(const Mechanism& mechanism, const State& state,
+                      const std::vector<Slip>& slips) const;
   /// The step of no more than `dt` that ends where another one begins or ends to act; nothing where
   /// a shorter one must tell.
   std::optional<Step> step_to_change(const Tree& tree, const Sample& from, Step step,
@@ -127,6 +154,11 @@ class ForcedMotion {
   std::vector<double> stops_;   ///< times at which steps end
   std::vector<Sample> samples_;
   std::vector<double> changes_;
+  bool sticking_ = false;  ///< whether any contact can
+  double rest_ = 0.0;      ///< sliding velocity that is none, for the tolerance [m/s]
+  std::vector<Friction> laws_;
+  std::vector<std::string> names_;  ///< of the contacts
+  std::vector<SlipChange> slip_changes_;
 };
 
 }  // namespace boxbeam::spatial

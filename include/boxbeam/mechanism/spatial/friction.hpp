@@ -39,6 +39,10 @@ Eigen::Vector3d axis_of_contact(const Mechanism& mechanism, const FrictionContac
 double sliding_velocity_of(const Mechanism& mechanism, const FrictionContact& contact,
                            const State& state);
 
+/// Rate of change of that velocity [m/s^2].
+double sliding_acceleration_of(const Mechanism& mechanism, const FrictionContact& contact,
+                               const State& state);
+
 /// What a contact's guide carries, by the wrenches of all joints: what acts along the guide is none
 /// of it, nor is a couple about the guide, whose arm is not known.
 GuideLoad guide_load_of(const Mechanism& mechanism, const FrictionContact& contact,
@@ -72,8 +76,9 @@ void require_known_pressure(const Mechanism& mechanism, const Loops& loops,
                             const std::vector<FrictionContact>& contacts);
 
 /// Gives contacts with dry friction a creep velocity that suits how fast they slide
-/// (`fitted_creep`). All stay as they are where forces move a joint, and those of a motion that
-/// cannot be followed, of which its verification says why. `joints`: indices as a contact's.
+/// (`fitted_creep`); none where forces move a joint, but for those of joints that drivers move. All
+/// stay as they are of a motion that cannot be followed, of which its verification says why.
+/// `joints`: indices as a contact's.
 void fit_creep(Mechanism& mechanism, const std::vector<std::size_t>& joints);
 
 }  // namespace boxbeam::spatial

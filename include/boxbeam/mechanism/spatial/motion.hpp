@@ -13,8 +13,8 @@ struct Motion {
   double period = 0.0;  ///< [s]
   bool closed = true;   ///< it repeats after the period; else it ends there
   std::size_t instants = 0;
-  /// When a stop or a cable begins or ends to act, ascending: there loads bend, however short it
-  /// acts between two instants.
+  /// When a stop or a cable begins or ends to act, or a contact to stick, ascending: there loads
+  /// bend or jump, however short that lasts between two instants.
   std::vector<double> changes = {};
 };
 
