@@ -43,11 +43,17 @@ void add_mechanism(Parts& parts, const planar::Mechanism& mechanism) {
   for (const planar::Joint& joint : mechanism.joints) {
     (is_driver(joint) ? drivers : joints).push_back(joint.name);
   }
+  std::vector<std::string> forces, loose;
+  for (const planar::AppliedForce& force : mechanism.forces) {
+    const bool pin = std::holds_alternative<planar::PinWithClearance>(force.kind);
+    (pin ? loose : forces).push_back(force.name);
+  }
   parts.add("kind", "planar: rigid bodies in a plane");
   parts.add("bodies", listed(names_of(mechanism.bodies)));
   parts.add("joints", listed(joints));
+  parts.add("with clearance", listed(loose));
   parts.add("drivers", listed(drivers));
-  parts.add("forces", listed(names_of(mechanism.forces)));
+  parts.add("forces", listed(forces));
   parts.add("loops", listed(names_of(mechanism.loops)));
 }
 
@@ -64,7 +70,9 @@ void add_mechanism(Parts& parts, const spatial::Mechanism& mechanism) {
   }
   std::vector<std::string> forces = names_of(mechanism.loads);
   for (const spatial::LineForce& line : mechanism.line_forces) forces.push_back(line.name);
-  for (const spatial::Spring& spring : mechanism.springs) forces.push_back(spring.name);
+  std::vector<std::string> loose;
+  for (const spatial::Spring& spring : mechanism.springs)
+    (spring.clearance ? loose : forces).push_back(spring.name);
   for (const spatial::TorsionSpring& spring : mechanism.torsion_springs)
     forces.push_back(spring.name);
   parts.add("kind", "spatial: rigid bodies in space");
@@ -72,6 +80,7 @@ void add_mechanism(Parts& parts, const spatial::Mechanism& mechanism) {
   parts.add("joints", listed(joints));
   parts.add("closing loops", listed(names_of(mechanism.closing)));
   if (!mechanism.branches.empty()) parts.add("loops", listed(names_of(mechanism.branches)));
+  parts.add("with clearance", listed(loose));
   parts.add("driven", listed(driven));
   if (!forced.empty()) parts.add("moved by forces", listed(forced));
   parts.add("forces", listed(forces));
