@@ -254,6 +254,64 @@ TEST_CASE("a frame that is turned vibrates alike", "[frames_in_time]") {
   }
 }
 
+namespace {
+
+/// A cantilever of 6 m in space, as one beam or as a beam and a member that are joined rigidly.
+std::string in_space(bool cut, double frequency) {
+  const std::string half = cut ? "3" : "6";
+  return "[case]\nname = \"girder\"\nkind = \"static\"\n[frame]\nspace = true\n"
+         "gravity = [\"0 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]\n"
+         "[sections.box]\nkind = \"box\"\nwidth = \"60 mm\"\nheight = \"80 mm\"\n"
+         "flange = \"4 mm\"\nweb = \"4 mm\"\n"
+         "[beam]\nfrom = [\"0 m\", \"0 m\", \"0 m\"]\naxis = \"x\"\nz = \"z\"\n"
+         "density = \"7850 kg/m^3\"\n[[beam.segments]]\nlength = \"" +
+         half + " m\"\nsection = \"box\"\n[supports.root]\nkind = \"fixed\"\nat = \"0 m\"\n" +
+         (cut ? "[members.second]\nfrom = [\"3 m\", \"0 m\", \"0 m\"]\nto = [\"6 m\", \"0 m\", "
+                "\"0 m\"]\nz = \"y\"\nsection = \"turned\"\n[joints.cut]\nkind = \"rigid\"\n"
+                "connect = [\"second.start\", \"beam.end\"]\n"
+                "[sections.turned]\nkind = \"box\"\nwidth = \"80 mm\"\nheight = \"60 mm\"\n"
+                "flange = \"4 mm\"\nweb = \"4 mm\"\n"
+              : "") +
+         fmt::format(
+             "[loads.push]\nkind = \"driven\"\nat = \"{}.end\"\ndirection = [0, 0.6, -0.8]\n"
+             "law = {{ kind = \"harmonic\", mean = \"0 N\", amplitude = \"10 N\", frequency = "
+             "\"{} Hz\" }}\n",
+             cut ? "second" : "beam", frequency) +
+         "[material]\nsteel = \"S355\"\n[strength]\nrequired = 1.0\n";
+}
+
+}  // namespace
+
+// Invariant: cut into the same pieces; the member's section lies on its side, turned back by its z.
+TEST_CASE("a cantilever of a beam and a member in space vibrates as one beam", "[frames_in_time]") {
+  for (const double frequency : {0.7, 3.0}) {
+    const Solved whole(in_space(false, frequency)), cut(in_space(true, frequency));
+    const VibratingFrame one(whole.project, whole.structure(), 16),
+        other(cut.project, cut.structure(), 8);
+    const auto expected = one.modes(0.0, 6), found = other.modes(0.0, 6);
+    for (std::size_t k = 0; k < 6; ++k)
+      CHECK(found[k].frequency == Approx(expected[k].frequency).epsilon(1e-8));
+    const FrameResponse by_one = whole.response(6, 16), by_other = cut.response(6, 8);
+    for (const double part : {0.15, 0.6}) {
+      const Time time = whole.slowly().begin() + part * whole.slowly().period();
+      for (const double s : {0.0, 1.7}) {
+        const CutForces a = cut_forces_of(by_one.loads_at(time)).at({si<Length>(s), Side::behind}),
+                        b = cut_forces_of(by_other.loads_at(time))
+                                .at({si<Length>(s), Side::behind});
+        CHECK(b.M_y.value() == Approx(a.M_y.value()).epsilon(1e-7));
+        CHECK(b.M_z.value() == Approx(a.M_z.value()).epsilon(1e-7));
+        CHECK(b.V_z.value() == Approx(a.V_z.value()).epsilon(1e-7));
+        CHECK(std::abs(a.M_z.value()) > 1.0);
+      }
+    }
+    CHECK(estimate_vibration_of_frame(cut.project, cut.runs.front(), 8)
+              .estimate.without_modes.front() ==
+          Approx(estimate_vibration_of_frame(whole.project, whole.runs.front(), 16)
+                     .estimate.without_modes.front())
+              .epsilon(1e-5));
+  }
+}
+
 TEST_CASE("what loads over time add to a frame stands in its model and its verdict",
           "[frames_in_time]") {
   const auto choose = [](double r, ModelDemand demand = ModelDemand::automatic) {
