@@ -33,9 +33,22 @@ ElasticForm read_model(TableReader& root, Project& project) {
     input.shear_modulus =
         table.positive({"shear_modulus", "of the beam"}, wanted::stress, input.shear_modulus);
   };
-  if (std::holds_alternative<frame::Structure>(project.mechanism) ||
-      std::holds_alternative<recorded::Loads>(project.mechanism)) {
+  const auto read_tolerance = [&] {
+    input.tolerance = table.number(
+        {"tolerance", "largest error of the governing stress that is accepted"}, input.tolerance);
+    if (input.tolerance >= 1.0) {
+      table.problem("tolerance", "the tolerance is a fraction of the governing stress, below 1",
+                    "write tolerance = 0.01 for 1 %");
+    }
+  };
+  const bool frame = std::holds_alternative<frame::Structure>(project.mechanism);
+  if (frame || std::holds_alternative<recorded::Loads>(project.mechanism)) {
     read_moduli();
+    // How a frame vibrates under loads over time.
+    if (frame) {
+      read_tolerance();
+      input.retardation = read_retardation(table, input.retardation);
+    }
     table.finish();
     return form;
   }
@@ -43,12 +56,7 @@ ElasticForm read_model(TableReader& root, Project& project) {
                                      ModelDemand::flexible};
   input.demand = demands[table.choice({"demand", "which model is enough, and of what"},
                                       {"auto", "rigid", "flexible"}, 0)];
-  input.tolerance = table.number(
-      {"tolerance", "largest error of the governing stress that is accepted"}, input.tolerance);
-  if (input.tolerance >= 1.0) {
-    table.problem("tolerance", "the tolerance is a fraction of the governing stress, below 1",
-                  "write tolerance = 0.01 for 1 %");
-  }
+  read_tolerance();
   read_moduli();
   input.retardation = read_retardation(table, input.retardation);
   if (std::holds_alternative<flexible::Mechanism>(project.mechanism)) {
