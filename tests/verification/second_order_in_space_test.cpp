@@ -87,9 +87,9 @@ std::string header(const Vector3d& gravity = Vector3d::Zero()) {
 }
 
 /// A beam of 4 m along x clamped at its start, under forces at its tip and one beside its axis.
-std::string cantilever(const Vector3d& tip, const char* to = "arm", const Vector3d& beside = {},
-                       const std::string& more = "", double density = 1e-3,
-                       const Vector3d& gravity = Vector3d::Zero()) {
+std::string cantilever(const Vector3d& tip, const char* to = "arm",
+                       const Vector3d& beside = Vector3d::Zero(), const std::string& more = "",
+                       double density = 1e-3, const Vector3d& gravity = Vector3d::Zero()) {
   std::string text = header(gravity) + R"([bodies.arm]
 points = { heel = ["0 m", "0 m", "0 m"], lug = ["2.5 m", "0.3 m", "-0.4 m"], tip = ["4 m", "0 m", "0 m"] }
 [joints.heel]
@@ -233,7 +233,10 @@ TEST_CASE("cut moments of a bent and twisted beam are in balance on its bent axi
         in_space.at(chain_of(beam.rigid.front()).at(0.0), beam.straight(), 1.0).value();
     // Nodes are even on both sides of the lug.
     const auto nodes = static_cast<Index>(scene.motion.size() / 6);
-    const auto shift = [&](Index k) -> Vector3d { return scene.motion.segment<3>(6 * k); };
+    // Theory of the second order leaves out that a beam shortens.
+    const auto shift = [&](Index k) -> Vector3d {
+      return {0.0, scene.motion[6 * k + 1], scene.motion[6 * k + 2]};
+    };
     const auto turn = [&](Index k) -> Vector3d { return scene.motion.segment<3>(6 * k + 3); };
     const Index before = 30;  // 2.5 m of 4 m in 48 parts
     const auto s_of = [&](Index k) {
@@ -262,6 +265,10 @@ TEST_CASE("cut moments of a bent and twisted beam are in balance on its bent axi
           cuts_at(beam.diagram(), s, Side::behind) - cuts_at(beam.straight(), s, Side::behind);
       largest = std::max(largest, expected.norm());
       wrong = std::max(wrong, (found.tail<3>() - expected).norm());
+      // Shear forces of the forces beyond, across the turned section.
+      const Vector3d sheared = -turn(k).cross(k < before ? Vector3d(tip + beside) : tip);
+      CHECK(found[1] == Approx(sheared.y()).margin(1e-4 * sheared.norm() + 1e-6));
+      CHECK(found[2] == Approx(sheared.z()).margin(1e-4 * sheared.norm() + 1e-6));
     }
     CAPTURE(to, largest, wrong);
     CHECK(largest > 2e3);
@@ -282,7 +289,7 @@ TEST_CASE("moments turn a strip over", "[second_order]") {
       const std::size_t end = of.find("web = \"6 mm\"\n", at) + 13;
       of.replace(
           at, end - at,
-          std::string(name) + "\nkind = \"plate\"\nheight = \"400 mm\"\nthickness = \"10 mm\"\n");
+          std::string(name) + "\nkind = \"plate\"\nheight = \"400 mm\"\nwidth = \"10 mm\"\n");
     }
     return of;
   }();
@@ -410,7 +417,7 @@ TEST_CASE("a luffing boom of the plane bends in space as in the plane", "[second
       second = std::max(second, std::abs(of[4] - cuts_at(plane.straight(), s)[4]));
       apart = std::max(apart, std::abs(of[4] - by[4]));
       CHECK(by[0] == Approx(of[0]).epsilon(1e-5));
-      CHECK(by[2] == Approx(of[2]).epsilon(1e-4).margin(1.0));
+      CHECK(by[2] == Approx(of[2]).epsilon(1e-3).margin(1.0));
     }
     CAPTURE(degrees, largest, second, apart);
     CHECK(second > 1e-3 * largest);
@@ -449,7 +456,7 @@ TEST_CASE("the model that is chosen bends in space where that counts, and says b
   const double P = 0.3 * std::pow(pi / (2.0 * L), 2) * EI, Q = 1.5e3;
   const double k = wave_number(P, EI, GA), grown = std::tan(k * L) / (k * L * (1.0 - P / GA));
   const Verification of = verify(parse_project(
-      "bent.toml", cantilever({-P, Q, 0.0}, "arm", {},
+      "bent.toml", cantilever({-P, Q, 0.0}, "arm", Vector3d::Zero(),
                               "[deflection]\nlimit = \"100 mm\"\nagainst = \"tangent\"\nat = \"0 "
                               "m\"\n")));
   CHECK(of.model.chosen.level == ModelLevel::quasi_static);
@@ -471,8 +478,9 @@ TEST_CASE("the model that is chosen bends in space where that counts, and says b
   for (const Gate& gate : of.gates)
     CHECK(gate.finding.find("theory of the first order") == std::string::npos);
   // As demanded rigid it stops.
-  const Verification rigid = verify(parse_project(
-      "bent.toml", cantilever({-P, Q, 0.0}, "arm", {}, "[model]\nlevel = \"rigid\"\n")));
+  const Verification rigid =
+      verify(parse_project("bent.toml", cantilever({-P, Q, 0.0}, "arm", Vector3d::Zero(),
+                                                   "[model]\ndemand = \"rigid\"\n")));
   CHECK(std::any_of(rigid.gates.begin(), rigid.gates.end(), [](const Gate& gate) {
     return gate.blocks && gate.finding.find("theory of the first order") != std::string::npos;
   }));
