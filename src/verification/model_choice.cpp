@@ -11,6 +11,7 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/forces.hpp"
+#include "boxbeam/section/torsion.hpp"
 #include "boxbeam/verification/balance_defect.hpp"
 #include "boxbeam/verification/design_factor.hpp"
 #include "boxbeam/verification/elastic_beside.hpp"
@@ -196,6 +197,22 @@ bool is_pressed_in_space(const Project& project, const SecondOrderEstimate& seco
   return second.change && std::max(second.in_plane.part, across) > first_order_below;
 }
 
+/// What the second order of beams in space has not, in words; "" where it has all.
+std::string left_out_of_bending(const Project& project) {
+  if (!std::holds_alternative<spatial::Mechanism>(project.mechanism)) return "";
+  const auto open = [](const Section& section) {
+    return std::holds_alternative<ThinWalled>(section.outer) &&
+           !(enclosed_area_of(section.outer).value() > 0.0);
+  };
+  const bool warps =
+      std::any_of(project.beam.segments.begin(), project.beam.segments.end(),
+                  [&](const Segment& segment) { return open(segment.from) || open(segment.to); });
+  return warps
+             ? "; of open sections it has the axial force alone, not what moments do to them when "
+               "they twist, which M/M_cr judges by itself"
+             : "";
+}
+
 /// Where vibration is not estimated: rigid bodies, or bent ones where second order asks for them.
 void choose_unvibrated(const Project& project, const std::string& obstacle, ModelChoice& choice,
                        const std::string& known = "what vibration adds is not estimated: ") {
@@ -218,7 +235,7 @@ void choose_unvibrated(const Project& project, const std::string& obstacle, Mode
       choice.chosen = bent;
       choice.counts_second_order = true;
       choice.weighed.push_back({bent, "second order is in it", 0.0, {}});
-      choice.reason = fmt::format("{}: {}", describe(bent), why);
+      choice.reason = fmt::format("{}: {}{}", describe(bent), why, left_out_of_bending(project));
       return;
     }
   }
@@ -405,7 +422,8 @@ ModelChoice choose_in_space(const Project& project, const std::deque<SituationRu
     choice.chosen = bent;
     choice.counts_second_order = true;
     choice.weighed.push_back({bent, "vibration left out", missed, {}});
-    choice.reason = fmt::format("{}: {}; rigid bodies: {}", describe(bent), against, misses);
+    choice.reason = fmt::format("{}: {}; rigid bodies: {}{}", describe(bent), against, misses,
+                                left_out_of_bending(project));
     return choice;
   }
   if (missed <= choice.tolerance && demand == ModelDemand::automatic) {

@@ -123,7 +123,10 @@ bool is_beyond_tolerance(const ModelChoice& model) {
 std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& model) {
   std::vector<Gate> gates;
   const bool neighbours = !project.pins.empty() || !project.rods.empty();
-  if (neighbours && model.chosen.level != ModelLevel::rigid) {
+  // Static bending in space hardly changes forces of pins and rods, which no moment reaches.
+  const bool bent_in_space = model.chosen.level == ModelLevel::quasi_static &&
+                             std::holds_alternative<spatial::Mechanism>(project.mechanism);
+  if (neighbours && model.chosen.level != ModelLevel::rigid && !bent_in_space) {
     gates.push_back({"", "",
                      "pins and rods are checked with the reactions of rigid bodies, in which the "
                      "beam's vibration is missing: their forces may be larger, and those that pass "

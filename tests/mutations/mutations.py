@@ -489,7 +489,7 @@ MUTATIONS = [
           "the slope along z against the turn about y", "second_order_in_space_test"),
          ("bent-shear", "by_moments.transpose() - by_shear - by_shear.transpose()", "by_moments.transpose() + by_shear + by_shear.transpose()",
           "shear forces on a twisted beam", "second_order_in_space_test"),
-         ("bent-turned", "cut.moments[3] = added.tail<3>() - 0.5 * turned_ends[1];", "cut.moments[3] = added.tail<3>();",
+         ("bent-turned", "cut.moments[3] = added.tail<3>() + 0.5 * at_end.moment;", "cut.moments[3] = added.tail<3>();",
           "cut moments in axes that turn with the section", "second_order_in_space_test"),
          ("bent-arm", "return force.dot(arm) * Matrix3d::Identity() -", "return -force.dot(arm) * Matrix3d::Identity() -",
           "dead forces on arms", "second_order_in_space_test")),

@@ -341,8 +341,10 @@ TEST_CASE("a column in two beams buckles as the whole, whichever is verified", "
     CHECK(*factor * P == Approx(N_cr).epsilon(2e-3));
     const SecondOrderEstimate estimate = estimate_second_order(of.project, of.runs);
     CHECK(estimate.across.value().part == Approx(part_of_whole).epsilon(3e-3));
-    // A frame that sways.
-    CHECK(estimate.sway == Approx(1.0 / (N_cr / largest - 1.0)).epsilon(4e-3));
+    // How it bends is known: pressed along its axis alone it stays straight.
+    CHECK(estimate.sway == 0.0);
+    CHECK(estimate.whole);
+    CHECK(estimate.change.value() < 1e-6);
     const auto stiff = critical(alone(text(true), half));
     REQUIRE(stiff);
     CHECK(*stiff > 1.1 * *factor);

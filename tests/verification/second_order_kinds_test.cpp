@@ -159,8 +159,12 @@ TEST_CASE("a cantilever that second order makes fail passes in no kind of case",
   // In the plane second order is in the cut forces: there it fails.
   const Verification counted = verify(parse_project("c.toml", moved("planar", 0.0991)));
   CHECK(counted.verdict == Verdict::fail);
-  for (const std::string& text :
-       {moved("spatial", 0.0991), flexible(0.0991), at_rest(0.0991), given(0.0991)}) {
+  // In space as well.
+  const Verification in_space = verify(parse_project("c.toml", moved("spatial", 0.0991)));
+  CHECK(in_space.verdict == Verdict::fail);
+  CHECK(in_space.model.counts_second_order);
+  CHECK(fatigue_use(in_space) == Approx(fatigue_use(counted)).epsilon(1e-3));
+  for (const std::string& text : {flexible(0.0991), at_rest(0.0991), given(0.0991)}) {
     const Verification straight = verify(parse_project("c.toml", text));
     CAPTURE(straight.model.reason);
     CHECK(straight.verdict == Verdict::not_applicable);

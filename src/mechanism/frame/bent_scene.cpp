@@ -174,11 +174,9 @@ class StressedScene {
         sum.add(one.row, other.row, one.motion.transpose() * across * other.motion);
   }
 
-  /// What bending adds to the cut forces of a piece: forces that are the same all along it, moments
-  /// at its start, its end and at both thirds.
+  /// What bending adds to the cut forces of a piece, at its start, both thirds and its end.
   struct AddedCut {
-    Vector3d force;
-    std::array<Vector3d, 4> moments;
+    std::array<Vector3d, 4> forces, moments;
   };
 
   AddedCut added_in(const VibratingBeam::Piece& piece, const BornPiece& born,
@@ -204,21 +202,26 @@ class StressedScene {
     const auto born_inside = [&](double u) {
       return born_at(posed, {si<Length>(piece.from + u * h)});
     };
-    /// What turns with the sections.
-    const auto turned = [&](const Vector3d& theta, const Vector3d& moment) -> Vector3d {
-      return whole_ ? Vector3d(factor * theta.cross(moment)) : Vector3d::Zero();
+    /// How cut forces change in axes that turn by theta; that of N is small beside N.
+    const auto in_turned_axes = [&](const Vector3d& theta, const BornForces& of) {
+      BornForces change{-factor * theta.cross(of.force), -factor * theta.cross(of.moment)};
+      if (!whole_) {
+        change.force = {0.0, -factor * theta.z() * of.force.x(), factor * theta.y() * of.force.x()};
+        change.moment.setZero();
+      }
+      change.force.x() = 0.0;
+      return change;
     };
-    const std::array<Vector3d, 2> theta{ends.segment<3>(3), ends.segment<3>(9)};
-    const std::array<Vector3d, 2> rigid{
-        born_at(posed, {si<Length>(piece.from), Side::behind}).moment,
-        born_at(posed, {si<Length>(piece.to), Side::before}).moment};
-    const std::array<Vector3d, 2> turned_ends{turned(theta[0], rigid[0]),
-                                              turned(theta[1], rigid[1])};
+    const BornForces at_start =
+        in_turned_axes(ends.segment<3>(3), born_at(posed, {si<Length>(piece.from), Side::behind}));
+    const BornForces at_end =
+        in_turned_axes(ends.segment<3>(9), born_at(posed, {si<Length>(piece.to), Side::before}));
     AddedCut cut;
-    cut.force = -added.head<3>();
     // The motions' moments stand half between straight and turned axes.
-    cut.moments[0] = -added.segment<3>(3) - 0.5 * turned_ends[0];
-    cut.moments[3] = added.tail<3>() - 0.5 * turned_ends[1];
+    cut.moments[0] = -added.segment<3>(3) + 0.5 * at_start.moment;
+    cut.moments[3] = added.tail<3>() + 0.5 * at_end.moment;
+    cut.forces[0] = -added.head<3>() + at_start.force;
+    cut.forces[3] = -added.head<3>() + at_end.force;
     // Couples per length of the born forces on the bent axis, summed over each third by Gauss.
     const auto couple = [&](double u) -> Vector3d {
       Vector3d force = born_inside(u).force;
@@ -239,11 +242,20 @@ class StressedScene {
       const auto between = [&](const Vector3d& a, const Vector3d& b) -> Vector3d {
         return (1.0 - u) * a + u * b;
       };
-      cut.moments[k] =
-          between(cut.moments[0], cut.moments[3]) - (sum[k] - u * sum[3]) -
-          (turned(at(turn, u), born_inside(u).moment) - between(turned_ends[0], turned_ends[1]));
+      const BornForces inside = in_turned_axes(at(turn, u), born_inside(u));
+      cut.forces[k] = -added.head<3>() + inside.force;
+      cut.moments[k] = between(cut.moments[0], cut.moments[3]) - (sum[k] - u * sum[3]) +
+                       inside.moment - between(at_start.moment, at_end.moment);
     }
     return cut;
+  }
+
+  /// c_0 + c_1 x + c_2 x^2 + c_3 x^3 through values at 0, h/3, 2h/3 and h.
+  static std::array<Vector3d, 4> cubic_through(const std::array<Vector3d, 4>& of, double h) {
+    const auto& [a, b, c, d] = of;
+    return {a, (-5.5 * a + 9.0 * b - 4.5 * c + d) / h,
+            (9.0 * a - 22.5 * b + 18.0 * c - 4.5 * d) / (h * h),
+            4.5 * (-a + 3.0 * b - 3.0 * c + d) / (h * h * h)};
   }
 
   /// The line load under which the cut forces of a piece are these.
@@ -251,15 +263,18 @@ class StressedScene {
     LineLoad line;
     line.start = si<Length>(from);
     line.length = si<Length>(h);
-    const auto& [m_0, m_1, m_2, m_3] = cut.moments;
-    // m_0 + b x + c x^2 + d x^3 through all four.
-    const Vector3d b = (-5.5 * m_0 + 9.0 * m_1 - 4.5 * m_2 + m_3) / h,
-                   c = (9.0 * m_0 - 22.5 * m_1 + 18.0 * m_2 - 4.5 * m_3) / (h * h),
-                   d = 4.5 * (-m_0 + 3.0 * m_1 - 3.0 * m_2 + m_3) / (h * h * h);
-    const Vector3d by_force = Vector3d::UnitX().cross(cut.force);
-    for (Index axis = 0; axis < 3; ++axis) {
-      line.couple[static_cast<std::size_t>(axis)] = {
-          {-b[axis] - by_force[axis], -2.0 * c[axis], -3.0 * d[axis]}};
+    const std::array<Vector3d, 4> force = cubic_through(cut.forces, h),
+                                  moment = cubic_through(cut.moments, h);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Vector3d by_force = Vector3d::UnitX().cross(force[k]);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<Index>(axis);
+        line.couple[axis].c[k] = -by_force[i];
+        if (k == 3) continue;
+        const double power = static_cast<double>(k + 1);
+        line.force[axis].c[k] = -power * force[k + 1][i];
+        line.couple[axis].c[k] -= power * moment[k + 1][i];
+      }
     }
     return line;
   }
@@ -280,7 +295,7 @@ class StressedScene {
       const AddedCut& cut = cuts.emplace_back(added_in(piece, born_[p], station, ends, factor));
       result.loads.lines.push_back(line_of(cut, piece.from, piece.to - piece.from));
       const BornForces born = born_at(posed, *station);
-      force = std::max({force, cut.force.norm(), born.force.norm()});
+      force = std::max({force, cut.forces[0].norm(), cut.forces[3].norm(), born.force.norm()});
       moment = std::max({moment, cut.moments[0].norm(), cut.moments[3].norm(), born.moment.norm()});
       row += 6;
       station += piece.samples.size();
@@ -291,7 +306,8 @@ class StressedScene {
       const Vector3d zero = Vector3d::Zero();
       PointLoad load;
       load.s = si<Length>(beam.nodes()[p]);
-      load.force = (p > 0 ? cuts[p - 1].force : zero) - (p < cuts.size() ? cuts[p].force : zero);
+      load.force =
+          (p > 0 ? cuts[p - 1].forces[3] : zero) - (p < cuts.size() ? cuts[p].forces[0] : zero);
       load.moment =
           (p > 0 ? cuts[p - 1].moments[3] : zero) - (p < cuts.size() ? cuts[p].moments[0] : zero);
       if (load.force.norm() > round_off * force || load.moment.norm() > round_off * moment)

@@ -35,8 +35,8 @@ struct BentScene {
   std::optional<double> critical;
   Eigen::VectorXd motion;  ///< as `BeamMode::motion` [m, rad]
   /// What this adds to what acts on the first beam, in balance: changes of the ties' forces, and
-  /// couples per length, cubic moments on every piece, so that the cut moments are those about the
-  /// axes of the bent and twisted sections. Forces stand along and across the straight axis.
+  /// forces and couples per length, so that cut moments and shear forces, cubic on every piece, are
+  /// those about and along the axes of the turned sections. N stands along the straight axis.
   BeamLoads loads;
   double turn = 0.0;  ///< largest of a section of the first beam about any axis [rad]
 };
