@@ -28,9 +28,11 @@ double hysteresis_of(double restitution) {
   return x_of(0.5 * (low + high));
 }
 
-Touch touched(const LineLaw& law, double approach) {
-  if (!law.impact) return {true, 0.0};
-  return {true, hysteresis_of(law.impact->restitution) / std::max(approach, slowest_approach)};
+Touch touched(const LineLaw& law, double approach, double mass) {
+  if (!law.impact) return {true};
+  const double v = std::max(approach, slowest_approach), n = law.impact->exponent;
+  const double depth = std::pow(0.5 * (n + 1.0) * mass * v * v / law.stiffness, 1.0 / (n + 1.0));
+  return {true, hysteresis_of(law.impact->restitution) / v, depth};
 }
 
 double tension_of(const LineLaw& law, double length, double rate, const Touch& touch) {
@@ -41,10 +43,12 @@ double tension_of(const LineLaw& law, double length, double rate, const Touch& t
   const double d_rate = inward(law, rate);
   if (!law.impact) return inward(law, std::max(0.0, law.stiffness * d + law.damping * d_rate));
   // A touch lasts until d has gone below zero, by round-off: there it goes on smoothly.
-  const double elastic = law.impact->exponent == 1.0
-                             ? d
-                             : std::copysign(std::pow(std::abs(d), law.impact->exponent), d);
-  return inward(law, law.stiffness * elastic * std::max(0.0, 1.0 + touch.loss * d_rate));
+  const double n = law.impact->exponent;
+  const auto force_at = [&](double depth) {
+    return law.stiffness * (n == 1.0 ? depth : std::copysign(std::pow(std::abs(depth), n), depth));
+  };
+  const double force = force_at(d) + force_at(std::min(d, touch.depth)) * touch.loss * d_rate;
+  return inward(law, (d > 0.0 ? std::max(0.0, force) : force) + touch.push);
 }
 
 }  // namespace boxbeam

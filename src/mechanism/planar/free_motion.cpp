@@ -217,11 +217,32 @@ bool FreeSolver::has_changed(const State& state) const {
                      [&](const OneSided& of) { return has_changed(of, state); });
 }
 
+double FreeSolver::mass_between(const OneSided& of, const State& state) {
+  constexpr double push = 1e3;  // far above round-off of what acts without it
+  if (!of.law.impact) return 0.0;
+  const Eigen::Vector2d line = position_of(of.b, state.q) - position_of(of.a, state.q);
+  State pushed = state;
+  // Without what it bears itself, which at its beginning is nothing.
+  const auto parting = [&](double force) {
+    pushed.touches[of.force] = {true, 0.0, 0.0, force};
+    if (!equations_.solve_rates(state.time, state.q, state.v, pushed.a, pushed.lambda,
+                                pushed.touches))
+      return 0.0;
+    return line.dot(acceleration_of(of.b, pushed.q, pushed.v, pushed.a) -
+                    acceleration_of(of.a, pushed.q, pushed.v, pushed.a)) /
+           line.norm();
+  };
+  return push / std::abs(parting(push) - parting(0.0));
+}
+
 void FreeSolver::change(State& state) {
   for (const OneSided& of : one_sided_) {
     if (!has_changed(of, state)) continue;
     Touch& touch = state.touches[of.force];
-    touch = touch.on ? Touch{} : touched(of.law, depth_of(of, state.q, state.v).rate);
+    if (touch.on)
+      touch = {};
+    else
+      touch = touched(of.law, depth_of(of, state.q, state.v).rate, mass_between(of, state));
   }
   changes_.push_back(state.time);
   state = state_of(state);
@@ -341,6 +362,7 @@ FreeSolver::Step FreeSolver::step_from(const State& known, double dt) {
   end.time = known.time + dt;
   end.q = Eigen::Map<const Eigen::VectorXd>(next.data(), n).cwiseProduct(scale);
   end.v = Eigen::Map<const Eigen::VectorXd>(next.data() + n, n).cwiseProduct(scale);
+  step.solved = step.solved && end.q.allFinite() && end.v.allFinite();
   if (project_) step.solved = step.solved && equations_.project(end.time, end.q, end.v);
   // Where it ends must be regular as well.
   step.solved = step.solved && std::isfinite(step.error) && equations_.solve_rates(end);

@@ -111,8 +111,17 @@ void ForcedMotion::touch(const Tree& tree, const Sample& from, Sample& end) cons
     if (!now || acted[i] != 0) continue;
     const Eigen::Vector3d d = position_of(state, spring.b) - position_of(state, spring.a);
     const Eigen::Vector3d v = velocity_of(state, spring.b) - velocity_of(state, spring.a);
+    // The mass that a force between its ends meets.
+    constexpr double push = 1e3;  // far above round-off of what acts without it
+    const auto parting = [&](double force) {
+      state.touches = end.touches;
+      state.touches[i] = {true, 0.0, 0.0, force};
+      accelerate(tree, state);
+      return d.dot(acceleration_of(state, spring.b) - acceleration_of(state, spring.a)) / d.norm();
+    };
+    const double mass = push / std::abs(parting(push) - parting(0.0));
     const LineLaw law = law_of(spring);
-    end.touches[i] = touched(law, inward(law, d.dot(v) / d.norm()));
+    end.touches[i] = touched(law, inward(law, d.dot(v) / d.norm()), mass);
   }
 }
 

@@ -236,8 +236,9 @@ Eigen::Vector3d force_of(const Mechanism& mechanism, std::size_t i, const State&
   double tension = 0.0;
   if (spring.impact) {
     const Eigen::Vector3d v = velocity_of(state, spring.b) - velocity_of(state, spring.a);
-    const double loss = state.touches.empty() ? 0.0 : state.touches[i].loss;
-    tension = boxbeam::tension_of(law_of(spring), length, d.dot(v) / length, {true, loss});
+    Touch touch = state.touches.empty() ? Touch{} : state.touches[i];
+    touch.on = true;
+    tension = boxbeam::tension_of(law_of(spring), length, d.dot(v) / length, touch);
   } else {
     tension = tension_of(spring, state).value;
   }

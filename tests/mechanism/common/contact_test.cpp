@@ -21,7 +21,7 @@ LineLaw stop_of(double exponent, double restitution) {
 /// The velocity with which a free mass comes out of a stop that it meets with v, by Runge and
 /// Kutta's method of order 4 with steps of one size, on the depth and its rate.
 double after_impact(const LineLaw& law, double v) {
-  const Touch touch = touched(law, v);
+  const Touch touch = touched(law, v, m);
   const auto change = [&](double d, double rate) {
     return tension_of(law, law.free_length - d, -rate, touch) / m;
   };
@@ -75,7 +75,7 @@ TEST_CASE("a free impact ends with its restitution, whatever exponent and veloci
 
 TEST_CASE("a stop only pushes and a cable only pulls") {
   const LineLaw stop = stop_of(1.5, 0.4);
-  const Touch touch = touched(stop, 1.0);
+  const Touch touch = touched(stop, 1.0, 1e9);
   CHECK(tension_of(stop, 0.2, -0.5, {}) == 0.0);
   CHECK(tension_of(stop, 0.2, 0.0, touch) == Approx(-k * std::pow(0.1, 1.5)).epsilon(1e-14));
   CHECK(tension_of(stop, 0.2, -0.5, touch) < tension_of(stop, 0.2, 0.0, touch));
@@ -92,11 +92,29 @@ TEST_CASE("a stop only pushes and a cable only pulls") {
   CHECK(tension_of(damper, 0.5, 2.0, {}) == 0.0);
 }
 
+TEST_CASE("beyond the depth of its impact a contact is damped by that depth's force") {
+  constexpr double v = 2.0;
+  const LineLaw stop = stop_of(1.0, 0.5);
+  const Touch touch = touched(stop, v, m);
+  // m v^2/2 = k d^2/2 without loss.
+  const double depth = v * std::sqrt(m / k);
+  CHECK(touch.depth == Approx(depth).epsilon(1e-14));
+  const auto damping_at = [&](double d) {
+    return (tension_of(stop, 0.3 - d, 0.0, touch) - tension_of(stop, 0.3 - d, -1e-3, touch)) / 1e-3;
+  };
+  CHECK(damping_at(0.5 * depth) == Approx(0.5 * k * depth * touch.loss).epsilon(1e-9));
+  CHECK(damping_at(depth) == Approx(k * depth * touch.loss).epsilon(1e-9));
+  CHECK(damping_at(3.0 * depth) == Approx(k * depth * touch.loss).epsilon(1e-9));
+  // Whatever it meets it with: of a linear contact x sqrt(k m).
+  CHECK(k * touched(stop, 0.01, m).depth * touched(stop, 0.01, m).loss ==
+        Approx(hysteresis_of(0.5) * std::sqrt(k * m)).epsilon(1e-12));
+}
+
 TEST_CASE("what is laid down slowly is damped as if it were not") {
   const LineLaw stop = stop_of(1.0, 0.5);
   const double x = hysteresis_of(0.5);
-  CHECK(touched(stop, 0.0).loss == Approx(x / slowest_approach).epsilon(1e-14));
-  CHECK(touched(stop, 2.0).loss == Approx(0.5 * x).epsilon(1e-14));
+  CHECK(touched(stop, 0.0, m).loss == Approx(x / slowest_approach).epsilon(1e-14));
+  CHECK(touched(stop, 2.0, m).loss == Approx(0.5 * x).epsilon(1e-14));
 }
 
 }  // namespace contact_test

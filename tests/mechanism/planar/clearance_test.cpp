@@ -166,7 +166,7 @@ struct InBearing {
   double m = 2.0, g = 9.81, c = 0.05, k = 2e5;
   Impact impact = {1.5, 0.7};
   Vector2d p = {0.0, 0.0}, v = {0.35, 0.0};
-  double loss = 0.0;
+  double loss = 0.0, deepest = 0.0;
   bool on = false;
   int touches = 0;
 
@@ -175,8 +175,10 @@ struct InBearing {
     if (!on) return a;
     const Vector2d u = at.normalized();
     const double d = at.norm() - c;
-    const double force = k * std::copysign(std::pow(std::abs(d), impact.exponent), d) *
-                         std::max(0.0, 1.0 + loss * u.dot(rate));
+    const double elastic = k * std::copysign(std::pow(std::abs(d), impact.exponent), d);
+    const double damped = d < deepest ? elastic : k * std::pow(deepest, impact.exponent);
+    const double both = elastic + damped * loss * u.dot(rate);
+    const double force = d > 0.0 ? std::max(0.0, both) : both;
     return a - force / m * u;
   }
 
@@ -215,7 +217,10 @@ struct InBearing {
       on = !on;
       if (!on) continue;
       ++touches;
-      loss = hysteresis_of(impact.restitution) / v.dot(p.normalized());
+      const double approach = v.dot(p.normalized());
+      loss = hysteresis_of(impact.restitution) / approach;
+      // m v^2/2 = k d^2.5/2.5.
+      deepest = std::pow(1.25 * m * approach * approach / k, 0.4);
     }
   }
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 namespace boxbeam {
@@ -13,7 +14,9 @@ enum class Acts { both, pulling, pushing };
 ///
 ///     F = k d^n (1 + lambda d'),  never pulling
 ///
-/// lambda d' takes energy away between approach and parting; lambda is set anew whenever they
+/// but beyond the depth d_v of a free impact that loses nothing, from where on lambda d' is of that
+/// depth's force: what is pressed on by more than its impact is damped no more by it. lambda d'
+/// takes energy away between approach and parting; lambda is set anew whenever they
 /// touch, by the velocity v of their approach, so that a free impact ends with e v: see
 /// `hysteresis_of`. Source: Hunt and Crossley, J. Appl. Mech. 42 (1975); Gonthier, McPhee, Lange
 /// and Piedboeuf, Multibody System Dynamics 11 (2004).
@@ -38,10 +41,12 @@ inline constexpr double slowest_approach = 1e-3;
 /// 1; grows without bound towards e = 0. Precondition: `least_restitution` <= e <= 1.
 double hysteresis_of(double restitution);
 
-/// Whether what acts from a length on has got there, and its lambda [s/m].
+/// Whether what acts from a length on has got there, and what it loses.
 struct Touch {
   bool on = false;
-  double loss = 0.0;
+  double loss = 0.0;                                       ///< lambda [s/m]
+  double depth = std::numeric_limits<double>::infinity();  ///< d_v [m]
+  double push = 0.0;  ///< a force besides, by which the mass is found that it meets [N]
 };
 
 /// What a spring does along the line of its ends: the tension k (l - l_0) + c l'; where it acts one
@@ -70,8 +75,13 @@ inline double inward(const LineLaw& law, double longer) {
   return law.acts == Acts::pushing ? -longer : longer;
 }
 
-/// That its ends meet, with a velocity [m/s].
-Touch touched(const LineLaw& law, double approach);
+/// That its ends meet with a velocity [m/s]; `mass`: a force between them over how much faster it
+/// parts them [kg]. For v at `slowest_approach` or above
+///
+///     d_v = ((n + 1) m v^2/(2 k))^(1/(n + 1))
+///
+/// by the work k d^(n + 1)/(n + 1) against m v^2/2.
+Touch touched(const LineLaw& law, double approach, double mass);
 
 /// Its tension [N] at a length and its rate; `touch`: of what acts from a length on.
 double tension_of(const LineLaw& law, double length, double rate, const Touch& touch);

@@ -83,6 +83,8 @@ class FreeSolver {
   /// What acts one way and has got to the other side of its length in a state.
   bool has_changed(const OneSided& of, const State& state) const;
   bool has_changed(const State& state) const;
+  /// The mass that a force between its ends meets [kg].
+  double mass_between(const OneSided& of, const State& state);
   /// Lets what has changed act, or no longer, and solves the rates anew.
   void change(State& state);
   /// The first change between two states of a step.
