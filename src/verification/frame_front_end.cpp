@@ -281,23 +281,11 @@ class FrameAtRest : public SolvedMotion {
                 return frame->loads_at(beam, 0.0);
               })};
     }
-    constexpr std::size_t instants = 256;
-    const TimeSpan of = *frame_->time();
-    LoadSpan span{si<Time>(of.begin), si<Time>(of.length), instants, of.closed};
-    span.breaks = break_times_in(functions_of(frame_->structure), of.begin, of.length);
-    const std::vector<Time> passages = passages_of(frame_->structure);
-    span.breaks.insert(span.breaks.end(), passages.begin(), passages.end());
-    std::sort(span.breaks.begin(), span.breaks.end());
-    LoadsAt slowly = [frame = frame_, beam = project_->beam_body](Time time) {
-      return frame->loads_at(beam, time.value());
-    };
-    if (model_.level != ModelLevel::modal)
-      return {span, staying_on(project_->beam, std::move(slowly))};
-    const auto response =
-        std::make_shared<const FrameResponse>(*project_, frame_->structure, span, std::move(slowly),
-                                              static_cast<std::size_t>(model_.modes), model_.parts);
-    return {response->span_of(span),
-            staying_on(project_->beam, [response](Time time) { return response->loads_at(time); })};
+    const LoadSpan span = slow_span();
+    if (model_.level != ModelLevel::modal) return {span, staying_on(project_->beam, slowly())};
+    const std::shared_ptr<const FrameResponse> of = response();
+    return {of->span_of(span),
+            staying_on(project_->beam, [of](Time time) { return of->loads_at(time); })};
   }
 
   double gravity() const override { return frame_->structure.gravity.norm(); }
@@ -319,7 +307,8 @@ class FrameAtRest : public SolvedMotion {
   std::vector<DriverLine> driver_lines(const LoadHistory&) const override { return {}; }
 
   BeamShift beam_shift(Time time) const override {
-    const frame::Vector6 start = frame_->start_at(project_->beam_body, time.value());
+    frame::Vector6 start = frame_->start_at(project_->beam_body, time.value());
+    if (model_.level == ModelLevel::modal && !stands_still()) start += response()->start_at(time);
     return {
         {start[1], start[2]}, {start[5], -start[4]}, frame_->heat_curvature(project_->beam_body)};
   }
@@ -361,9 +350,34 @@ class FrameAtRest : public SolvedMotion {
   }
 
  private:
+  /// Of loads by statics.
+  LoadSpan slow_span() const {
+    constexpr std::size_t instants = 256;
+    const TimeSpan of = *frame_->time();
+    LoadSpan span{si<Time>(of.begin), si<Time>(of.length), instants, of.closed};
+    span.breaks = break_times_in(functions_of(frame_->structure), of.begin, of.length);
+    const std::vector<Time> passages = passages_of(frame_->structure);
+    span.breaks.insert(span.breaks.end(), passages.begin(), passages.end());
+    std::sort(span.breaks.begin(), span.breaks.end());
+    return span;
+  }
+  LoadsAt slowly() const {
+    return [frame = frame_, beam = project_->beam_body](Time time) {
+      return frame->loads_at(beam, time.value());
+    };
+  }
+  std::shared_ptr<const FrameResponse> response() const {
+    if (!response_)
+      response_ = std::make_shared<const FrameResponse>(
+          *project_, frame_->structure, slow_span(), slowly(),
+          static_cast<std::size_t>(model_.modes), model_.parts);
+    return response_;
+  }
+
   const Project* project_;
   ElasticModel model_;
   std::shared_ptr<const LoadedFrame> frame_;
+  mutable std::shared_ptr<const FrameResponse> response_;  ///< when it is first asked for
   /// Under the loads, of which there are none other, when it is first asked for.
   mutable std::unique_ptr<const LoadedFrame::Pressed> pressed_;
 };

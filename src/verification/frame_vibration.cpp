@@ -398,11 +398,12 @@ LoadSpan FrameResponse::span_of(const LoadSpan& slowly) const {
   return once_ ? once_->span_of(slowly) : slowly;
 }
 
-BeamLoads FrameResponse::loads_at(Time time) const {
+/// Each mode beyond its static part, with its viscous one.
+VectorXd FrameResponse::dynamic_at(double time) const {
   VectorXd dynamic;
   if (once_) {
-    const ModalState state = once_->response().at(time.value());
-    const VectorXd statically = once_->beside_at(time.value());
+    const ModalState state = once_->response().at(time);
+    const VectorXd statically = once_->beside_at(time);
     dynamic.resize(state.eta.size());
     for (Index j = 0; j < dynamic.size(); ++j) {
       const frame::BeamMode& mode = modes_[static_cast<std::size_t>(j)];
@@ -411,8 +412,21 @@ BeamLoads FrameResponse::loads_at(Time time) const {
                    statically[j];
     }
   } else {
-    dynamic = trigonometric_at(dynamic_, (time.value() - begin_) / period_);
+    dynamic = trigonometric_at(dynamic_, (time - begin_) / period_);
   }
+  return dynamic;
+}
+
+Vector6 FrameResponse::start_at(Time time) const {
+  const VectorXd dynamic = dynamic_at(time.value());
+  Vector6 sum = Vector6::Zero();
+  for (std::size_t j = 0; j < modes_.size(); ++j)
+    sum += dynamic[static_cast<Index>(j)] * modes_[j].motion.head<6>();
+  return sum;
+}
+
+BeamLoads FrameResponse::loads_at(Time time) const {
+  const VectorXd dynamic = dynamic_at(time.value());
   // Ties and pieces are the same of all modes.
   BeamLoads vibrating = modes_.front().loads;
   for (PointLoad& point : vibrating.points) {

@@ -76,11 +76,16 @@ class FrameResponse {
                 LoadsAt slowly, std::size_t modes, int parts);
 
   BeamLoads loads_at(Time time) const;
+  /// Shift and turn of the beam's start in its axes beside those of statics, with which the beam
+  /// bends under these loads between its supports.
+  frame::Vector6 start_at(Time time) const;
   LoadSpan span_of(const LoadSpan& slowly) const;
 
   double lowest_frequency() const { return modes_.front().frequency; }  ///< [Hz]
 
  private:
+  Eigen::VectorXd dynamic_at(double time) const;
+
   LoadsAt slowly_;
   double begin_, period_;
   std::vector<frame::BeamMode> modes_;

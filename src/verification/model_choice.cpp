@@ -776,7 +776,7 @@ void choose_for_frame(const Project& project, const SharedMotions& shared, Model
       choice.chosen = model;
       choice.reason += fmt::format(
           "; loads over time by {}, found {} against one mode more and "
-          "twice the parts",
+          "twice the parts; reactions of supports are those of statics",
           describe(model), percent_text(found));
       runs = run_situations(project, model, shared);
       return;

@@ -58,8 +58,7 @@ struct PointAction {
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
 };
 
-/// A force or a couple on a place of a member whose size follows a function of time, slowly: what
-/// it moves has no inertia.
+/// A force or a couple on a place of a member whose size follows a function of time.
 struct DrivenAction {
   Place at;
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< world axes
