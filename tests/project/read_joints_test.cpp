@@ -109,7 +109,7 @@ TEST_CASE("friction of a slider: given values, and what is not given as in the s
   const Friction some = slider(line + "friction = { coefficient = 0.1 }\n").friction;
   CHECK(some.coulomb == 0.1);
   CHECK(some.viscous == Friction{}.viscous);
-  CHECK(some.creep == Friction{}.creep);
+  CHECK(some.creep == 0.0);  // forces move it: it sticks
   CHECK(some.guide == Friction{}.guide);
   CHECK(some.standing == 0.0);
   CHECK(slider(line + "friction = { coefficient = 0.1, static_coefficient = 0.2 }\n")
