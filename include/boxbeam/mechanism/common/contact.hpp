@@ -47,6 +47,8 @@ struct Touch {
   double loss = 0.0;                                       ///< lambda [s/m]
   double depth = std::numeric_limits<double>::infinity();  ///< d_v [m]
   double push = 0.0;  ///< a force besides, by which the mass is found that it meets [N]
+
+  bool operator==(const Touch&) const = default;
 };
 
 /// What a spring does along the line of its ends: the tension k (l - l_0) + c l'; where it acts one
