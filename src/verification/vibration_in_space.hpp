@@ -26,6 +26,11 @@ struct StoppedScene {
 StoppedScene stopped_scene(const spatial::Mechanism& mechanism, const spatial::State& state,
                            const std::vector<spatial::BeamPlacement>& beams);
 
+/// Which bodies drivers and fixed joints hold to the ground, none of these beams between: in a
+/// stopped mechanism they are at rest.
+std::vector<bool> resting_bodies(const spatial::Mechanism& mechanism,
+                                 const std::vector<spatial::BeamPlacement>& beams);
+
 /// Of a beam as a rigid body in a state. Throws AnalysisError where a load has left it.
 CutForceDiagram rigid_cut_forces(const spatial::Chain& chain, const spatial::State& state,
                                  const spatial::BeamBody& beam);
@@ -57,11 +62,11 @@ class StoppedVibration {
   /// In the posture of a state, `rigid` the verified beam's cut forces then. Throws AnalysisError
   /// where the stopped mechanism is free to move, or buckles.
   std::vector<frame::BeamMode> modes(const spatial::State& state, const CutForceDiagram& rigid,
-                                     std::size_t count) const;
+                                     std::size_t count);
 
   /// The same modes of a posture that is passed in motion.
   ModesInMotion modes_in_motion(const spatial::State& state, const CutForceDiagram& rigid,
-                                std::size_t count) const;
+                                std::size_t count);
 
   /// Cut forces of all rigid beams where `BeamMode::work` has them; `rigid`: of the verified one.
   Eigen::VectorXd rigid_cuts(const spatial::State& state, const CutForceDiagram& rigid) const;
@@ -77,6 +82,9 @@ class StoppedVibration {
   std::vector<spatial::BeamPlacement> placements_;  ///< the verified beam first
   std::vector<frame::VibratingBeam> beams_;         ///< likewise
   std::vector<spatial::BeamBody> beside_;           ///< the others as rigid bodies
+  std::vector<bool> resting_;                       ///< of all bodies, which stay at rest
+  std::vector<Eigen::Matrix3d> roots_;              ///< of the inertias of all bodies
+  frame::KeptTies ties_;                            ///< of the last posture
 };
 
 /// Largest part of a mode's elastic energy, in words: "bending about y", "bending about z",
