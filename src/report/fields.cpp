@@ -295,7 +295,11 @@ void Fields::entry(const Field& field, const char* key, Json& all, std::vector<s
 
 void Fields::member(const Field& field, const std::string& name, Json& all, const Fill& fill) {
   std::vector<ResultValue> values;
-  Json& object = all[name] = Json::object();
+  // What is many is named by tables of the case, no name twice: not sought among the others.
+  constexpr std::size_t few = 64;
+  auto& members = all.get_ref<Json::object_t&>();
+  Json& object = members.size() < few ? all[name] : members.emplace_back(name, Json()).second;
+  object = Json::object();
   Fields fields(object, values_ != nullptr ? &values : nullptr);
   fill(fields);
   if (values_ != nullptr) take(fmt::format("{}.{}", field.name, name), values);

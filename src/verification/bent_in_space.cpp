@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 class StoppedStress {
  public:
   StoppedStress(const spatial::Chain& chain, const spatial::State& state,
-                const std::vector<spatial::BeamPlacement>& beams)
+                const std::vector<spatial::BeamPlacement>& beams, const std::vector<bool>& resting)
       : mechanism_(&chain.mechanism()), state_(&state) {
     const spatial::BeamPlacement& first = beams.front();
     const spatial::BodyMotion& own = state.bodies[static_cast<std::size_t>(first.body)];
@@ -31,7 +31,10 @@ class StoppedStress {
       const auto beam =
           std::find_if(beams.begin(), beams.end(),
                        [&](const spatial::BeamPlacement& of) { return of.body == body; });
-      member_.push_back(beam == beams.end() ? next++ : static_cast<int>(beam - beams.begin()));
+      if (resting[static_cast<std::size_t>(body)])
+        member_.push_back(frame::ground);
+      else
+        member_.push_back(beam == beams.end() ? next++ : static_cast<int>(beam - beams.begin()));
     }
     const std::vector<spatial::Wrench> wrenches = chain.joint_wrenches(state);
     for (std::size_t i = 0; i < mechanism_->joints.size(); ++i) {
@@ -124,8 +127,9 @@ bool is_closed(const TaperedBeam& beam) {
 }  // namespace
 
 frame::SceneStress stress_in(const spatial::Chain& chain, const spatial::State& state,
-                             const std::vector<spatial::BeamPlacement>& beams) {
-  return StoppedStress(chain, state, beams).stress;
+                             const std::vector<spatial::BeamPlacement>& beams,
+                             const std::vector<bool>& resting) {
+  return StoppedStress(chain, state, beams, resting).stress;
 }
 
 BentInSpace::BentInSpace(const Project& project, const spatial::Chain& chain, int parts)
@@ -136,7 +140,7 @@ BentInSpace::BentInSpace(const Project& project, const spatial::Chain& chain, in
 
 std::optional<frame::BentScene> BentInSpace::at(const spatial::State& state,
                                                 const CutForceDiagram& rigid, double factor) const {
-  frame::SceneStress stress = stress_in(*chain_, state, stopped_.placements());
+  frame::SceneStress stress = stress_in(*chain_, state, stopped_.placements(), stopped_.resting());
   const frame::VibratingScene scene = stopped_.scene_in(state, rigid);
   stress.whole = whole_;
   stress.whole.resize(scene.beams.size(), true);

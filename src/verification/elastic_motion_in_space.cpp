@@ -178,7 +178,7 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
         "forces decide the motion, and the beam's vibration is only computed in motions that "
         "drivers fix" +
         otherwise);
-  const StoppedVibration stopped(project, chain, parts);
+  StoppedVibration stopped(project, chain, parts);
   if (const std::string why = obstacle_to_modes(chain.mechanism(), stopped.placements());
       !why.empty())
     refuse_vibration(why + otherwise);

@@ -325,6 +325,13 @@ GivingWay::GivingWay(const Project& project) {
   }
 }
 
+bool gives_way(const WaysToGive& ways) {
+  const std::array<const Give*, 5> all{&ways.along, &ways.across, &ways.about, &ways.first_tilt,
+                                       &ways.second_tilt};
+  return std::any_of(all.begin(), all.end(),
+                     [](const Give* of) { return !std::isinf(of->stiffness); });
+}
+
 WaysToGive GivingWay::of(const spatial::Joint& joint) const {
   for (const NamedJoint& given : joints_) {
     const int count = movements_of(given.of.kind);

@@ -48,6 +48,9 @@ struct WaysToGive {
   Give along = {}, across = {}, about = {}, first_tilt = {}, second_tilt = {};
 };
 
+/// Whether any does.
+bool gives_way(const WaysToGive& ways);
+
 /// Joints and rods without mass that give way.
 class GivingWay {
  public:

@@ -36,8 +36,11 @@ class StoppedFrame {
 
   /// Whether it can be made.
   bool make(const CutForceDiagram& diagram) {
+    for (const spatial::Joint& joint : mechanism_->joints)
+      if (spatial::is_forced(joint)) return false;  // forces move it
     find_places();
     member_of_.assign(mechanism_->bodies.size(), frame::ground);
+    resting_ = resting_bodies(*mechanism_, elastic_placements(*project_, *mechanism_), giving_);
     const std::vector<ElasticMember> members = elastic_members(*project_, *mechanism_);
     for (const ElasticMember& member : members) add_stiffness(member);
     for (const ElasticMember& member : members) {
@@ -47,11 +50,11 @@ class StoppedFrame {
                                                   wrenches()));
     }
     for (std::size_t i = 0; i < mechanism_->bodies.size(); ++i)
-      if (member_of_[i] == frame::ground) add_body(static_cast<int>(i));
-    for (std::size_t i = 0; i < mechanism_->joints.size(); ++i)
-      if (!add_joint(i)) return false;
+      if (member_of_[i] == frame::ground && !resting_[i]) add_body(static_cast<int>(i));
+    for (std::size_t i = 0; i < mechanism_->joints.size(); ++i) add_joint(i);
     for (std::size_t k = 0; k < mechanism_->closing.size(); ++k) add_closing(k);
     for (std::size_t i = 0; i < mechanism_->springs.size(); ++i) add_spring(i);
+    cut_what_bends();
     return true;
   }
 
@@ -74,6 +77,7 @@ class StoppedFrame {
       return;
     }
     member_of_[body] = static_cast<int>(structure.members.size());
+    bending_.push_back(member_of_[body]);
     frame::Member& member = structure.members.emplace_back();
     member.name = "beam";
     member.beam = *of.beam;
@@ -160,9 +164,12 @@ class StoppedFrame {
         cut_forces_of(spatial::beam_loads_of(*chain_, *state_, even.body, wrenches()));
   }
 
+  bool is_ground(int body) const {
+    return body == spatial::ground || resting_[static_cast<std::size_t>(body)];
+  }
   /// A place of the world on a body, or on the ground.
   frame::Place place_on(int body, const Vector3d& at) const {
-    if (body == spatial::ground) return {frame::ground, at};
+    if (is_ground(body)) return {frame::ground, at};
     return on_member(member_of_[static_cast<std::size_t>(body)], at);
   }
   frame::Place on_member(int member, const Vector3d& at) const {
@@ -206,12 +213,12 @@ class StoppedFrame {
     return std::abs(axis.dot(other)) < square ? other : axis.unitOrthogonal();
   }
 
-  /// Not where forces move it. A screw that loops move is free to turn and to slide, by itself
-  /// either way: held by less than it is.
-  bool add_joint(std::size_t i) {
+  /// A screw that loops move is free to turn and to slide, by itself either way: held by less than
+  /// it is.
+  void add_joint(std::size_t i) {
     const spatial::Joint& of = mechanism_->joints[i];
-    if (spatial::is_forced(of)) return false;
     const int body = static_cast<int>(i);
+    if (is_ground(of.parent) && is_ground(body)) return;
     const Vector3d at = spatial::position_of(*state_, {body, of.point});
     frame::Joint& joint = structure.joints.emplace_back();
     joint.name = of.name;
@@ -230,12 +237,12 @@ class StoppedFrame {
     }
     for (const spatial::TorsionSpring& spring : mechanism_->torsion_springs)
       if (spring.joint == body && !spatial::is_driven(of)) joint.stiffness[3] += spring.stiffness;
-    return true;
   }
 
   void add_closing(std::size_t k) {
     using Kind = spatial::ClosingKind;
     const spatial::ClosingJoint& of = mechanism_->closing[k];
+    if (is_ground(of.a.body) && is_ground(of.b.body)) return;
     const Vector3d at = spatial::position_of(*state_, spatial::place_of(of));
     if (of.kind == Kind::distance) {
       const Vector3d from = spatial::position_of(*state_, of.a);
@@ -309,6 +316,7 @@ class StoppedFrame {
 
   void add_spring(std::size_t i) {
     const spatial::Spring& spring = mechanism_->springs[i];
+    if (is_ground(spring.a.body) && is_ground(spring.b.body)) return;
     const Vector3d from = spatial::position_of(*state_, spring.a),
                    to = spatial::position_of(*state_, spring.b);
     const double tension =
@@ -316,7 +324,31 @@ class StoppedFrame {
     // Slack cables and stops that are not touched hold nothing, nor do dampers, nor does what parts
     // again.
     if (tension == 0.0 || spring.impact || !(spring.stiffness > 0.0)) return;
+    bending_.push_back(static_cast<int>(structure.members.size()));
     add_rod(spring.name, spring.a.body, spring.b.body, from, to, spring.stiffness, tension);
+  }
+
+  /// What is far stiffer than the beams stays straight between its joints: only what may bend is
+  /// cut between them, by joints that hold nothing.
+  void cut_what_bends() {
+    constexpr int parts =
+        4;  // of each stretch: N_cr is 0.8 % high of one fixed at both ends, else 0.05 %
+    for (const int member : bending_) {
+      const double length =
+          structure.members[static_cast<std::size_t>(member)].beam.length().value();
+      std::vector<double> held{0.0, length};
+      for (const frame::Joint& joint : structure.joints)
+        for (const frame::Place* at : {&joint.a, &joint.b})
+          if (at->member == member) held.push_back(at->p.x());
+      std::sort(held.begin(), held.end());
+      for (std::size_t k = 1; k < held.size(); ++k) {
+        if (held[k] - held[k - 1] < 1e-9 * length) continue;
+        for (int part = 1; part < parts; ++part) {
+          const double s = held[k - 1] + (held[k] - held[k - 1]) * part / parts;
+          structure.joints.emplace_back().b = {member, {s, 0.0, 0.0}};
+        }
+      }
+    }
   }
 
   const std::vector<spatial::Wrench>& wrenches() {
@@ -331,7 +363,9 @@ class StoppedFrame {
   spatial::State open_;
   GivingWay giving_;
   double along_ = 0.0, about_ = 0.0;           ///< largest E A/L, E I/L of the beams [N/m, N m]
-  std::vector<int> member_of_;                 ///< of each body
+  std::vector<int> member_of_;                 ///< of each body that does not rest
+  std::vector<int> bending_;                   ///< members that are not far stiffer than the beams
+  std::vector<bool> resting_;                  ///< bodies that are as the ground
   std::vector<std::vector<Vector3d>> places_;  ///< on each body where others are joined
   std::deque<EvenBeam> bodies_;
   std::vector<spatial::Wrench> wrenches_;
@@ -342,12 +376,10 @@ class StoppedFrame {
 std::optional<double> critical_factor_in_space(const Project& project, const spatial::Chain& chain,
                                                const spatial::State& state,
                                                const CutForceDiagram& diagram, double most) {
-  constexpr int parts =
-      4;  // of each stretch: N_cr is 0.8 % high of one fixed at both ends, else 0.05 %
   try {
     StoppedFrame frame(project, chain, state);
     if (!frame.make(diagram)) return {};
-    const frame::Statics statics(frame.structure, parts);
+    const frame::Statics statics(frame.structure);
     return statics.critical_factor(statics.axial_forces(frame.loaded), most);
   } catch (const AnalysisError&) {
     return {};  // it is free to move, or a torsion constant is not known

@@ -283,6 +283,31 @@ class StoppedTies {
   std::string_view name_;  ///< of what is being tied
 };
 
+/// What rests is the ground of what moves.
+void leave_out_resting(const std::vector<bool>& resting,
+                       const std::vector<spatial::BeamPlacement>& beams, StoppedScene& scene) {
+  const auto count = static_cast<int>(beams.size());
+  std::vector<int> member;  // of each body of the scene
+  std::vector<frame::RigidMass> moving;
+  auto body = scene.bodies.begin();
+  for (std::size_t i = 0; i < resting.size(); ++i) {
+    if (beam_on(static_cast<int>(i), beams) != beams.end()) continue;
+    member.push_back(resting[i] ? frame::ground : count + static_cast<int>(moving.size()));
+    if (!resting[i]) moving.push_back(*body);
+    ++body;
+  }
+  scene.bodies = std::move(moving);
+  for (frame::Tie& tie : scene.ties) {
+    for (frame::Tie::End& end : tie.ends)
+      if (end.at.member >= count)
+        end.at.member = member[static_cast<std::size_t>(end.at.member - count)];
+  }
+  std::erase_if(scene.ties, [](const frame::Tie& tie) {
+    return std::all_of(tie.ends.begin(), tie.ends.end(),
+                       [](const frame::Tie::End& end) { return end.at.member == frame::ground; });
+  });
+}
+
 std::vector<double> stations_held(const spatial::Mechanism& mechanism,
                                   const spatial::BeamPlacement& placement, bool loaded) {
   std::vector<double> at;
@@ -583,6 +608,22 @@ StoppedScene stopped_scene(const spatial::Mechanism& mechanism, const spatial::S
   return {std::move(of.bodies), std::move(of.ties)};
 }
 
+std::vector<bool> resting_bodies(const spatial::Mechanism& mechanism,
+                                 const std::vector<spatial::BeamPlacement>& beams,
+                                 const GivingWay& giving) {
+  std::vector<bool> resting;
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const spatial::Joint& joint = mechanism.joints[i];
+    const bool carried =
+        joint.parent == spatial::ground || resting[static_cast<std::size_t>(joint.parent)];
+    const bool held = joint.kind == spatial::JointKind::fixed || spatial::is_driven(joint);
+    resting.push_back(carried && held && !spatial::is_forced(joint) &&
+                      !gives_way(giving.of(joint)) &&
+                      beam_on(static_cast<int>(i), beams) == beams.end());
+  }
+  return resting;
+}
+
 CutForceDiagram rigid_cut_forces(const spatial::Chain& chain, const spatial::State& state,
                                  const spatial::BeamBody& beam,
                                  const std::vector<spatial::Wrench>& wrenches) {
@@ -607,6 +648,13 @@ StoppedVibration::StoppedVibration(const Project& project, const spatial::Chain&
                         stations_held(mechanism, member.placement, loaded),
                         first ? parts : std::clamp(most_beside / others, 1, parts),
                         project.model.retardation, member.masses);
+  }
+  resting_ = resting_bodies(mechanism, placements_, giving_);
+  for (const spatial::Body& body : mechanism.bodies) {
+    const Eigen::SelfAdjointEigenSolver<Matrix3d> principal(body.inertia);
+    roots_.push_back(principal.eigenvectors() *
+                     principal.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
+                     principal.eigenvectors().transpose());
   }
 }
 
@@ -635,13 +683,14 @@ frame::VibratingScene StoppedVibration::scene_in(const spatial::State& state,
   std::vector<spatial::Wrench> wrenches;
   if (!beside_.empty() || !giving_.empty()) wrenches = chain_->joint_wrenches(state);
   StoppedScene stopped = stopped_scene(chain_->mechanism(), state, placements_, giving_, wrenches);
+  leave_out_resting(resting_, placements_, stopped);
   return {beams_in(state, rigid, wrenches), std::move(stopped.bodies), std::move(stopped.ties)};
 }
 
 std::vector<frame::BeamMode> StoppedVibration::modes(const spatial::State& state,
                                                      const CutForceDiagram& rigid,
-                                                     std::size_t count) const {
-  return frame::modes_of(scene_in(state, rigid), count);
+                                                     std::size_t count) {
+  return frame::modes_of(scene_in(state, rigid), count, ties_);
 }
 
 Eigen::VectorXd StoppedVibration::rigid_cuts(const spatial::State& state,
@@ -650,12 +699,11 @@ Eigen::VectorXd StoppedVibration::rigid_cuts(const spatial::State& state,
 }
 
 ModesInMotion StoppedVibration::modes_in_motion(const spatial::State& state,
-                                                const CutForceDiagram& rigid,
-                                                std::size_t count) const {
+                                                const CutForceDiagram& rigid, std::size_t count) {
   const spatial::Mechanism& mechanism = chain_->mechanism();
   const frame::VibratingScene scene = scene_in(state, rigid);
   ModesInMotion result;
-  result.modes = frame::modes_of(scene, count);
+  result.modes = frame::modes_of(scene, count, ties_);
   const spatial::BeamPlacement& first = placements_.front();
   const Matrix3d R_WB = state.bodies[static_cast<std::size_t>(first.body)].R_WB * first.axes;
   const auto turning_of = [&](std::size_t body) {
@@ -668,13 +716,10 @@ ModesInMotion StoppedVibration::modes_in_motion(const spatial::State& state,
   /// Of the bodies, in the order of the scene: from its axes to their own, and roots of inertias.
   std::vector<Matrix3d> own, roots;
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
-    if (beam_on(static_cast<int>(i), placements_) != placements_.end()) continue;
+    if (resting_[i] || beam_on(static_cast<int>(i), placements_) != placements_.end()) continue;
     frames.push_back(turning_of(i));
     own.push_back(state.bodies[i].R_WB.transpose() * R_WB);
-    const Eigen::SelfAdjointEigenSolver<Matrix3d> principal(mechanism.bodies[i].inertia);
-    roots.push_back(principal.eigenvectors() *
-                    principal.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
-                    principal.eigenvectors().transpose());
+    roots.push_back(roots_[i]);
   }
   result.turning = frame::turning_terms_of(scene, result.modes, frames);
   const Eigen::VectorXd cuts = cuts_of_scene(scene);
@@ -737,7 +782,7 @@ double vibration_missed_in_space(const Project& project, const ModelChoice& mode
 VibrationInSpace estimate_vibration_in_space(const Project& project, const SituationRun& run,
                                              int parts) {
   const spatial::Chain& chain = chain_of(run);
-  const StoppedVibration stopped(project, chain, parts);
+  StoppedVibration stopped(project, chain, parts);
   const SpaceEstimate of_loads(run.loads, chain, stopped, project.beam);
   VibrationInSpace result;
   VibrationEstimate& estimate = result.estimate;

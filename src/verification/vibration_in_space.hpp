@@ -31,6 +31,12 @@ StoppedScene stopped_scene(const spatial::Mechanism& mechanism, const spatial::S
                            const GivingWay& giving = {},
                            const std::vector<spatial::Wrench>& wrenches = {});
 
+/// Which bodies drivers and fixed joints that do not give way hold to the ground, none of these
+/// beams between: in a stopped mechanism they are at rest.
+std::vector<bool> resting_bodies(const spatial::Mechanism& mechanism,
+                                 const std::vector<spatial::BeamPlacement>& beams,
+                                 const GivingWay& giving);
+
 /// Of a beam as a rigid body in a state, with `joint_wrenches` of the chain. Throws AnalysisError
 /// where a load has left it.
 CutForceDiagram rigid_cut_forces(const spatial::Chain& chain, const spatial::State& state,
@@ -67,17 +73,18 @@ class StoppedVibration {
   /// In the posture of a state, `rigid` the verified beam's cut forces then. Throws AnalysisError
   /// where the stopped mechanism is free to move, or buckles.
   std::vector<frame::BeamMode> modes(const spatial::State& state, const CutForceDiagram& rigid,
-                                     std::size_t count) const;
+                                     std::size_t count);
 
   /// The same modes of a posture that is passed in motion.
   ModesInMotion modes_in_motion(const spatial::State& state, const CutForceDiagram& rigid,
-                                std::size_t count) const;
+                                std::size_t count);
 
   /// What rigid bodies put in all members, joints and rods that give way where `BeamMode::work` has
   /// it; `rigid`: the cut forces of the verified beam.
   Eigen::VectorXd rigid_cuts(const spatial::State& state, const CutForceDiagram& rigid) const;
 
   const std::vector<spatial::BeamPlacement>& placements() const { return placements_; }
+  const std::vector<bool>& resting() const { return resting_; }  ///< bodies that are the ground
 
   /// The beams with their cut forces, the bodies and how they are tied, in the posture of a state.
   frame::VibratingScene scene_in(const spatial::State& state, const CutForceDiagram& rigid) const;
@@ -91,6 +98,9 @@ class StoppedVibration {
   std::vector<spatial::BeamPlacement> placements_;  ///< the verified beam first
   std::vector<frame::VibratingBeam> beams_;         ///< likewise
   std::vector<spatial::BeamBody> beside_;           ///< the others as rigid bodies
+  std::vector<bool> resting_;                       ///< of all bodies, which stay at rest
+  std::vector<Eigen::Matrix3d> roots_;              ///< of the inertias of all bodies
+  frame::KeptTies ties_;                            ///< of the last posture
 };
 
 /// Largest part of a mode's elastic energy, in words: "bending about y", "bending about z",

@@ -145,7 +145,7 @@ struct Moved {
             modes,   parts};
   }
   std::vector<boxbeam::frame::BeamMode> modes(int parts, std::size_t count) const {
-    const boxbeam::StoppedVibration stopped(project, chain(), parts);
+    boxbeam::StoppedVibration stopped(project, chain(), parts);
     const double begin = rigid().begin().value();
     return stopped.modes(chain().at(begin), rigid().diagram_at(boxbeam::si<boxbeam::Time>(begin)),
                          count);

@@ -108,7 +108,7 @@ struct Moved {
   const LoadHistory& rigid() const { return runs.front().loads; }
   const spatial::Chain& chain() const { return chain_of(runs.front()); }
   std::vector<frame::BeamMode> modes(int parts, std::size_t count) const {
-    const StoppedVibration stopped(project, chain(), parts);
+    StoppedVibration stopped(project, chain(), parts);
     const double begin = rigid().begin().value();
     return stopped.modes(chain().at(begin), rigid().diagram_at(si<Time>(begin)), count);
   }

@@ -62,7 +62,7 @@ Moved turning(const Vector3d& axis, double rate) {
 /// with the pull, and what turning adds to them.
 std::vector<double> frequencies(const Moved& of) {
   constexpr int count = 10;
-  const StoppedVibration stopped(of.project, of.chain(), 48);
+  StoppedVibration stopped(of.project, of.chain(), 48);
   const double begin = of.rigid().begin().value();
   const ModesInMotion modes = stopped.modes_in_motion(
       of.chain().at(begin), of.rigid().diagram_at(of.rigid().begin()), count);

@@ -234,6 +234,37 @@ TEST_CASE("a boom that is clamped buckles as a cantilever about its weaker axis"
   CHECK(*factor * P == Approx(std::pow(std::numbers::pi / (2.0 * L), 2) * E * I_z).epsilon(0.01));
 }
 
+// Invariant: what does not move is the ground, however many bodies it is.
+TEST_CASE("a boom on bodies that joints and drivers hold buckles as one on the ground",
+          "[stability]") {
+  std::string joints;
+  std::string before = "ground";
+  constexpr int count = 60;
+  for (int i = 0; i < count; ++i) {
+    joints +=
+        fmt::format(R"([bodies.post-{0}]
+mass = "10 kg"
+uniform_rod = ["O", "A"]
+points = {{ O = ["0 m", "0 m", "0 m"], A = ["0 m", "0.2 m", "0.3 m"] }}
+[joints.post-{0}]
+kind = "{1}"
+connect = ["{2}", "post-{0}.O"]
+{3}
+)",
+                    i, i == 20 ? "revolute" : "fixed", before,
+                    i == 20 ? "axis = \"z\"\n[drivers.post]\njoint = \"post-20\"\nkind = \"hold\"\n"
+                              "value = \"0 deg\""
+                            : "");
+    before = fmt::format("post-{}.A", i);
+  }
+  joints +=
+      fmt::format("[joints.heel]\nkind = \"fixed\"\nconnect = [\"{}\", \"arm.heel\"]\n", before);
+  const auto carried = critical(boom(joints)), clamped = critical(boom(clamp));
+  REQUIRE(carried);
+  REQUIRE(clamped);
+  CHECK(*carried == Approx(*clamped).epsilon(1e-6));
+}
+
 TEST_CASE(
     "a boom that a strut holds in the plane in which it luffs buckles across it as a cantilever",
     "[stability]") {

@@ -138,7 +138,7 @@ std::vector<double> frequencies(const std::string& text, int parts = 32) {
   const Project project = parse_project("arm.toml", text);
   const std::deque<SituationRun> runs = run_situations(project);
   const spatial::Chain& chain = chain_of(runs.front());
-  const StoppedVibration stopped(project, chain, parts);
+  StoppedVibration stopped(project, chain, parts);
   std::vector<double> found;
   for (const frame::BeamMode& mode : stopped.modes(chain.at(0.0), {}, 4))
     found.push_back(mode.frequency);
@@ -166,6 +166,39 @@ TEST_CASE("an arm with a body beside its tip has the frequencies of a model of f
       CHECK(found[k] == Approx(expected[k]).epsilon(within));
     }
   }
+}
+
+// Invariant: what does not move is the ground, whatever its mass.
+TEST_CASE("an arm on a body that a driver holds vibrates as one on the ground", "[vibration]") {
+  const auto on = [](const std::string& carrier) {
+    return arm(carrier + R"(
+[joints.heel]
+kind = "fixed"
+connect = [")" + (carrier.empty() ? "ground" : "post.top") +
+                   R"(", "arm.heel"]
+)",
+               beside, "7850", "root");
+  };
+  const auto carried = frequencies(on(R"(
+[bodies.post]
+mass = "500 kg"
+uniform_rod = ["foot", "top"]
+points = { foot = ["0 m", "0 m", "0 m"], top = ["0 m", "0 m", "2 m"] }
+[joints.post]
+kind = "revolute"
+connect = ["ground", "post.foot"]
+axis = "z"
+[drivers.post]
+joint = "post"
+kind = "harmonic"
+mean = "30 deg"
+amplitude = "5 deg"
+frequency = "1 Hz"
+)")),
+             clamped = frequencies(on("") + "[motion]\nduration = \"1 s\"\n");
+  REQUIRE(carried.size() == clamped.size());
+  for (std::size_t k = 0; k < carried.size(); ++k)
+    CHECK(carried[k] == Approx(clamped[k]).epsilon(1e-9));
 }
 
 // Invariant: the scene turned as a whole.
@@ -514,7 +547,7 @@ required = 1.0
   const Project project = parse_project("shaken.toml", text);
   const std::deque<SituationRun> runs = run_situations(project);
   // About y alone: in the plane of the others nothing moves it, though there it has modes as well.
-  const StoppedVibration stopped(project, chain_of(runs.front()), 48);
+  StoppedVibration stopped(project, chain_of(runs.front()), 48);
   std::vector<double> in_plane;
   for (const frame::BeamMode& mode : stopped.modes(chain_of(runs.front()).at(0.0), {}, 8))
     if (mode.energy[1] > 0.5) in_plane.push_back(mode.frequency);

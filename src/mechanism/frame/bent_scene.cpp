@@ -95,11 +95,14 @@ class StressedScene {
 
   std::optional<BentScene> bent(double factor) const {
     VectorXd norms;
-    const RigidTies rigidly(equations_of(matrices_.held, matrices_.unit, norms));
+    KeptTies last;
+    const RigidTies rigidly(equations_of(matrices_.held, matrices_.unit, norms), last);
+    const auto reduced = [&](const Eigen::SparseMatrix<double>& of) {
+      return rigidly.reduced(Eigen::SparseMatrix<double>(matrices_.unit.asDiagonal() * of *
+                                                         matrices_.unit.asDiagonal()));
+    };
     BentScene result;
-    const MatrixXd free = matrices_.unit.asDiagonal() * rigidly.free();
-    const MatrixXd stiffness = free.transpose() * (matrices_.K * free),
-                   stress = free.transpose() * (stress_ * free);
+    const MatrixXd stiffness = reduced(matrices_.K), stress = reduced(stress_);
     const Eigen::LLT<MatrixXd> standing(stiffness + factor * stress);
     constexpr double round_off = 1e-14;
     const auto stands = [&](const Eigen::LLT<MatrixXd>& of) {
@@ -116,7 +119,8 @@ class StressedScene {
       result.critical = 0.5 * (stable + unstable);
       return result;
     }
-    result.motion = free * standing.solve(free.transpose() * strained_);
+    const VectorXd load = rigidly.reduced(VectorXd(strained_.cwiseProduct(matrices_.unit)));
+    result.motion = rigidly.motion(standing.solve(load)).cwiseProduct(matrices_.unit);
     load_first_beam(factor, result);
     return result;
   }

@@ -10,29 +10,60 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using TiesByRow = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Some columns of a matrix, row by row.
-struct SomeTies {
-  SparsePattern pattern;
-  std::vector<double> values;
+bool have_same_entries(const TiesByRow& a, const TiesByRow& b) {
+  return a.rows() == b.rows() && a.cols() == b.cols() && a.nonZeros() == b.nonZeros() &&
+         std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.rows() + 1, b.outerIndexPtr()) &&
+         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+}
 
-  SomeTies(const TiesByRow& G, const std::vector<int>& columns) {
-    std::vector<int> number(static_cast<std::size_t>(G.cols()), -1);
-    for (std::size_t k = 0; k < columns.size(); ++k)
-      number[static_cast<std::size_t>(columns[k])] = static_cast<int>(k);
-    pattern.rows = G.rows();
-    pattern.cols = static_cast<Index>(columns.size());
-    pattern.row_start.push_back(0);
-    for (Index r = 0; r < G.rows(); ++r) {
-      for (TiesByRow::InnerIterator at(G, r); at; ++at) {
-        const int column = number[static_cast<std::size_t>(at.col())];
-        if (column < 0 || at.value() == 0.0) continue;
-        pattern.col.push_back(column);
-        values.push_back(at.value());
-      }
-      pattern.row_start.push_back(static_cast<int>(pattern.col.size()));
+/// Where the ties that are kept stand, row by row; `entries` and `values` likewise.
+SparsePattern pattern_of_kept(const TiesByRow& G, EliminatedTies& of) {
+  std::vector<int> number(static_cast<std::size_t>(G.cols()), -1);
+  for (std::size_t k = 0; k < of.kept.size(); ++k)
+    number[static_cast<std::size_t>(of.kept[k])] = static_cast<int>(k);
+  SparsePattern pattern;
+  pattern.rows = G.rows();
+  pattern.cols = static_cast<Index>(of.kept.size());
+  pattern.row_start.push_back(0);
+  of.entries.clear();
+  of.values.clear();
+  for (Index r = 0; r < G.rows(); ++r) {
+    for (int e = G.outerIndexPtr()[r]; e < G.outerIndexPtr()[r + 1]; ++e) {
+      const int column = number[static_cast<std::size_t>(G.innerIndexPtr()[e])];
+      if (column < 0) continue;
+      pattern.col.push_back(column);
+      of.entries.push_back(e);
+      of.values.push_back(G.valuePtr()[e]);
     }
+    pattern.row_start.push_back(static_cast<int>(pattern.col.size()));
   }
-};
+  return pattern;
+}
+
+KeptTies eliminated_anew(const TiesByRow& G) {
+  auto of = std::make_shared<EliminatedTies>();
+  of->pattern = G;
+  const VectorXd ones = VectorXd::Ones(std::max(G.rows(), G.cols()));
+  for (int k = 0; k < static_cast<int>(G.cols()); ++k) of->kept.push_back(k);
+  SparsePattern pattern = pattern_of_kept(G, *of);
+  SparseElimination& elimination = of->elimination;
+  while (elimination.analyse(pattern, of->values, ones, ones) < pattern.cols) {
+    const std::vector<int> repeating = elimination.cols_left();
+    for (auto k = repeating.rbegin(); k != repeating.rend(); ++k)
+      of->kept.erase(of->kept.begin() + *k);
+    pattern = pattern_of_kept(G, *of);
+  }
+  elimination.factor(of->values);
+  return of;
+}
+
+/// Whether the order of pivots suits other values.
+bool can_factor(const TiesByRow& G, EliminatedTies& of) {
+  if (!have_same_entries(G, of.pattern)) return false;
+  for (std::size_t k = 0; k < of.entries.size(); ++k) of.values[k] = G.valuePtr()[of.entries[k]];
+  return of.elimination.factor(of.values) &&
+         of.elimination.smallest_pivot() > SparseElimination::nothing;
+}
 
 MatrixXd orthonormal_columns(const MatrixXd& columns) {
   const Eigen::HouseholderQR<MatrixXd> qr(columns);
@@ -41,61 +72,104 @@ MatrixXd orthonormal_columns(const MatrixXd& columns) {
 
 }  // namespace
 
-RigidTies::RigidTies(const Eigen::SparseMatrix<double>& G, Index most_whole) : ties_(G.cols()) {
-  const Index size = G.rows();
+RigidTies::RigidTies(const Eigen::SparseMatrix<double>& G, KeptTies& last, Index most_whole)
+    : size_(G.rows()), ties_(G.cols()), tied_(size_, 0) {
   if (ties_ == 0) {
-    free_ = MatrixXd::Identity(size, size);
-  } else if (size > most_whole) {
-    factors_ = eliminated(G, free_);
-  } else {
+    for (Index k = 0; k < size_; ++k) alone_.push_back(k);
+    return;
+  }
+  if (size_ <= most_whole) {
     Whole& whole = std::get<Whole>(factors_);
     whole.setThreshold(repeats);
     whole.compute(MatrixXd(G));
-    const MatrixXd Q = whole.householderQ() * MatrixXd::Identity(size, size);
-    free_ = Q.rightCols(size - whole.rank());
+    const MatrixXd Q = whole.householderQ() * MatrixXd::Identity(size_, size_);
+    tied_ = Q.rightCols(size_ - whole.rank());
+    return;
   }
+  const ByRows by_rows = G;
+  bool repeat = false;
+  if (last && can_factor(by_rows, *last)) {
+    find_free(by_rows, *last);
+    // What repeated others must not hold any of what is free now.
+    const MatrixXd held = G.transpose() * tied_;
+    repeat = !(held.size() > 0 && held.cwiseAbs().maxCoeff() > repeats);
+  }
+  if (!repeat) {
+    last = eliminated_anew(by_rows);
+    find_free(by_rows, *last);
+  }
+  factors_ = last;
 }
 
 /// Of G = [C; F], C square by the elimination's choice, x_F is free and C^T x_C = -F^T x_F.
-RigidTies::Sparse RigidTies::eliminated(const Eigen::SparseMatrix<double>& by_columns,
-                                        MatrixXd& free) {
-  const TiesByRow G = by_columns;
-  const VectorXd ones = VectorXd::Ones(std::max(G.rows(), G.cols()));
-  Sparse result;
-  for (int k = 0; k < static_cast<int>(G.cols()); ++k) result.kept.push_back(k);
-  SomeTies ties(G, result.kept);
-  SparseElimination& elimination = result.elimination;
-  while (elimination.analyse(ties.pattern, ties.values, ones, ones) < ties.pattern.cols) {
-    const std::vector<int> repeating = elimination.cols_left();
-    for (auto k = repeating.rbegin(); k != repeating.rend(); ++k)
-      result.kept.erase(result.kept.begin() + *k);
-    ties = SomeTies(G, result.kept);
+void RigidTies::find_free(const ByRows& G, const EliminatedTies& of) {
+  std::vector<int> number(static_cast<std::size_t>(ties_), -1);
+  for (std::size_t k = 0; k < of.kept.size(); ++k)
+    number[static_cast<std::size_t>(of.kept[k])] = static_cast<int>(k);
+  alone_.clear();
+  std::vector<int> left;
+  for (const int row : of.elimination.rows_left()) {
+    if (G.outerIndexPtr()[row] == G.outerIndexPtr()[row + 1])
+      alone_.push_back(row);
+    else
+      left.push_back(row);
   }
-  elimination.factor(ties.values);
-  const std::vector<int>& left = elimination.rows_left();
-  free.setZero(G.rows(), static_cast<Index>(left.size()));
-  VectorXd asked(ties.pattern.cols), moved(G.rows());
+  tied_.setZero(size_, static_cast<Index>(left.size()));
+  VectorXd asked(static_cast<Index>(of.kept.size())), moved(size_);
   for (std::size_t f = 0; f < left.size(); ++f) {
     asked.setZero();
-    const auto row = static_cast<std::size_t>(left[f]);
-    for (int e = ties.pattern.row_start[row]; e < ties.pattern.row_start[row + 1]; ++e) {
-      const auto entry = static_cast<std::size_t>(e);
-      asked[ties.pattern.col[entry]] = -ties.values[entry];
+    for (ByRows::InnerIterator at(G, left[f]); at; ++at) {
+      const int column = number[static_cast<std::size_t>(at.col())];
+      if (column >= 0) asked[column] = -at.value();
     }
-    elimination.solve_transposed(asked, moved);
+    of.elimination.solve_transposed(asked, moved);
     moved[left[f]] = 1.0;
-    free.col(static_cast<Index>(f)) = moved;
+    tied_.col(static_cast<Index>(f)) = moved;
   }
-  if (!left.empty()) free = orthonormal_columns(free);
-  return result;
+  if (!left.empty()) tied_ = orthonormal_columns(tied_);
+}
+
+VectorXd RigidTies::motion(const VectorXd& of_free) const {
+  VectorXd motion = tied_ * of_free.tail(tied_.cols());
+  for (std::size_t k = 0; k < alone_.size(); ++k)
+    motion[alone_[k]] += of_free[static_cast<Index>(k)];
+  return motion;
+}
+
+VectorXd RigidTies::reduced(const VectorXd& forces) const {
+  VectorXd of_free(free());
+  const auto alone = static_cast<Index>(alone_.size());
+  of_free.head(alone) = forces(alone_);
+  of_free.tail(tied_.cols()) = tied_.transpose() * forces;
+  return of_free;
+}
+
+MatrixXd RigidTies::reduced(const Eigen::SparseMatrix<double>& symmetric) const {
+  const auto alone = static_cast<Index>(alone_.size());
+  MatrixXd all = MatrixXd::Zero(free(), free());
+  const MatrixXd by_tied = symmetric * tied_;
+  all.bottomRightCorner(tied_.cols(), tied_.cols()) = tied_.transpose() * by_tied;
+  std::vector<Index> place(static_cast<std::size_t>(size_), -1);
+  for (Index k = 0; k < alone; ++k)
+    place[static_cast<std::size_t>(alone_[static_cast<std::size_t>(k)])] = k;
+  for (Index k = 0; k < alone; ++k) {
+    const Index row = alone_[static_cast<std::size_t>(k)];
+    all.row(k).tail(tied_.cols()) = by_tied.row(row);
+    all.col(k).tail(tied_.cols()) = by_tied.row(row).transpose();
+    for (Eigen::SparseMatrix<double>::InnerIterator at(symmetric, row); at; ++at) {
+      const Index other = place[static_cast<std::size_t>(at.row())];
+      if (other >= 0) all(other, k) = at.value();
+    }
+  }
+  return all;
 }
 
 VectorXd RigidTies::forces(const VectorXd& on_coordinates) const {
   VectorXd forces = VectorXd::Zero(ties_);
-  if (const auto* sparse = std::get_if<Sparse>(&factors_)) {
-    VectorXd kept(static_cast<Index>(sparse->kept.size()));
-    sparse->elimination.solve(on_coordinates, kept);
-    forces(sparse->kept) = kept;
+  if (const auto* last = std::get_if<KeptTies>(&factors_)) {
+    VectorXd kept(static_cast<Index>((*last)->kept.size()));
+    (*last)->elimination.solve(on_coordinates, kept);
+    forces((*last)->kept) = kept;
   } else if (ties_ > 0) {
     forces = std::get<Whole>(factors_).solve(on_coordinates);
   }

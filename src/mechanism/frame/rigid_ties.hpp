@@ -6,9 +6,19 @@
 #include <variant>
 #include <vector>
 
+#include "boxbeam/mechanism/frame/beam_vibration.hpp"
 #include "boxbeam/numerics/sparse_elimination.hpp"
 
 namespace boxbeam::frame {
+
+/// How rigid ties were eliminated.
+struct EliminatedTies {
+  Eigen::SparseMatrix<double, Eigen::RowMajor> pattern;  ///< of all ties, its values of no matter
+  SparseElimination elimination;
+  std::vector<int> kept;     ///< ties that repeat none
+  std::vector<int> entries;  ///< of the pattern's those of the ties kept, in order
+  std::vector<double> values;
+};
 
 /// The motions that rigid ties G^T x = 0 leave free, and the forces in the ties.
 class RigidTies {
@@ -18,29 +28,35 @@ class RigidTies {
 
   /// G: a row for each coordinate, a column for each tie, of length one or zero. Up to so many
   /// coordinates by the QR of the whole matrix with pivoting; above by a sparse elimination, with
-  /// time and memory by the entries of G, times the motions that are free. Sources: Golub and Van
-  /// Loan, Matrix Computations (1996), 5.4.1; Duff, Erisman, Reid, Direct Methods for Sparse
-  /// Matrices (1986), chapter 5.
-  explicit RigidTies(const Eigen::SparseMatrix<double>& G, Eigen::Index most_whole = 300);
+  /// time and memory by the entries of G, times the free motions that ties have a part in. `last`:
+  /// that of the same ties in another posture, whose order is kept while it suits and the same ties
+  /// repeat others; it is that of these then. Sources: Golub and Van Loan, Matrix Computations
+  /// (1996), 5.4.1; Duff, Erisman, Reid, Direct Methods for Sparse Matrices (1986), chapter 5.
+  explicit RigidTies(const Eigen::SparseMatrix<double>& G, KeptTies& last,
+                     Eigen::Index most_whole = 300);
 
-  /// Free motions: orthonormal columns.
-  const Eigen::MatrixXd& free() const { return free_; }
+  /// How many motions are free.
+  Eigen::Index free() const { return static_cast<Eigen::Index>(alone_.size()) + tied_.cols(); }
+  /// Of free motions, which are orthonormal, the coordinates.
+  Eigen::VectorXd motion(const Eigen::VectorXd& of_free) const;
+  /// What forces on the coordinates do to the free motions.
+  Eigen::VectorXd reduced(const Eigen::VectorXd& forces) const;
+  /// A symmetric matrix of the coordinates as that of the free motions.
+  Eigen::MatrixXd reduced(const Eigen::SparseMatrix<double>& symmetric) const;
 
   /// Sizes s of the ties' forces that do G s; those of ties that repeat others are zero.
   Eigen::VectorXd forces(const Eigen::VectorXd& on_coordinates) const;
 
  private:
-  struct Sparse {
-    SparseElimination elimination;
-    std::vector<int> kept;  ///< ties that repeat none
-  };
   using Whole = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;
+  using ByRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-  static Sparse eliminated(const Eigen::SparseMatrix<double>& G, Eigen::MatrixXd& free);
+  void find_free(const ByRows& G, const EliminatedTies& of);
 
-  Eigen::Index ties_;
-  std::variant<Whole, Sparse> factors_;
-  Eigen::MatrixXd free_;
+  Eigen::Index size_, ties_;
+  std::variant<Whole, KeptTies> factors_;
+  std::vector<Eigen::Index> alone_;  ///< coordinates that no tie has a part in: free by themselves
+  Eigen::MatrixXd tied_;             ///< the other free motions, columns
 };
 
 }  // namespace boxbeam::frame

@@ -68,14 +68,18 @@ double Statics::critical_factor(const std::vector<double>& axial_forces, double 
   // Energies by the unit of force times that of length, so that entries are near one.
   const double energy = force_ * length_;
   std::vector<Eigen::Triplet<double>> elastic, geometric;
-  const auto add = [&](std::vector<Eigen::Triplet<double>>& to, std::size_t a, std::size_t b,
-                       const Matrix6& block) {
+  // Both of one pattern, so that their sums are.
+  const auto add = [&](std::size_t a, std::size_t b, const Matrix6& stiff,
+                       const Matrix6& stressed) {
     for (Index i = 0; i < count; ++i) {
       for (Index j = 0; j < count; ++j) {
         const Index row = world[static_cast<std::size_t>(i)],
                     column = world[static_cast<std::size_t>(j)];
-        const double value = block(row, column) * unit(row) * unit(column) / energy;
-        if (value != 0.0) to.emplace_back(row_of_node(a) + i, row_of_node(b) + j, value);
+        if (stiff(row, column) == 0.0 && stressed(row, column) == 0.0) continue;
+        const double per = unit(row) * unit(column) / energy;
+        const Index from = row_of_node(a) + i, to = row_of_node(b) + j;
+        elastic.emplace_back(from, to, stiff(row, column) * per);
+        geometric.emplace_back(from, to, stressed(row, column) * per);
       }
     }
   };
@@ -101,8 +105,7 @@ double Statics::critical_factor(const std::vector<double>& axial_forces, double 
     const Eigen::Matrix<double, 12, 12> axial = geometric_block(axial_forces[p], h);
     for (Index a = 0; a < 2; ++a) {
       for (Index b = 0; b < 2; ++b) {
-        add(elastic, nodes[a], nodes[b], ends[a].transpose() * K * ends[b]);
-        add(geometric, nodes[a], nodes[b],
+        add(nodes[a], nodes[b], ends[a].transpose() * K * ends[b],
             into.transpose() * axial.block<6, 6>(6 * a, 6 * b) * into);
       }
     }
@@ -130,16 +133,28 @@ double Statics::critical_factor(const std::vector<double>& axial_forces, double 
     if (joint.b.member != ground) ends.push_back({&joint.b, end_of(joint.b, 1.0)});
     for (const End& a : ends) {
       for (const End& b : ends)
-        add(elastic, node_of(*a.at), node_of(*b.at), a.motion.transpose() * K * b.motion);
+        add(node_of(*a.at), node_of(*b.at), a.motion.transpose() * K * b.motion, Matrix6::Zero());
     }
   }
   Sparse stiffness(size, size), stress(size, size);
   stiffness.setFromTriplets(elastic.begin(), elastic.end());
   stress.setFromTriplets(geometric.begin(), geometric.end());
-  Eigen::SimplicialLDLT<Sparse> solver;
-  solver.analyzePattern(stiffness + stress);
+  // Brought into the order of elimination once for all factors.
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> from_order;
+  Eigen::AMDOrdering<int>()(stiffness, from_order);
+  const auto ordered = [&](const Sparse& matrix) {
+    Sparse upper(size, size);
+    upper.selfadjointView<Eigen::Upper>() =
+        matrix.selfadjointView<Eigen::Lower>().twistedBy(from_order.inverse());
+    return upper;
+  };
+  const Sparse ordered_stiffness = ordered(stiffness), ordered_stress = ordered(stress);
+  Sparse sum = ordered_stiffness;
+  Eigen::SimplicialLDLT<Sparse, Eigen::Upper, Eigen::NaturalOrdering<int>> solver;
+  solver.analyzePattern(sum);
   const auto buckles = [&](double factor) {
-    solver.factorize(stiffness + factor * stress);
+    sum.coeffs() = ordered_stiffness.coeffs() + factor * ordered_stress.coeffs();
+    solver.factorize(sum);
     return solver.info() != Eigen::Success || (solver.vectorD().array() <= 0.0).any();
   };
   if (!buckles(most)) return most;

@@ -272,8 +272,14 @@ Eigen::SparseMatrix<double> equations_of(const std::vector<Tied>& held, const Ve
     for (const auto& part : held[k].gap.parts) square += scaled(part).squaredNorm();
     // Of the ground alone: nothing moves.
     if (square > 0.0) norms[column] = std::sqrt(square);
-    for (const auto& part : held[k].gap.parts)
-      holding.add(part.first, column, scaled(part) / norms[column]);
+    // Also what is zero in this posture alone: the same entries in all of them. Couples hold no
+    // shifts in any.
+    for (const auto& part : held[k].gap.parts) {
+      const Vector6 entries = scaled(part) / norms[column];
+      const Index first = entries.head<3>().isZero(0.0) ? 3 : 0;
+      for (Index i = first; i < 6; ++i)
+        holding.entries.emplace_back(part.first + i, column, entries[i]);
+    }
   }
   return holding.of_size(unit.size(), count_held);
 }
@@ -286,14 +292,21 @@ TurningTerms turning_terms_of(const Matrix3d& inertia, const Turning& frame) {
 }
 
 std::vector<BeamMode> modes_of(const VibratingScene& scene, std::size_t count) {
+  KeptTies last;
+  return modes_of(scene, count, last);
+}
+
+std::vector<BeamMode> modes_of(const VibratingScene& scene, std::size_t count, KeptTies& last) {
   const SceneRows rows = rows_of(scene);
   const SceneMatrices all = matrices_of(scene, rows);
   VectorXd norms;
-  const RigidTies rigidly(equations_of(all.held, all.unit, norms));
-  if (rigidly.free().cols() == 0) return {};
-  const MatrixXd free = all.unit.asDiagonal() * rigidly.free();
-  const MatrixXd stiffness = free.transpose() * (all.K * free),
-                 mass = free.transpose() * (all.M * free);
+  const RigidTies rigidly(equations_of(all.held, all.unit, norms), last);
+  if (rigidly.free() == 0) return {};
+  const auto reduced = [&](const Eigen::SparseMatrix<double>& of) {
+    return rigidly.reduced(
+        Eigen::SparseMatrix<double>(all.unit.asDiagonal() * of * all.unit.asDiagonal()));
+  };
+  const MatrixXd stiffness = reduced(all.K), mass = reduced(all.M);
   const Eigen::LLT<MatrixXd> factor(stiffness);
   if (factor.info() != Eigen::Success)
     refuse("with its drivers held it is free to move, or buckles");
@@ -308,7 +321,7 @@ std::vector<BeamMode> modes_of(const VibratingScene& scene, std::size_t count) {
     if (!(mu > 1e-12 * solver.eigenvalues()[stiffness.rows() - 1])) break;
     const VectorXd x = solver.eigenvectors().col(k);  // of elastic energy one half
     if (round_off * x.squaredNorm() > 1e-3) refuse("with its drivers held it is free to move");
-    const VectorXd motion = free * x / std::sqrt(mu);
+    const VectorXd motion = rigidly.motion(x).cwiseProduct(all.unit) / std::sqrt(mu);
     BeamMode& mode = modes.emplace_back(mode_of_motion(scene, rows, motion, 1.0 / std::sqrt(mu)));
     mode.motion = motion;
     mode.drag = all.C * motion;

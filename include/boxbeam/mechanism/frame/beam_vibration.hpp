@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -161,6 +162,11 @@ struct VibratingScene {
   std::vector<Tie> ties = {};
 };
 
+struct EliminatedTies;
+/// How the rigid ties of many bodies were eliminated: in other postures of the same scene the same
+/// order mostly does.
+using KeptTies = std::shared_ptr<EliminatedTies>;
+
 /// The lowest small free vibrations of a scene, ascending; fewer where fewer have mass. Throws
 /// AnalysisError where something is free to move or buckles under the axial forces.
 ///
@@ -170,6 +176,8 @@ struct VibratingScene {
 /// part of its energy that is torsion, stretching or shear, (k h)^2/24: with eight pieces a
 /// cantilever's first in bending by 2e-6, in torsion by 1.6e-3. Source: Rayleigh, The Theory of
 /// Sound (1877), section 88.
+/// `last`: what is kept from one posture of a scene to the next.
+std::vector<BeamMode> modes_of(const VibratingScene& scene, std::size_t count, KeptTies& last);
 std::vector<BeamMode> modes_of(const VibratingScene& scene, std::size_t count);
 
 /// Above it round-off is more than what a tie gives.
