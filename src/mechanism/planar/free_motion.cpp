@@ -561,14 +561,14 @@ State FreeSolver::advance(double time, const State& known) {
     const double bound =
         is_near_singular(step.pivot) ? std::max(1.0, error_near_singular / tolerance_) : 1.0;
     const bool lost = inside && step.end_pivot < singular * regular_;
-    // Steps much shorter than one that agreed, in the same impacts, do so as well.
+    // Steps much shorter than one that would agree, in the same impacts, do so as well.
     constexpr double of_halves = 0.1, shorter_by_far = 0.25;
     const bool known_good =
         std::abs(dt) <= shorter_by_far * agreed_ && state.touches == agreed_touches_;
     if (step.solved && step.error <= bound && !lost && !known_good && in_impact(state)) {
       step.error = std::max(step.error, of_halves * beside_halves(state, step));
       if (step.error <= bound) {
-        agreed_ = std::abs(dt);
+        agreed_ = std::abs(dt) * std::pow(bound / std::max(step.error, 1e-9 * bound), 1.0 / 8.0);
         agreed_touches_ = state.touches;
       }
     }

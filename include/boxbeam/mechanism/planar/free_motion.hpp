@@ -106,7 +106,8 @@ class FreeSolver {
   double regular_ = 0.0;  ///< the largest of the smallest pivots so far
   double natural_ = 0.0;  ///< the longest step that an error allowed, whatever was looked at [s]
   std::vector<Passage> passages_;
-  /// The last step that agreed with its halves [s], and what touched then.
+  /// The longest step that would agree with its halves, by the last one that did [s], and what
+  /// touched then.
   double agreed_ = 0.0;
   std::vector<Touch> agreed_touches_;
   int steps_ = 0;
