@@ -6,6 +6,7 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/frame/statics.hpp"
 #include "boxbeam/verification/model_choice.hpp"
+#include "frame_time.hpp"
 #include "frame_vibration.hpp"
 #include "front_ends.hpp"
 
@@ -108,15 +109,9 @@ std::vector<std::vector<double>> most_compressed_of(std::vector<std::vector<doub
 class LoadedFrame {
  public:
   explicit LoadedFrame(const frame::Structure& of) : structure(of), statics_(structure) {
-    const std::vector<DriverUse> functions = functions_of(structure);
-    if (!functions.empty()) time_ = time_span_of(functions, structure.duration);
-    changes_ = !functions.empty();
-    for (const frame::Wheels* wheels : wheels_in(structure)) {
-      if (!changes_) time_ = {};
-      changes_ = true;
-      time_.length = std::max(time_.length, wheels->duration());
-      time_.closed = false;
-    }
+    const std::optional<TimeSpan> time = time_of_loads(structure);
+    changes_ = time.has_value();
+    time_ = time.value_or(TimeSpan{});
     // Loads name their actions, which must stay.
     lasting_ = with_actions(structure, false);
     moving_ = with_actions(structure, true);
@@ -419,6 +414,18 @@ class FrameFrontEnd : public FrontEnd {
 };
 
 }  // namespace
+
+std::optional<TimeSpan> time_of_loads(const frame::Structure& structure) {
+  std::optional<TimeSpan> time;
+  const std::vector<DriverUse> functions = functions_of(structure);
+  if (!functions.empty()) time = time_span_of(functions, structure.duration);
+  for (const frame::Wheels* wheels : wheels_in(structure)) {
+    if (!time) time.emplace();
+    time->length = std::max(time->length, wheels->duration());
+    time->closed = false;
+  }
+  return time;
+}
 
 std::unique_ptr<const FrontEnd> front_end_for(const frame::Structure&, const Project& project) {
   return std::make_unique<FrameFrontEnd>(project);

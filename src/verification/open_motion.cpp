@@ -2,6 +2,7 @@
 
 #include "boxbeam/mechanism/planar/rest.hpp"
 #include "boxbeam/mechanism/spatial/rest.hpp"
+#include "frame_time.hpp"
 #include "front_ends.hpp"
 
 namespace boxbeam {
@@ -49,6 +50,17 @@ std::optional<OpenMotion> open_motion_of(const Project& project, const Situation
     return open_motion_of(planar_in(project, *run.situation), planar_motion_of(run));
   if (std::holds_alternative<spatial::Mechanism>(project.mechanism))
     return open_motion_of(chain_of(run), span_of_motion_in_space(run));
+  if (std::holds_alternative<frame::Structure>(project.mechanism)) {
+    // A frame stands in balance where its loads begin.
+    const auto time = time_of_loads(frame_in(project, *run.situation));
+    if (time && !time->closed)
+      return OpenMotion{time->begin,
+                        time->length,
+                        run.loads.span().instants,
+                        borders_with(time->begin, time->length, {}),
+                        true,
+                        true};
+  }
   return std::nullopt;
 }
 

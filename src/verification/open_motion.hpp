@@ -32,7 +32,8 @@ struct OpenMotion {
 OpenMotion open_motion_of(const planar::Mechanism& mechanism, const planar::Motion& motion);
 /// `span`: of the loads of rigid bodies.
 OpenMotion open_motion_of(const spatial::Chain& chain, const LoadSpan& span);
-/// The motion of a run in the plane or in space; nothing where it repeats.
+/// The motion of a run in the plane or in space, or the time of a frame's loads; nothing where it
+/// repeats.
 std::optional<OpenMotion> open_motion_of(const Project& project, const SituationRun& run);
 
 /// What follows a static balance without a free vibration where a motion begins, with its rate: at

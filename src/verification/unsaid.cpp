@@ -150,10 +150,9 @@ std::vector<NotJudged> vibration_beside_of(const Project& project, const ModelCh
   const Time end = si<Time>(motion->end());
   const Time last = run.loads.begin() + run.loads.period();
   if (!project.fatigue.asked || !(last > end) || model.frequencies.empty()) return beside;
-  const bool in_space = std::holds_alternative<spatial::Mechanism>(project.mechanism);
   const Eigen::MatrixXd stresses =
-      in_space ? stress_history_in_space(run.loads, project.beam)
-               : stress_history(run.loads, compared_places_of(project.beam));
+      project.in_space ? stress_history_in_space(run.loads, project.beam)
+                       : stress_history(run.loads, compared_places_of(project.beam));
   const double step = run.loads.period().value() / static_cast<double>(run.loads.span().instants);
   const auto rows = static_cast<Eigen::Index>(std::ceil(1.0 / (model.frequencies.front() * step)));
   constexpr double gone = 0.1;

@@ -10,6 +10,7 @@
 
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/verification/front_end.hpp"
+#include "frame_time.hpp"
 #include "front_ends.hpp"
 
 namespace boxbeam {
@@ -110,6 +111,9 @@ double length_of_motion(const Project& project, const SituationRun& run) {
     return planar_motion_of(run).period;
   if (std::holds_alternative<spatial::Mechanism>(project.mechanism))
     return span_of_motion_in_space(run).period.value();
+  if (std::holds_alternative<frame::Structure>(project.mechanism)) {
+    if (const auto time = time_of_loads(frame_in(project, *run.situation))) return time->length;
+  }
   return run.loads.period().value();
 }
 

@@ -344,4 +344,26 @@ TEST_CASE("what loads over time add to a frame stands in its model and its verdi
   CHECK_THAT(said.front().reason, Catch::Contains("loads act slowly"));
 }
 
+// Without damping the free vibration behind a step does not die out.
+TEST_CASE("what a frame does behind its loads is said where fatigue is asked", "[frames_in_time]") {
+  const double f = omega_of(1) / (2 * pi);
+  const auto said = [&](const std::string& model) {
+    const Project project = Solved::slender(
+        beam(pinned,
+             driven("beam.M", "-90 deg",
+                    fmt::format("kind = \"smooth step\", from = \"0 N\", to = \"100 N\", begin = "
+                                "\"0 s\", end = \"{:.9g} s\"",
+                                0.2 / f)),
+             model + "[fatigue]\ncategory = 71\ncycles = 1e4\nloading = \"spectrum\"\n"
+                     "gamma_Mf = 1.35\nrequired = 1.0\n"));
+    const ModelledRuns of = run_by_chosen_model(project);
+    REQUIRE(of.model.chosen.level == ModelLevel::modal);
+    return unestimated_vibration_of(project, of.model, of.runs);
+  };
+  const std::vector<NotJudged> free = said("");
+  REQUIRE(free.size() == 1);
+  CHECK(free.front().what == "vibration behind the motion");
+  CHECK(said(fmt::format("[model]\ndamping = {{ ratio = 0.3, at = \"{:.9g} Hz\" }}\n", f)).empty());
+}
+
 }  // namespace frames_in_time_test
