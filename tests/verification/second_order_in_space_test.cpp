@@ -187,6 +187,34 @@ TEST_CASE("a pressed cantilever has the moment of the beam-column about any axis
   }
 }
 
+// As above, with the clamp turned by the moment there over its stiffness c: M' (1 - P/GA) =
+// Q + P M/c. What is in the joint strains it as well.
+TEST_CASE("a pressed cantilever on a joint that gives way has the moment of the beam-column",
+          "[second_order]") {
+  const Bent any(cantilever({0.0, 0.0, 1.0}));
+  const SectionProperties of = properties_of(any.section());
+  const ShearAreas shear = shear_areas_of(any.section());
+  const double EI_y = E * of.I_y.value(), EI_z = E * of.I_z.value(), GA_y = G * shear.y.value(),
+               GA_z = G * shear.z.value();
+  const double c = EI_z / L, P = 0.1 * std::pow(pi / (2.0 * L), 2) * EI_z;
+  const auto expected = [&](double EI, double GA) {
+    const double k = wave_number(P, EI, GA);
+    return std::sin(k * L) / (k * (1.0 - P / GA) * std::cos(k * L) - P * std::sin(k * L) / c);
+  };
+  const auto on_a_spring = [&](const Vector3d& tip) {
+    std::string text = cantilever(tip);
+    const std::string at = "[joints.heel]\n";
+    text.insert(text.find(at) + at.size(),
+                fmt::format("turning_stiffness = \"{:.17g} N m/rad\"\n", c));
+    return Bent(text).diagram();
+  };
+  const Vector6 along_y = cuts_at(on_a_spring({-P, 1.0, 0.0}), 0.0),
+                along_z = cuts_at(on_a_spring({-P, 0.0, 1.0}), 0.0);
+  CHECK(along_y[5] == Approx(expected(EI_z, GA_y)).epsilon(1e-5));
+  CHECK(along_z[4] == Approx(-expected(EI_y, GA_z)).epsilon(1e-5));
+  CHECK(along_y[5] > 1.1 * L);
+}
+
 TEST_CASE("tension stiffens a cantilever", "[second_order]") {
   const Bent any(cantilever({0.0, 0.0, 1.0}));
   const SectionProperties of = properties_of(any.section());
