@@ -103,6 +103,30 @@ TEST_CASE("a block that slides on a level rail stops and stays") {
   CHECK(solver.slip_changes()[0].to == Slip::none);
 }
 
+TEST_CASE("a block that slides against a stop comes back as far as friction lets it") {
+  // Work, piece by piece: to the stop, d into it, out of it and back until it stands.
+  constexpr double mu = 0.3, v0 = 2.0, x0 = 0.1, at = 0.3, m = 5.0, k = 1e6, length = 0.2;
+  Mechanism of = level(2.0);
+  const int block = add_block(of, "block", m, dry(mu), x0, v0);
+  Spring stop = spring_between({ground, {at + length, 0.0}}, {block, {0.0, 0.0}}, k, length);
+  stop.acts = Acts::pushing;
+  of.forces.push_back({"stop", stop});
+  const double into = v0 * v0 - 2.0 * mu * g * (at - x0), F = mu * m * g;
+  const double d = (std::sqrt(F * F + k * m * into) - F) / k;
+  const double out_of = into - 4.0 * mu * g * d;
+  FreeSolver solver(of);
+  State state = begin(solver, of);
+  for (const double time : {1.0, 2.0}) {
+    state = solver.advance(time, state);
+    CHECK(state.q[0] == Approx(at - out_of / (2.0 * mu * g)).epsilon(1e-8));
+    CHECK(std::abs(state.v[0]) < 1e-14);
+  }
+  CHECK(solver.changes().size() == 2);
+  REQUIRE(solver.slip_changes().size() == 2);
+  CHECK(solver.slip_changes()[0].to == Slip::back);
+  CHECK(solver.slip_changes()[1].to == Slip::none);
+}
+
 TEST_CASE("a block pushed up an incline stays above or comes down by its angle") {
   constexpr double mu = 0.4, v0 = 3.0, m = 2.0;
   for (const double angle : {0.3, 0.5}) {  // tan: 0.309, 0.546
