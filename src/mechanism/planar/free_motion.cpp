@@ -225,9 +225,7 @@ double FreeSolver::mass_between(const OneSided& of, const State& state) {
   // Without what it bears itself, which at its beginning is nothing.
   const auto parting = [&](double force) {
     pushed.touches[of.force] = {true, 0.0, 0.0, force};
-    if (!equations_.solve_rates(state.time, state.q, state.v, pushed.a, pushed.lambda,
-                                pushed.touches))
-      return 0.0;
+    if (!equations_.solve_rates(pushed)) return 0.0;
     return line.dot(acceleration_of(of.b, pushed.q, pushed.v, pushed.a) -
                     acceleration_of(of.a, pushed.q, pushed.v, pushed.a)) /
            line.norm();
