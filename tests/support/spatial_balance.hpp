@@ -104,7 +104,7 @@ inline Balance balance_of(const Chain& chain, const State& state) {
     const Vector3d vector =
         driver_at(load.size, state.time).value * in_world(state, load.axes, load.direction);
     const Vector3d place = position_of(state, load.at);
-    const BodyMotion& on = state.bodies[static_cast<std::size_t>(load.on)];
+    const spatial::BodyMotion& on = state.bodies[static_cast<std::size_t>(load.on)];
     if (load.kind == LoadKind::couple) {
       act(load.on, place, {Vector3d::Zero(), vector});
       balance.power += vector.dot(on.omega);
@@ -128,7 +128,7 @@ inline Balance balance_of(const Chain& chain, const State& state) {
   }
   for (std::size_t i = 0; i < bodies; ++i) {
     const spatial::Body& body = mechanism.bodies[i];
-    const BodyMotion& motion = state.bodies[i];
+    const spatial::BodyMotion& motion = state.bodies[i];
     const Attachment centre{static_cast<int>(i), body.centre};
     const Vector3d force = body.mass * (acceleration_of(state, centre) - mechanism.gravity);
     const Matrix3d inertia = motion.R_WB * body.inertia * motion.R_WB.transpose();
