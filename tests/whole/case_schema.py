@@ -41,6 +41,8 @@ ONLY_THE_PROGRAM = {
     ("joints", "axis"), ("loads", "axis"),  # of frames in space
     ("loads", "direction"),  # with the column of a force in it
     ("situations", "loads"),  # of frames that run in the situation
+    ("joints", "restitution"),  # of a joint with clearance
+    ("joints", "stiffness_at"), ("forces", "stiffness_at"),  # where exponent is 1.5
 }
 # What the cases with every key name.
 TABLES = {name: f"time [s], {column}\n0, 0\n1, 0.1\n2, 0\n" for name, column in {
