@@ -364,7 +364,6 @@ Motion solve_motion(const Mechanism& mechanism) {
   Motion motion = motion_with(mechanism, solver, instants);
   while (true) {
     motion = doubled(solver, motion);
-    motion.changes = changes_in(motion, solver);
     motion.slip_changes = slip_changes_in(motion, solver);
     std::vector<double> changes = times_of(motion.slip_changes);
     changes.insert(changes.end(), motion.changes.begin(), motion.changes.end());
