@@ -102,13 +102,13 @@ class StressedScene {
                                                          matrices_.unit.asDiagonal()));
     };
     BentScene result;
-    const MatrixXd stiffness = reduced(matrices_.K), stress = reduced(stress_);
-    const Eigen::LLT<MatrixXd> standing(stiffness + factor * stress);
+    const Eigen::LLT<MatrixXd> standing(reduced(matrices_.K + factor * stress_));
     constexpr double round_off = 1e-14;
-    const auto stands = [&](const Eigen::LLT<MatrixXd>& of) {
-      return of.info() == Eigen::Success && (stiffness.size() == 0 || of.rcond() > round_off);
+    const auto stands = [](const Eigen::LLT<MatrixXd>& of) {
+      return of.info() == Eigen::Success && (of.rows() == 0 || of.rcond() > round_off);
     };
     if (!stands(standing)) {
+      const MatrixXd stiffness = reduced(matrices_.K), stress = reduced(stress_);
       if (!stands(Eigen::LLT<MatrixXd>(stiffness))) return {};
       double stable = 0.0, unstable = factor;
       constexpr double close = 1e-3;
