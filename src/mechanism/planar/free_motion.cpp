@@ -31,7 +31,7 @@ constexpr double error_of_passage = 1e-6;
 
 /// Solutions of the equations of motion times coordinates, at most: some ten seconds. Of few
 /// coordinates a solution costs as much as of `fewest_coordinates`.
-constexpr double most_work = 1e7;
+constexpr double most_work = 1e8;
 constexpr double fewest_coordinates = 9.0;
 
 /// Where steps end because drivers or forces bend or jump there: just before and just behind each
