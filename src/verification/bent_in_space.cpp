@@ -16,26 +16,17 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// The forces on members of a stopped scene, in its axes.
+/// What stands on the members of a stopped scene, in its axes: the forces of joints, springs and
+/// loads that keep their direction while bodies turn, and rods and springs as lines. Those in the
+/// axes of a body that turns are left out. `members`: as of `members_of_scene`.
 class StoppedStress {
  public:
   StoppedStress(const spatial::Chain& chain, const spatial::State& state,
-                const std::vector<spatial::BeamPlacement>& beams, const std::vector<bool>& resting)
-      : mechanism_(&chain.mechanism()), state_(&state) {
-    const spatial::BeamPlacement& first = beams.front();
+                const spatial::BeamPlacement& first, const std::vector<int>& members)
+      : mechanism_(&chain.mechanism()), state_(&state), member_(members) {
     const spatial::BodyMotion& own = state.bodies[static_cast<std::size_t>(first.body)];
     start_ = own.position + own.R_WB * first.start;
     R_BW_ = (own.R_WB * first.axes).transpose();
-    int next = static_cast<int>(beams.size());
-    for (int body = 0; body < static_cast<int>(mechanism_->bodies.size()); ++body) {
-      const auto beam =
-          std::find_if(beams.begin(), beams.end(),
-                       [&](const spatial::BeamPlacement& of) { return of.body == body; });
-      if (resting[static_cast<std::size_t>(body)])
-        member_.push_back(frame::ground);
-      else
-        member_.push_back(beam == beams.end() ? next++ : static_cast<int>(beam - beams.begin()));
-    }
     const std::vector<spatial::Wrench> wrenches = chain.joint_wrenches(state);
     for (std::size_t i = 0; i < mechanism_->joints.size(); ++i) {
       const spatial::Joint& joint = mechanism_->joints[i];
@@ -110,7 +101,7 @@ class StoppedStress {
   const spatial::State* state_;
   Vector3d start_;
   Matrix3d R_BW_;
-  std::vector<int> member_;
+  std::vector<int> member_;  ///< of each body
 };
 
 /// Whether none of its sections is open, which warps.
@@ -126,12 +117,6 @@ bool is_closed(const TaperedBeam& beam) {
 
 }  // namespace
 
-frame::SceneStress stress_in(const spatial::Chain& chain, const spatial::State& state,
-                             const std::vector<spatial::BeamPlacement>& beams,
-                             const std::vector<bool>& resting) {
-  return StoppedStress(chain, state, beams, resting).stress;
-}
-
 BentInSpace::BentInSpace(const Project& project, const spatial::Chain& chain, int parts)
     : chain_(&chain), stopped_(project, chain, parts, true) {
   for (const ElasticMember& member : elastic_members(project, chain.mechanism()))
@@ -140,7 +125,8 @@ BentInSpace::BentInSpace(const Project& project, const spatial::Chain& chain, in
 
 std::optional<frame::BentScene> BentInSpace::at(const spatial::State& state,
                                                 const CutForceDiagram& rigid, double factor) const {
-  frame::SceneStress stress = stress_in(*chain_, state, stopped_.placements(), stopped_.resting());
+  frame::SceneStress stress =
+      StoppedStress(*chain_, state, stopped_.placements().front(), stopped_.members()).stress;
   const frame::VibratingScene scene = stopped_.scene_in(state, rigid);
   stress.whole = whole_;
   stress.whole.resize(scene.beams.size(), true);

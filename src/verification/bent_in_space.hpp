@@ -11,14 +11,6 @@
 
 namespace boxbeam {
 
-/// What stands on the bodies of a mechanism in space, in a state: the forces of its joints, springs
-/// and loads that keep their direction while bodies turn, and rods and springs as lines, in the
-/// axes of the first of these beams; `resting`: bodies that are the ground (`resting_bodies`).
-/// Those in the axes of a body that turns are left out.
-frame::SceneStress stress_in(const spatial::Chain& chain, const spatial::State& state,
-                             const std::vector<spatial::BeamPlacement>& beams,
-                             const std::vector<bool>& resting);
-
 /// Statics of the second order of the beams of a mechanism in space, stopped at an instant under
 /// what acts in its rigid motion: weight, inertia and loads (`frame::bent_scene_of`), all of it
 /// stopped as for vibration (`StoppedVibration`). Of open sections, whose warping the beams do not

@@ -186,6 +186,10 @@ std::string against_frequencies(const VibrationEstimate& estimate, const std::st
   return text;
 }
 
+/// Part of the tolerance from which on an estimate is looked at: far below, it is not worth the
+/// modes of every posture.
+constexpr double verified_above = 0.7;
+
 /// Bodies that bend statically under their axial force, without vibration.
 constexpr ElasticModel bent{ModelLevel::quasi_static, 0, 16, {}, false};
 
@@ -417,26 +421,29 @@ ModelChoice choose_in_space(const Project& project, const std::deque<SituationRu
     if (!periods.empty()) refused = periods;
     return !periods.empty();
   };
-  if (missed <= choice.tolerance && demand == ModelDemand::automatic &&
-      (missed + of_bending > choice.tolerance || is_pressed_in_space(project, second))) {
-    choice.chosen = bent;
-    choice.counts_second_order = true;
-    choice.weighed.push_back({bent, "vibration left out", missed, {}});
-    choice.reason = fmt::format("{}: {}; rigid bodies: {}{}", describe(bent), against, misses,
-                                left_out_of_bending(project));
-    return choice;
-  }
   if (missed <= choice.tolerance && demand == ModelDemand::automatic) {
-    // An estimate of a motion that does not repeat, near the tolerance, is looked at.
-    constexpr double verified_above = 0.7;
-    if (repeats || missed <= verified_above * choice.tolerance || !why.empty() || unseen(0))
+    bool enough = true;
+    std::string found_once;
+    if (missed > verified_above * choice.tolerance && why.empty() && !unseen(0)) {
+      const double against_mode = found_by({}) + estimate.left_out;
+      if (refused.empty()) {
+        choice.weighed.back().found = against_mode;
+        found_once =
+            fmt::format(", found {} against one mode in every posture", percent_text(against_mode));
+        choice.reason += found_once;
+        enough = against_mode <= choice.tolerance;
+      }
+    }
+    if (enough && !(missed + of_bending > choice.tolerance || is_pressed_in_space(project, second)))
       return choice;
-    const double found_once = found_by({}) + estimate.left_out;
-    if (!refused.empty()) return choice;
-    choice.weighed.back().found = found_once;
-    choice.reason +=
-        fmt::format(", found {} against one mode in every posture", percent_text(found_once));
-    if (found_once <= choice.tolerance) return choice;
+    if (enough) {
+      choice.chosen = bent;
+      choice.counts_second_order = true;
+      choice.weighed.push_back({bent, "vibration left out", missed, {}});
+      choice.reason = fmt::format("{}: {}; rigid bodies: {}{}{}", describe(bent), against, misses,
+                                  found_once, left_out_of_bending(project));
+      return choice;
+    }
   }
   // A few modes do not hold what friction that turns round excites, nor how it damps it.
   if (why.empty() && demand == ModelDemand::automatic) {
@@ -528,8 +535,6 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
     return !why.empty();
   };
   bool enough = by_rigid.error <= choice.tolerance;
-  // An estimate far below the tolerance is not worth the modes of every posture.
-  constexpr double verified_above = 0.7;
   std::string found;
   if (enough && by_rigid.error > verified_above * choice.tolerance &&
       project.model.demand == ModelDemand::automatic && !unseen(0)) {

@@ -23,6 +23,7 @@
 #include "catch.hpp"
 #include "src/verification/bent_in_space.hpp"
 #include "src/verification/elastic_motion_in_space.hpp"
+#include "support/luffing_boom.hpp"
 
 namespace second_order_in_space_test {
 
@@ -32,6 +33,8 @@ using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
+using test::luffing_in_plane;
+using test::luffing_in_space;
 
 namespace {
 
@@ -341,110 +344,6 @@ TEST_CASE("moments turn a strip over", "[second_order]") {
   REQUIRE(found);
   CHECK(*found * 1e3 == Approx(critical).epsilon(4e-3));
 }
-
-namespace {
-
-/// A boom that luffs on a strut, in the plane and in space, whose density nearly nothing is.
-std::string luffing(const std::string& mechanism) {
-  return mechanism + R"([sections.arm]
-kind = "box"
-width = "400 mm"
-height = "150 mm"
-flange = "12 mm"
-web = "12 mm"
-[sections.arm2]
-kind = "box"
-width = "400 mm"
-height = "100 mm"
-flange = "12 mm"
-web = "12 mm"
-)" + demands;
-}
-
-std::string luffing_in_plane(double degrees, double size) {
-  return luffing(fmt::format(R"([case]
-name = "p"
-kind = "planar"
-[mechanism]
-gravity = ["0 m/s^2", "0 m/s^2"]
-[bodies.arm]
-points = {{ heel = ["0 m", "0 m"], lug = ["2 m", "0 m"], tip = ["4 m", "0 m"] }}
-sketch = {{ at = ["0 m","0 m"] }}
-[bodies.strut]
-mass = "1e-3 kg"
-uniform_rod = "2.8284271247461903 m"
-points = {{ a = ["-1.4142135623730951 m", "0 m"], b = ["1.4142135623730951 m", "0 m"] }}
-sketch = {{ at = ["1 m","-1 m"], angle = "45 deg" }}
-[joints.heel]
-kind = "pin"
-connect = ["arm.heel", "ground"]
-at = ["0 m", "0 m"]
-[joints.foot]
-kind = "pin"
-connect = ["strut.a", "ground"]
-at = ["0 m", "-2 m"]
-[joints.head]
-kind = "pin"
-connect = ["strut.b", "arm.lug"]
-[forces.load]
-kind = "force"
-point = "arm.tip"
-direction = "{} deg"
-size = "{} kN"
-[beam]
-body = "arm"
-density = "1e-3 kg/m^3"
-[[beam.segments]]
-length = "4 m"
-from = "arm"
-to = "arm2"
-)",
-                             degrees, size));
-}
-
-/// On a base that is turned: "turn" of joints turns about z, then about the turned x.
-std::string luffing_in_space(double degrees, double size, double about_z = 0.0,
-                             double about_x = 0.0, double sideways = 0.0) {
-  const Matrix3d R = (Eigen::AngleAxisd(about_z * pi / 180.0, Vector3d::UnitZ()) *
-                      Eigen::AngleAxisd(about_x * pi / 180.0, Vector3d::UnitX()))
-                         .toRotationMatrix();
-  const double angle = degrees * pi / 180.0;
-  const Vector3d force = size * 1e3 * Vector3d(std::cos(angle), sideways, std::sin(angle));
-  return luffing(header() +
-                 fmt::format(R"([bodies.base]
-points = {{ o = ["0 m", "0 m", "0 m"], foot = ["0 m", "0 m", "-2 m"] }}
-[bodies.arm]
-points = {{ heel = ["0 m", "0 m", "0 m"], lug = ["2 m", "0 m", "0 m"], tip = ["4 m", "0 m", "0 m"] }}
-[joints.base]
-kind = "fixed"
-connect = ["ground", "base.o"]
-at = ["0 m", "0 m", "0 m"]
-turn = [["z", "{} deg"], ["x", "{} deg"]]
-[joints.heel]
-kind = "revolute"
-connect = ["base.o", "arm.heel"]
-axis = "-y"
-start = "0 deg"
-[joints.strut]
-kind = "distance"
-connect = ["base.foot", "arm.lug"]
-length = "2.8284271247461903 m"
-)",
-                             about_z, about_x) +
-                 force_text("load", "arm.tip", R * force) + R"([beam]
-body = "arm"
-start = "heel"
-axis = "x"
-z = "z"
-density = "1e-3 kg/m^3"
-[[beam.segments]]
-length = "4 m"
-from = "arm"
-to = "arm2"
-)");
-}
-
-}  // namespace
 
 TEST_CASE("a luffing boom of the plane bends in space as in the plane", "[second_order]") {
   for (const double degrees : {180.5, 190.0, 200.0, 20.0}) {

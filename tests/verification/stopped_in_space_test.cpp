@@ -10,6 +10,7 @@
 #include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
+#include "support/luffing_boom.hpp"
 
 namespace stopped_in_space_test {
 
@@ -130,102 +131,6 @@ std::optional<double> critical(const std::string& text) {
   return run.motion->critical_factor_at(run.loads.time_of(0), run.loads.diagram(0), 1e4);
 }
 
-/// A flat boom on a strut, in the plane and in space, whose weaker plane is that in which it luffs.
-std::string flat(const std::string& mechanism) {
-  return mechanism + R"([sections.arm]
-kind = "box"
-width = "400 mm"
-height = "150 mm"
-flange = "12 mm"
-web = "12 mm"
-[sections.arm2]
-kind = "box"
-width = "400 mm"
-height = "100 mm"
-flange = "12 mm"
-web = "12 mm"
-[material]
-steel = "S355"
-[strength]
-required = 1.0
-[motion]
-duration = "1 s"
-)";
-}
-
-const std::string in_the_plane = R"([case]
-name = "p"
-kind = "planar"
-[mechanism]
-gravity = ["0 m/s^2", "0 m/s^2"]
-[bodies.arm]
-points = {{ heel = ["0 m", "0 m"], lug = ["2 m", "0 m"], tip = ["4 m", "0 m"] }}
-sketch = {{ at = ["0 m","0 m"] }}
-[bodies.strut]
-mass = "1e-3 kg"
-uniform_rod = "2.8284271247461903 m"
-points = {{ a = ["-1.4142135623730951 m", "0 m"], b = ["1.4142135623730951 m", "0 m"] }}
-sketch = {{ at = ["1 m","-1 m"], angle = "45 deg" }}
-[joints.heel]
-kind = "pin"
-connect = ["arm.heel", "ground"]
-at = ["0 m", "0 m"]
-[joints.foot]
-kind = "pin"
-connect = ["strut.a", "ground"]
-at = ["0 m", "-2 m"]
-[joints.head]
-kind = "pin"
-connect = ["strut.b", "arm.lug"]
-[forces.load]
-kind = "force"
-point = "arm.tip"
-direction = "{} deg"
-size = "120 kN"
-[beam]
-body = "arm"
-density = "1e-3 kg/m^3"
-[[beam.segments]]
-length = "4 m"
-from = "arm"
-to = "arm2"
-)";
-
-const std::string in_space = R"([case]
-name = "s"
-kind = "spatial"
-[mechanism]
-gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
-[bodies.arm]
-points = {{ heel = ["0 m", "0 m", "0 m"], lug = ["2 m", "0 m", "0 m"], tip = ["4 m", "0 m", "0 m"] }}
-[joints.heel]
-kind = "revolute"
-connect = ["ground", "arm.heel"]
-at = ["0 m", "0 m", "0 m"]
-axis = "-y"
-start = "0 deg"
-[joints.strut]
-kind = "distance"
-connect = ["ground", "arm.lug"]
-at = ["0 m", "0 m", "-2 m"]
-length = "2.8284271247461903 m"
-[forces.load]
-kind = "force"
-point = "arm.tip"
-direction = [{}, 0, {}]
-size = "120 kN"
-[beam]
-body = "arm"
-start = "heel"
-axis = "x"
-z = "z"
-density = "1e-3 kg/m^3"
-[[beam.segments]]
-length = "4 m"
-from = "arm"
-to = "arm2"
-)";
-
 }  // namespace
 
 TEST_CASE("a boom that is clamped buckles as a cantilever about its weaker axis", "[stability]") {
@@ -339,11 +244,9 @@ TEST_CASE("in the plane in which it luffs a boom buckles as the mechanism in the
           "[stability]") {
   // By the exact elements of the plane, whatever the force in the strut.
   for (const double degrees : {180.0, 190.0, 200.0}) {
-    const double angle = degrees * std::numbers::pi / 180.0;
     const Verification plane =
-        verify(parse_project("plane.toml", flat(fmt::format(fmt::runtime(in_the_plane), degrees))));
-    const auto factor =
-        critical(flat(fmt::format(fmt::runtime(in_space), std::cos(angle), std::sin(angle))));
+        verify(parse_project("plane.toml", test::luffing_in_plane(degrees, 120.0)));
+    const auto factor = critical(test::luffing_in_space(degrees, 120.0));
     REQUIRE(factor);
     CHECK(1.0 / *factor == Approx(plane.model.second_order.in_plane.part).epsilon(0.01));
   }

@@ -1,0 +1,196 @@
+#include "stopped_vibration.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "boxbeam/verification/front_end.hpp"
+#include "stopped_scene.hpp"
+
+namespace boxbeam {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+std::vector<double> stations_held(const spatial::Mechanism& mechanism,
+                                  const spatial::BeamPlacement& placement, bool loaded) {
+  std::vector<double> at;
+  const auto add = [&](const Vector3d& place) {
+    at.push_back(spatial::in_beam(placement, place).x());
+  };
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const spatial::Joint& joint = mechanism.joints[i];
+    if (static_cast<int>(i) == placement.body) add(joint.point);
+    if (joint.parent == placement.body) add(joint.at);
+  }
+  const auto add_ends = [&](const auto& of) {
+    for (const spatial::Attachment& end : {of.a, of.b})
+      if (end.body == placement.body) add(end.p);
+  };
+  for (const spatial::ClosingJoint& joint : mechanism.closing)
+    if (!spatial::has_teeth(joint.kind)) add_ends(joint);
+  for (const spatial::Spring& spring : mechanism.springs) add_ends(spring);
+  if (!loaded) return at;
+  for (const spatial::AppliedLoad& load : mechanism.loads)
+    if (load.at.body == placement.body) add(load.at.p);
+  for (const spatial::LineForce& load : mechanism.line_forces) {
+    if (load.on != placement.body) continue;
+    add(load.from);
+    add(load.to);
+  }
+  return at;
+}
+
+/// `cuts_at` of one beam after the other, then what is in ties that give way.
+Eigen::VectorXd cuts_of_scene(const frame::VibratingScene& scene) {
+  Eigen::VectorXd cuts(0);
+  const auto add = [&](const Eigen::VectorXd& own) {
+    cuts.conservativeResize(cuts.size() + own.size());
+    cuts.tail(own.size()) = own;
+  };
+  for (const frame::PosedBeam& posed : scene.beams)
+    add(cuts_at(posed.rigid, posed.beam->stations()));
+  for (const frame::Tie& tie : scene.ties)
+    if (tie.rigid) add(*tie.rigid * frame::Vector6::Unit(tie.way()));
+  return cuts;
+}
+
+}  // namespace
+
+CutForceDiagram rigid_cut_forces(const spatial::Chain& chain, const spatial::State& state,
+                                 const spatial::BeamBody& beam,
+                                 const std::vector<spatial::Wrench>& wrenches) {
+  const LoadsAt loads = staying_on(
+      *beam.beam, [&](Time) { return spatial::beam_loads_of(chain, state, beam, wrenches); });
+  return cut_forces_of(loads(si<Time>(state.time)));
+}
+
+Eigen::VectorXd cuts_at(const CutForceDiagram& diagram, const std::vector<Station>& stations) {
+  Eigen::VectorXd cuts(6 * static_cast<Eigen::Index>(stations.size()));
+  Eigen::Index at = 0;
+  for (const Station& station : stations) {
+    const CutForces cut = diagram.at(station);
+    for (const double value : {cut.N.value(), cut.V_y.value(), cut.V_z.value(), cut.T.value(),
+                               cut.M_y.value(), cut.M_z.value()})
+      cuts[at++] = value;
+  }
+  return cuts;
+}
+
+StoppedVibration::StoppedVibration(const Project& project, const spatial::Chain& chain, int parts,
+                                   bool loaded)
+    : chain_(&chain), giving_(project) {
+  const spatial::Mechanism& mechanism = chain.mechanism();
+  const std::vector<ElasticMember> members = elastic_members(project, mechanism);
+  // The cost of modes grows as the cube of all pieces.
+  constexpr int most_beside = 64;
+  const auto others = static_cast<int>(members.size()) - 1;
+  for (const ElasticMember& member : members) {
+    const bool first = beams_.empty();
+    if (!first) beside_.push_back(member.body_in(mechanism));
+    placements_.push_back(member.placement);
+    beams_.emplace_back(*member.beam, member.youngs_modulus, member.shear_modulus,
+                        stations_held(mechanism, member.placement, loaded),
+                        first ? parts : std::clamp(most_beside / others, 1, parts),
+                        project.model.retardation, member.masses);
+  }
+  members_ = members_of_scene(resting_bodies(mechanism, placements_, giving_), placements_);
+  for (const spatial::Body& body : mechanism.bodies) {
+    const Eigen::SelfAdjointEigenSolver<Matrix3d> principal(body.inertia);
+    roots_.push_back(principal.eigenvectors() *
+                     principal.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
+                     principal.eigenvectors().transpose());
+  }
+}
+
+std::vector<frame::PosedBeam> StoppedVibration::beams_in(
+    const spatial::State& state, const CutForceDiagram& rigid,
+    const std::vector<spatial::Wrench>& wrenches) const {
+  std::vector<frame::PosedBeam> posed{{&beams_.front(), rigid}};
+  const auto start_of = [&](const spatial::BeamPlacement& of) {
+    return spatial::position_of(state, {of.body, of.start});
+  };
+  const auto axes_of = [&](const spatial::BeamPlacement& of) -> Matrix3d {
+    return state.bodies[static_cast<std::size_t>(of.body)].R_WB * of.axes;
+  };
+  const Vector3d origin = start_of(placements_.front());
+  const Matrix3d into = axes_of(placements_.front()).transpose();
+  for (std::size_t k = 0; k < beside_.size(); ++k) {
+    const spatial::BeamPlacement& of = placements_[k + 1];
+    posed.push_back({&beams_[k + 1], rigid_cut_forces(*chain_, state, beside_[k], wrenches),
+                     into * (start_of(of) - origin), into * axes_of(of)});
+  }
+  return posed;
+}
+
+frame::VibratingScene StoppedVibration::scene_in(const spatial::State& state,
+                                                 const CutForceDiagram& rigid) const {
+  std::vector<spatial::Wrench> wrenches;
+  if (!beside_.empty() || !giving_.empty()) wrenches = chain_->joint_wrenches(state);
+  StoppedScene stopped = stopped_scene(chain_->mechanism(), state, placements_, giving_, wrenches);
+  leave_out_resting(members_, placements_.size(), stopped);
+  return {beams_in(state, rigid, wrenches), std::move(stopped.bodies), std::move(stopped.ties)};
+}
+
+std::vector<frame::BeamMode> StoppedVibration::modes(const spatial::State& state,
+                                                     const CutForceDiagram& rigid,
+                                                     std::size_t count) {
+  return frame::modes_of(scene_in(state, rigid), count, ties_);
+}
+
+Eigen::VectorXd StoppedVibration::rigid_cuts(const spatial::State& state,
+                                             const CutForceDiagram& rigid) const {
+  return cuts_of_scene(scene_in(state, rigid));
+}
+
+ModesInMotion StoppedVibration::modes_in_motion(const spatial::State& state,
+                                                const CutForceDiagram& rigid, std::size_t count) {
+  const spatial::Mechanism& mechanism = chain_->mechanism();
+  const frame::VibratingScene scene = scene_in(state, rigid);
+  ModesInMotion result;
+  result.modes = frame::modes_of(scene, count, ties_);
+  const spatial::BeamPlacement& first = placements_.front();
+  const Matrix3d R_WB = state.bodies[static_cast<std::size_t>(first.body)].R_WB * first.axes;
+  const auto turning_of = [&](std::size_t body) {
+    const spatial::BodyMotion& of = state.bodies[body];
+    return frame::Turning{R_WB.transpose() * of.omega, R_WB.transpose() * of.alpha};
+  };
+  std::vector<frame::Turning> frames;
+  for (const spatial::BeamPlacement& of : placements_)
+    frames.push_back(turning_of(static_cast<std::size_t>(of.body)));
+  /// Of the bodies, in the order of the scene: from its axes to their own, and roots of inertias.
+  std::vector<Matrix3d> own, roots;
+  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+    if (members_[i] == frame::ground || members_[i] < static_cast<int>(placements_.size()))
+      continue;
+    frames.push_back(turning_of(i));
+    own.push_back(state.bodies[i].R_WB.transpose() * R_WB);
+    roots.push_back(roots_[i]);
+  }
+  result.turning = frame::turning_terms_of(scene, result.modes, frames);
+  const Eigen::VectorXd cuts = cuts_of_scene(scene);
+  const auto size = static_cast<Eigen::Index>(result.modes.size());
+  result.force.resize(size);
+  result.damping.resize(size, size);
+  for (Eigen::Index j = 0; j < size; ++j) {
+    const frame::BeamMode& mode = result.modes[static_cast<std::size_t>(j)];
+    for (Eigen::Index i = 0; i < size; ++i)
+      result.damping(i, j) = result.modes[static_cast<std::size_t>(i)].motion.dot(mode.drag);
+    result.force[j] = cuts.dot(mode.work);
+    const Eigen::VectorXd on_beams = frame::shape_on_beams(scene, mode);
+    const auto others = static_cast<Eigen::Index>(6 * own.size());
+    if (j == 0) result.shapes.resize(on_beams.size() + others, size);
+    Eigen::VectorXd beside = mode.motion.tail(others);
+    for (std::size_t b = 0; b < own.size(); ++b) {
+      const auto at = static_cast<Eigen::Index>(6 * b);
+      beside.segment<3>(at) =
+          std::sqrt(scene.bodies[b].mass) * (own[b] * beside.segment<3>(at)).eval();
+      beside.segment<3>(at + 3) = (roots[b] * own[b] * beside.segment<3>(at + 3)).eval();
+    }
+    result.shapes.col(j) << on_beams, beside;
+  }
+  return result;
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "boxbeam/mechanism/frame/beam_vibration.hpp"
+#include "boxbeam/mechanism/spatial/chain.hpp"
+#include "boxbeam/project/project.hpp"
+#include "stopped_scene.hpp"
+
+namespace boxbeam {
+
+/// Of a beam as a rigid body in a state, with `joint_wrenches` of the chain. Throws AnalysisError
+/// where a load has left it.
+CutForceDiagram rigid_cut_forces(const spatial::Chain& chain, const spatial::State& state,
+                                 const spatial::BeamBody& beam,
+                                 const std::vector<spatial::Wrench>& wrenches);
+
+/// The six cut forces at stations, one station after the other.
+Eigen::VectorXd cuts_at(const CutForceDiagram& diagram, const std::vector<Station>& stations);
+
+/// Modes of a posture, with what a motion through it adds to their equations.
+struct ModesInMotion {
+  std::vector<frame::BeamMode> modes;
+  Eigen::VectorXd force;    ///< generalised, of the loads on the rigid beams
+  Eigen::MatrixXd damping;  ///< phi^T C phi [1/s]
+  frame::TurningTerms turning;
+  /// Motion of the beams and of the bodies in their own axes, by roots of masses: a column per
+  /// mode. Tells modes of different postures apart.
+  Eigen::MatrixXd shapes;
+};
+
+/// Vibration of the beams of a mechanism in space, which is stopped in a posture: all beams of the
+/// case and its rods by their section elastic, joints that have a stiffness as well, other bodies,
+/// rods and drives rigid, other joints free as they are, springs elastic. Friction holds nothing.
+/// Its axial force softens or stiffens each beam and rod that is a body; what presses other bodies,
+/// springs and rods without mass does not.
+class StoppedVibration {
+ public:
+  /// `parts`: about so many pieces of the verified beam, and of each other one unless these are so
+  /// many that fewer must do. `loaded`: they end where loads stand on the beams, too. `project` and
+  /// `chain` stay.
+  StoppedVibration(const Project& project, const spatial::Chain& chain, int parts,
+                   bool loaded = false);
+
+  /// In the posture of a state, `rigid` the verified beam's cut forces then. Throws AnalysisError
+  /// where the stopped mechanism is free to move, or buckles.
+  std::vector<frame::BeamMode> modes(const spatial::State& state, const CutForceDiagram& rigid,
+                                     std::size_t count);
+
+  /// The same modes of a posture that is passed in motion.
+  ModesInMotion modes_in_motion(const spatial::State& state, const CutForceDiagram& rigid,
+                                std::size_t count);
+
+  /// What rigid bodies put in all members, joints and rods that give way where `BeamMode::work` has
+  /// it; `rigid`: the cut forces of the verified beam.
+  Eigen::VectorXd rigid_cuts(const spatial::State& state, const CutForceDiagram& rigid) const;
+
+  const std::vector<spatial::BeamPlacement>& placements() const { return placements_; }
+  const std::vector<int>& members() const { return members_; }  ///< as `members_of_scene`
+
+  /// The beams with their cut forces, the bodies and how they are tied, in the posture of a state.
+  frame::VibratingScene scene_in(const spatial::State& state, const CutForceDiagram& rigid) const;
+
+ private:
+  std::vector<frame::PosedBeam> beams_in(const spatial::State& state, const CutForceDiagram& rigid,
+                                         const std::vector<spatial::Wrench>& wrenches) const;
+
+  const spatial::Chain* chain_;
+  GivingWay giving_;
+  std::vector<spatial::BeamPlacement> placements_;  ///< the verified beam first
+  std::vector<frame::VibratingBeam> beams_;         ///< likewise
+  std::vector<spatial::BeamBody> beside_;           ///< the others as rigid bodies
+  std::vector<int> members_;                        ///< of the scene, that bodies are
+  std::vector<Eigen::Matrix3d> roots_;              ///< of the inertias of all bodies
+  frame::KeptTies ties_;                            ///< of the last posture
+};
+
+}  // namespace boxbeam
