@@ -482,7 +482,7 @@ MUTATIONS = [
     *_in("src/mechanism/frame", "bent_scene.cpp",
          ("bent-slope", "slopes.row(2) = -sample.motion.row(4) +", "slopes.row(2) = sample.motion.row(4) +",
           "the slope along z against the turn about y", "second_order_in_space_test"),
-         ("bent-shear", "by_moments.transpose() - by_shear - by_shear.transpose()", "by_moments.transpose() + by_shear + by_shear.transpose()",
+         ("bent-shear", "stress += by_shear + by_shear.transpose() +", "stress += -by_shear - by_shear.transpose() +",
           "shear forces on a twisted beam", "second_order_in_space_test"),
          ("bent-turned", "cut.moments[3] = added.tail<3>() + 0.5 * at_end.moment;", "cut.moments[3] = added.tail<3>();",
           "cut moments in axes that turn with the section", "second_order_in_space_test"),

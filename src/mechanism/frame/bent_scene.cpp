@@ -61,10 +61,12 @@ BornPiece born_piece(const PosedBeam& posed, const VibratingBeam::Piece& piece,
     if (whole) {
       const auto turn = sample.motion.bottomRows<3>();
       const auto twisting = sample.strain.bottomRows<3>();
-      const EndRow sheared = born.force.y() * turn.row(1) + born.force.z() * turn.row(2);
+      // With v' = theta_z, w' = -theta_y, of no shear, -(V_y theta_y + V_z theta_z)/2.
+      const EndRow sheared = born.force.y() * (0.5 * turn.row(1) + slopes.row(2)) +
+                             born.force.z() * (0.5 * turn.row(2) - slopes.row(1));
       const EndMatrix by_shear = turn.row(0).transpose() * sheared,
                       by_moments = turn.transpose() * skew(born.moment) * twisting;
-      stress += 0.5 * (by_moments + by_moments.transpose() - by_shear - by_shear.transpose());
+      stress += by_shear + by_shear.transpose() + 0.5 * (by_moments + by_moments.transpose());
     }
     of.stress += sample.weight * stress;
   }

@@ -45,7 +45,7 @@ struct BentScene {
 /// all that acts: statics of the second order about the rigid posture. From the second variation of
 /// the work of all forces there, theta a vector of turn,
 ///
-///     beams        int N (v'^2 + w'^2)/2 - theta_x (V_y theta_y + V_z theta_z)/2
+///     beams        int N (v'^2 + w'^2)/2 + theta_x (V_y (w' + theta_y/2) - V_z (v' - theta_z/2))
 ///                      - M . (theta x theta')/2 ds
 ///     forces       (theta^2 F . a - F . theta a . theta)/2,  a from what turns to where F acts
 ///     lines        S/l g^2/2,  g the gap across
