@@ -31,7 +31,6 @@ bool TextbookSolver<Scalar>::factor() {
     const Matrix scaled =
         row_scale_.asDiagonal() * equations_.pattern().dense(values_) * col_scale_.asDiagonal();
     orthogonal_.compute(scaled);
-    orthogonal_transposed_.compute(scaled.transpose());
     return orthogonal_.rank() == mechanism_->coordinates();
   }
   // Equations that repeat others have no place in either elimination.
@@ -52,9 +51,30 @@ bool TextbookSolver<Scalar>::factor() {
 }
 
 template <class Scalar>
+void TextbookSolver<Scalar>::reflect(Vector& x, bool transposed) const {
+  // Eigen would gather the reflections in blocks: a matrix product to compile, for each arithmetic.
+  const Matrix& reflections = orthogonal_.matrixQR();
+  const Eigen::Index n = reflections.cols();
+  Scalar work{};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index k = transposed ? i : n - 1 - i;
+    const Eigen::Index below = x.size() - k - 1;
+    x.tail(below + 1).applyHouseholderOnTheLeft(reflections.col(k).tail(below),
+                                                orthogonal_.hCoeffs()[k], &work);
+  }
+}
+
+template <class Scalar>
 void TextbookSolver<Scalar>::solve(const Vector& right, Vector& x) {
   if (method_ == LinearMethod::orthogonal) {
-    x = orthogonal_.solve(row_scale_.cwiseProduct(right)).cwiseProduct(col_scale_);
+    // The least squares of A P = Q R; the rank is full.
+    const Eigen::Index n = mechanism_->coordinates();
+    Vector reflected = row_scale_.cwiseProduct(right);
+    reflect(reflected, true);
+    Vector pivoted = reflected.head(n);
+    orthogonal_.matrixQR().topRows(n).template triangularView<Eigen::Upper>().solveInPlace(pivoted);
+    x = orthogonal_.colsPermutation() * pivoted;
+    x = x.cwiseProduct(col_scale_);
   } else if (method_ == LinearMethod::dense) {
     x = dense_.solve(right);
   } else {
@@ -65,7 +85,18 @@ void TextbookSolver<Scalar>::solve(const Vector& right, Vector& x) {
 template <class Scalar>
 void TextbookSolver<Scalar>::solve_transposed(const Vector& right, Vector& y) {
   if (method_ == LinearMethod::orthogonal) {
-    y = orthogonal_transposed_.solve(col_scale_.cwiseProduct(right)).cwiseProduct(row_scale_);
+    // The shortest of all multipliers that balance.
+    const Eigen::Index n = mechanism_->coordinates();
+    Vector pivoted = orthogonal_.colsPermutation().transpose() * col_scale_.cwiseProduct(right);
+    orthogonal_.matrixQR()
+        .topRows(n)
+        .template triangularView<Eigen::Upper>()
+        .transpose()
+        .solveInPlace(pivoted);
+    y.setZero(mechanism_->equations());
+    y.head(n) = pivoted;
+    reflect(y, false);
+    y = y.cwiseProduct(row_scale_);
   } else if (method_ == LinearMethod::dense) {
     y = dense_.transpose().solve(right);
   } else {

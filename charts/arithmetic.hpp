@@ -30,7 +30,7 @@ struct InstantIn {
 enum class LinearMethod {
   dense,       ///< LU with partial pivoting
   sparse,      ///< in an order found once (SparseElimination)
-  orthogonal,  ///< complete orthogonal decomposition of the scaled equations: redundant ones too
+  orthogonal,  ///< QR with column pivoting of the scaled equations: redundant ones too
 };
 
 const char* to_text(LinearMethod method);
@@ -70,6 +70,8 @@ class TextbookSolver {
   bool factor();
   void solve(const Vector& right, Vector& x);
   void solve_transposed(const Vector& right, Vector& y);
+  /// Q of the orthogonal decomposition, or its transpose, times x, by one reflection after another.
+  void reflect(Vector& x, bool transposed) const;
 
   const planar::Mechanism* mechanism_;
   LinearMethod method_;
@@ -77,7 +79,7 @@ class TextbookSolver {
   SparseEliminationOf<Scalar> sparse_;
   bool ordered_ = false;
   Eigen::PartialPivLU<Matrix> dense_;
-  Eigen::CompleteOrthogonalDecomposition<Matrix> orthogonal_, orthogonal_transposed_;
+  Eigen::ColPivHouseholderQR<Matrix> orthogonal_;
   Vector row_scale_, col_scale_, phi_, step_;
   std::vector<Scalar> values_;
 };
