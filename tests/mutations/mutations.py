@@ -847,4 +847,10 @@ MUTATIONS = [
          ("ties-kept-order", "repeat = !(held.size() > 0 && held.cwiseAbs().maxCoeff() > repeats);",
           "repeat = true;",
           "what repeats another tie in one posture may hold in the next", "beam_vibration_test")),
+    *_in("src/mechanism", "common/sign_changes.cpp",
+         ("changes-between-looks", "return {q / (3.0 * b), c / q};", "return {-1.0, -1.0};",
+          "a cable that is tight for a moment between two looks is seen", "driven_cable_test")),
+    *_in("src/mechanism", "planar/forces.cpp",
+         ("driven-damper", "w.squaredNorm() - depth.rate * depth.rate + d.dot(a)",
+          "d.dot(a)", "rate of a damper's force across its line", "driven_cable_test")),
 ]

@@ -120,12 +120,50 @@ std::vector<OneSided> one_sided_in(const Mechanism& mechanism) {
   return found;
 }
 
-Depth depth_of(const OneSided& of, const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
+ValueAndRate depth_of(const OneSided& of, const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
   const Eigen::Vector2d d = position_of(of.b, q) - position_of(of.a, q);
   const double length = d.norm();
   const double rate =
       length > 0.0 ? d.dot(velocity_of(of.b, q, v) - velocity_of(of.a, q, v)) / length : 0.0;
   return {inward(of.law, length - of.law.free_length), inward(of.law, rate)};
+}
+
+namespace {
+
+/// k d + c d' of a spring, also where it is none, and its rate [N, N/s].
+ValueAndRate force_of(const OneSided& of, const State& state) {
+  const ValueAndRate depth = depth_of(of, state.q, state.v);
+  const Eigen::Vector2d d = position_of(of.b, state.q) - position_of(of.a, state.q);
+  const Eigen::Vector2d w =
+      velocity_of(of.b, state.q, state.v) - velocity_of(of.a, state.q, state.v);
+  const Eigen::Vector2d a = acceleration_of(of.b, state.q, state.v, state.a) -
+                            acceleration_of(of.a, state.q, state.v, state.a);
+  const double length = d.norm();
+  // l l'' = |w|^2 - l'^2 + d a
+  const double second =
+      length > 0.0 ? (w.squaredNorm() - depth.rate * depth.rate + d.dot(a)) / length : 0.0;
+  return {of.law.stiffness * depth.value + of.law.damping * depth.rate,
+          of.law.stiffness * depth.rate + of.law.damping * inward(of.law, second)};
+}
+
+}  // namespace
+
+std::vector<double> changes_by_drivers(const Mechanism& mechanism, double begin, double length,
+                                       const std::function<const State&(double)>& at) {
+  std::vector<double> changes;
+  for (std::size_t i = 0; i < mechanism.forces.size(); ++i) {
+    const auto* const spring = std::get_if<Spring>(&mechanism.forces[i].kind);
+    if (spring == nullptr || spring->acts == Acts::both) continue;
+    const OneSided of{i, spring->a, spring->b, law_of(*spring)};
+    const auto depth_at = [&](double time) {
+      const State& state = at(time);
+      return depth_of(of, state.q, state.v);
+    };
+    const auto force_at = [&](double time) { return force_of(of, at(time)); };
+    if (begins_at_length(of.law)) add_sign_changes(begin, length, depth_at, changes);
+    if (of.law.damping != 0.0) add_sign_changes(begin, length, force_at, changes);
+  }
+  return changes;
 }
 
 bool rubs(const Joint& joint) {

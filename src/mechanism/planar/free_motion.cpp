@@ -298,7 +298,7 @@ FreeSolver::Step FreeSolver::step_to(const Change& change, const State& from) {
   for (int i = 0; i < most; ++i) {
     Step step = step_from(from, dt);
     if (!step.solved) return step;
-    const Depth there = depth_of(of, step.end.q, step.end.v);
+    const ValueAndRate there = depth_of(of, step.end.q, step.end.v);
     // How far it is beyond where it is said to have changed.
     const double past = on ? -touching_ - there.value : there.value - touching_;
     const double rate = on ? -there.rate : there.rate;

@@ -31,16 +31,17 @@ DegreesOfFreedom freedom_at_start(const Mechanism& mechanism) {
 std::variant<InstantSolver, FreeSolver> solver_for(const Mechanism& mechanism,
                                                    const DegreesOfFreedom& freedom) {
   if (freedom.undriven == 0) {
-    const std::vector<OneSided> one_sided = one_sided_in(mechanism);
-    if (one_sided.empty()) return InstantSolver(mechanism);
-    throw AnalysisError(
-        {"drivers decide the whole motion, whatever a stop, a cable or a pin in its clearance does "
-         "to it: in the plane these are looked at where forces move what they stop; let forces "
-         "move it, or write acts = \"both ways\"",
-         "force " + mechanism.forces[one_sided.front().force].name,
-         {},
-         {},
-         {}});
+    for (const OneSided& of : one_sided_in(mechanism)) {
+      if (!of.law.impact) continue;
+      throw AnalysisError(
+          {"drivers decide the whole motion, and nothing parts from a stop by itself, nor moves in "
+           "a clearance; let forces move what it stops, or write damping instead of restitution",
+           "force " + mechanism.forces[of.force].name,
+           {},
+           {},
+           {}});
+    }
+    return InstantSolver(mechanism);
   }
   if (mechanism.duration.length > 0.0) return FreeSolver(mechanism);
   std::string names;
@@ -200,9 +201,14 @@ double time_of(const Motion& motion, std::size_t instant, std::size_t count) {
 
 /// When what acts one way begins and ends to in the time looked at. Throws AnalysisError where that
 /// is too often to be looked at one by one.
-std::vector<double> changes_in(const Motion& motion, const StateSolver& solver) {
+std::vector<double> changes_in(const Mechanism& mechanism, const Motion& motion,
+                               StateSolver& solver) {
   constexpr std::size_t most_changes = 1000;
-  std::vector<double> changes = solver.changes();
+  State state = motion.states.front();
+  const auto at = [&](double time) -> const State& { return state = solver.near(time, state); };
+  std::vector<double> changes =
+      solver.integrates() ? solver.changes()
+                          : changes_by_drivers(mechanism, motion.begin, motion.period, at);
   std::sort(changes.begin(), changes.end());
   std::erase_if(
       changes, [&](double at) { return at <= motion.begin || at >= motion.begin + motion.period; });
@@ -255,7 +261,7 @@ Motion motion_with(const Mechanism& mechanism, StateSolver& solver, int instants
   }
   motion.end = solver.near(time_of(motion, count, count), motion.states.back());
   motion.change_points = solver.change_points();
-  motion.changes = changes_in(motion, solver);
+  motion.changes = changes_in(mechanism, motion, solver);
   motion.slip_changes = slip_changes_in(motion, solver);
   judge_uniqueness(mechanism, motion);
   if (!motion.closed) return motion;

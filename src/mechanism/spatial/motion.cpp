@@ -8,6 +8,7 @@
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/common/rough_times.hpp"
+#include "boxbeam/mechanism/common/sign_changes.hpp"
 
 namespace boxbeam::spatial {
 namespace {
@@ -105,46 +106,16 @@ std::vector<Spring> switches_of(const Mechanism& mechanism) {
   return switches;
 }
 
-/// Of a motion by drivers: between times so close that tensions are cubics.
 std::vector<double> changes_by_drivers(const Chain& chain, const TimeSpan& span) {
-  constexpr int looks = 3072, within = 8, halvings = 50;
   std::vector<double> changes;
   State state;
-  const auto tension_at = [&](const Spring& spring, double time) {
-    chain.at(time, state);
-    return tension_of(spring, state);
-  };
   for (const Spring& spring : switches_of(chain.mechanism())) {
-    const auto find = [&](double low, double high, bool tense) {
-      for (int i = 0; i < halvings; ++i) {
-        const double middle = 0.5 * (low + high);
-        ((tension_at(spring, middle).value > 0.0) == tense ? low : high) = middle;
-      }
-      changes.push_back(high);
+    const auto tension_at = [&](double time) {
+      chain.at(time, state);
+      const Tension tension = tension_of(spring, state);
+      return ValueAndRate{tension.value, tension.rate};
     };
-    double from = span.begin;
-    Tension before = tension_at(spring, from);
-    for (int k = 1; k <= looks; ++k) {
-      const double until = span.begin + span.length * k / looks, h = until - from;
-      const Tension behind = tension_at(spring, until);
-      const bool tense = before.value > 0.0;
-      if ((behind.value > 0.0) != tense) {
-        find(from, until, tense);
-      } else {
-        for (int i = 1; i < within; ++i) {
-          const double x = static_cast<double>(i) / within, y = 1.0 - x;
-          const double cubic = y * y * ((1.0 + 2.0 * x) * before.value + x * h * before.rate) +
-                               x * x * ((1.0 + 2.0 * y) * behind.value - y * h * behind.rate);
-          const double at = from + x * h;
-          if ((cubic > 0.0) == tense || (tension_at(spring, at).value > 0.0) == tense) continue;
-          find(from, at, tense);
-          find(at, until, !tense);
-          break;
-        }
-      }
-      from = until;
-      before = behind;
-    }
+    add_sign_changes(span.begin, span.length, tension_at, changes);
   }
   std::sort(changes.begin(), changes.end());
   return changes;

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "boxbeam/mechanism/common/sign_changes.hpp"
 #include "boxbeam/mechanism/planar/mechanism.hpp"
+#include "boxbeam/mechanism/planar/state.hpp"
 
 namespace boxbeam::planar {
 
@@ -37,10 +40,12 @@ struct OneSided {
 std::vector<OneSided> one_sided_in(const Mechanism& mechanism);
 
 /// How far the ends are beyond the length from which it acts, and the rate of that [m, m/s].
-struct Depth {
-  double value = 0.0, rate = 0.0;
-};
-Depth depth_of(const OneSided& of, const Eigen::VectorXd& q, const Eigen::VectorXd& v);
+ValueAndRate depth_of(const OneSided& of, const Eigen::VectorXd& q, const Eigen::VectorXd& v);
+
+/// The times at which springs begin and end to act one way in a motion that drivers decide, in no
+/// order. `at`: the state at any time within [begin, begin + length].
+std::vector<double> changes_by_drivers(const Mechanism& mechanism, double begin, double length,
+                                       const std::function<const State&(double)>& at);
 
 /// A sliding contact with friction, prepared for evaluation.
 struct FrictionContact {

@@ -31,8 +31,7 @@ struct Motion {
 class StateSolver {
  public:
   /// Throws AnalysisError where a freedom is left that no driver moves and the mechanism has no
-  /// duration over which forces should, and where stops and cables act in a motion that drivers
-  /// decide.
+  /// duration over which forces should, and where impacts would move what drivers decide.
   explicit StateSolver(const Mechanism& mechanism);
   /// The same where the freedom is known.
   StateSolver(const Mechanism& mechanism, DegreesOfFreedom freedom);
