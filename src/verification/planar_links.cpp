@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "boxbeam/mechanism/planar/constraints.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
+#include "boxbeam/mechanism/planar/tension.hpp"
 
 namespace boxbeam {
 namespace {
@@ -310,9 +312,11 @@ flexible::Mechanism links_of(const planar::Mechanism& mechanism, const planar::S
     if (made[i]) continue;
     add(std::visit([&](const auto& kind) { return posture.of(kind); }, joint.kind), joint.name);
   }
-  for (const planar::AppliedForce& force : mechanism.forces) {
-    if (const auto* spring = std::get_if<planar::Spring>(&force.kind)) {
-      add(posture.of(*spring), force.name);
+  for (std::size_t i = 0; i < mechanism.forces.size(); ++i) {
+    const planar::AppliedForce& force = mechanism.forces[i];
+    if (std::holds_alternative<planar::Spring>(force.kind)) {
+      const std::optional<planar::Spring> acting = planar::spring_in(mechanism, state, i);
+      if (acting) add(posture.of(*acting), force.name);
     } else if (const auto* torsion = std::get_if<planar::TorsionSpring>(&force.kind)) {
       add(posture.of(*torsion), force.name);
     }

@@ -244,7 +244,9 @@ class StoppedTies {
     if (!spatial::acts(spring, *state_)) return;
     name_ = spring.name;
     frame::Tie& of = along_line(spring.a, spring.b);
-    of.stiffness = spring.stiffness;
+    const double length =
+        (spatial::position_of(*state_, spring.b) - spatial::position_of(*state_, spring.a)).norm();
+    of.stiffness = stiffness_at(law_of(spring), length);
     of.damping = spring.damping;
   }
 

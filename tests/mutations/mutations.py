@@ -853,4 +853,7 @@ MUTATIONS = [
     *_in("src/mechanism", "planar/forces.cpp",
          ("driven-damper", "w.squaredNorm() - depth.rate * depth.rate + d.dot(a)",
           "d.dot(a)", "rate of a damper's force across its line", "driven_cable_test")),
+    *_in("src/mechanism", "planar/tension.cpp",
+         ("slack-holds", "if (tension_in_spring(mechanism, state, force) == 0.0) return std::nullopt;", "",
+          "a cable that is slack does not hold what is stopped", "planar_links_test")),
 ]

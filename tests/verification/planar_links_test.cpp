@@ -144,6 +144,40 @@ TEST_CASE("a beam on a pinion: the spring of its rack counts by the square of th
   }
 }
 
+TEST_CASE(
+    "a cable holds a stopped beam where it is tight, a stop where it is touched, else neither") {
+  HeldByTeeth of;
+  planar::TorsionSpring root;
+  root.a = {0, {-0.5 * L, 0.0}};
+  root.stiffness = 4e5;
+  const double own = L * L * L / (3 * EI) + L * L / root.stiffness;
+  const double distance = 0.7, k = 2e5;
+  planar::Spring spring;
+  spring.a = {1, {0.0, 0.0}};
+  spring.b = {planar::ground,
+              of.state.q.tail<3>().head<2>() +
+                  distance * Eigen::Vector2d(-std::sin(of.angle), std::cos(of.angle))};
+  spring.stiffness = k;
+  of.state.v.setZero(6);
+  const auto frequency_with = [&](Acts acts, double free_length, std::optional<Impact> impact) {
+    spring.acts = acts;
+    spring.free_length = free_length;
+    spring.impact = impact;
+    of.mechanism.forces = {{"root", root}, {"spring", spring}};
+    return of.first_frequency();
+  };
+  const double depth = 1e-4;
+  const double held = frequency(1.0 / (1.0 / own + k));
+  const auto is = [](double value) { return Approx(value).epsilon(1e-5); };
+  CHECK(frequency_with(Acts::pulling, distance - depth, {}) == is(held));
+  CHECK(frequency_with(Acts::pulling, distance + depth, {}) == is(frequency(own)));
+  CHECK(frequency_with(Acts::pushing, distance + depth, {}) == is(held));
+  CHECK(frequency_with(Acts::pushing, distance - depth, {}) == is(frequency(own)));
+  // Of round bodies k d^1.5 rises by 1.5 k sqrt(d).
+  CHECK(frequency_with(Acts::pushing, distance + depth, Impact{1.5, 0.8}) ==
+        is(frequency(1.0 / (1.0 / own + 1.5 * k * std::sqrt(depth)))));
+}
+
 TEST_CASE("a gearbox that couples two turns by moments alone is named as what links cannot do") {
   HeldByTeeth of;
   planar::AngleCoupling gearbox;

@@ -51,4 +51,11 @@ double tension_of(const LineLaw& law, double length, double rate, const Touch& t
   return inward(law, (d > 0.0 ? std::max(0.0, force) : force) + touch.push);
 }
 
+double stiffness_at(const LineLaw& law, double length) {
+  const double n = law.impact ? law.impact->exponent : 1.0;
+  if (n == 1.0) return law.stiffness;
+  return n * law.stiffness *
+         std::pow(std::max(0.0, inward(law, length - law.free_length)), n - 1.0);
+}
+
 }  // namespace boxbeam

@@ -26,4 +26,15 @@ double tension_in_spring(const Mechanism& mechanism, const State& state, std::si
   return 0.0;
 }
 
+std::optional<Spring> spring_in(const Mechanism& mechanism, const State& state, std::size_t force) {
+  Spring spring = std::get<Spring>(mechanism.forces[force].kind);
+  if (spring.acts == Acts::both) return spring;
+  if (tension_in_spring(mechanism, state, force) == 0.0) return std::nullopt;
+  const double length = (position_of(spring.b, state.q) - position_of(spring.a, state.q)).norm();
+  spring.stiffness = stiffness_at(law_of(spring), length);
+  spring.acts = Acts::both;
+  spring.impact.reset();
+  return spring;
+}
+
 }  // namespace boxbeam::planar

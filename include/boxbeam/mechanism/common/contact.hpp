@@ -88,4 +88,7 @@ Touch touched(const LineLaw& law, double approach, double mass);
 /// Its tension [N] at a length and its rate; `touch`: of what acts from a length on.
 double tension_of(const LineLaw& law, double length, double rate, const Touch& touch);
 
+/// What its tension rises by with its length where it acts: k, of an impact n k d^(n - 1) [N/m].
+double stiffness_at(const LineLaw& law, double length);
+
 }  // namespace boxbeam

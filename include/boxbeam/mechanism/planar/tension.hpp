@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "boxbeam/mechanism/planar/instant_solver.hpp"
 #include "boxbeam/mechanism/planar/mechanism.hpp"
@@ -14,5 +15,10 @@ double tension_in_joint(const Mechanism& mechanism, const State& state, std::siz
 /// The tension in a spring between two points, with its damper [N]; zero where they are one.
 /// Precondition: the force is a `Spring`.
 double tension_in_spring(const Mechanism& mechanism, const State& state, std::size_t force);
+
+/// A spring between two points as one that acts both ways and does about a state what it does
+/// there: with the stiffness of an impact's law at its depth; nothing where it acts one way and not
+/// now. Precondition: the force is a `Spring`.
+std::optional<Spring> spring_in(const Mechanism& mechanism, const State& state, std::size_t force);
 
 }  // namespace boxbeam::planar
