@@ -240,6 +240,12 @@ class PlanarFrontEnd : public FrontEnd {
       if (freedom.undriven > 0) {
         return "forces decide the motion: with its drivers held the mechanism is free to move";
       }
+      if (!planar_motion_of(run).changes.empty()) {
+        return fmt::format(
+            "a stop or a cable begins or ends to act at t = {:.4g} s, and the modes "
+            "of the beam change at once",
+            planar_motion_of(run).changes.front());
+      }
       std::string held = obstacle_to_start(planar_motion_of(run));
       if (!held.empty()) return held;
       if (planar::time_span_of(mechanism).steeper)
