@@ -151,6 +151,23 @@ TEST_CASE("what is not checked names rods where they have no check") {
   }));
 }
 
+TEST_CASE("a cable that becomes slack in a motion by drivers leaves vibration out, and says so") {
+  // Between 1.4 and 2 m long.
+  const auto verdict_with = [](const std::string& free_length) {
+    const Project project = test::changed_rig(
+        {},
+        "\n[forces.rope]\nkind = \"spring\"\nconnect = [\"sledge.E\", \"ground\"]\n"
+        "at = [\"-1 m\", \"-3.2 m\"]\nstiffness = \"1 kN/m\"\nacts = \"pulling\"\n"
+        "free_length = \"" +
+            free_length + "\"\n");
+    return verdict_text_of(project, verify(project)).line;
+  };
+  const std::string left_out = "what it adds is not estimated: a stop or a cable begins or ends";
+  CHECK(contains(verdict_with("1.7 m"), left_out));
+  CHECK_FALSE(contains(verdict_with("1 m"), left_out));
+  CHECK_FALSE(contains(verdict_with("3 m"), left_out));
+}
+
 TEST_CASE("why a verdict is not applicable stands beside it") {
   // A shell: 300/3 = 100 is above 90 eps^2 = 59.6.
   const std::string thin = "kind = \"round tube\"\ndiameter = \"300 mm\"\nwall = \"3 mm\"\n";
