@@ -10,7 +10,9 @@
 namespace boxbeam::planar {
 namespace {
 
-constexpr double surely = 1e-5;  ///< of the largest: above it a singular value surely counts
+/// Of the largest: above it a singular value surely counts, as no gap of `widest_needed` is below
+/// it.
+constexpr double surely = 1e-6;
 
 /// The Jacobian with lengths scaled.
 Eigen::SparseMatrix<double> scaled_jacobian(const Mechanism& mechanism, const Eigen::VectorXd& q) {
