@@ -92,9 +92,9 @@ struct Tridiagonal {
 
 /// What the others are measured by, from below, without orthogonalisation, of which the largest
 /// value has no need. It has settled where a singular value is within 5e-6 of it, or where twice
-/// the steps raised it by less than that: where very many lie close together it closes in as the
-/// square of the steps, so that a third of that is left. Where it does not settle a bound that is a
-/// little above does as well.
+/// the steps raised it by three times that: where very many lie close together it closes in as the
+/// square of the steps, so that a third is left. Where it does not settle a bound that is a little
+/// above does as well.
 double largest_of(const Sparse& A) {
   constexpr int most_steps = 1280;
   constexpr double close = 1e-5;  // of the square
@@ -114,7 +114,7 @@ double largest_of(const Sparse& A) {
       const double halfway = square;
       square = of.largest(square);
       if (length * of.last_of_vector(square) <= close * square ||
-          square - halfway <= close * square)
+          square - halfway <= 3.0 * close * square)
         return std::sqrt(square);
       looked_at *= 2;
     }
