@@ -42,11 +42,10 @@ flexible::Mechanism refined(const flexible::Structure& structure, int factor) {
     const std::vector<LinkStretch> whole = std::move(link.stretches);
     link.stretches.clear();
     link.parts = 1;
+    auto of = whole.begin();
     for (const flexible::SpringElement& part : parts) {
       const double middle = 0.5 * (part.from + part.to);
-      const auto of = std::find_if(whole.begin(), whole.end() - 1, [&](const LinkStretch& stretch) {
-        return middle < stretch.start + stretch.length;
-      });
+      while (of != whole.end() - 1 && middle >= of->start + of->length) ++of;
       for (int i = 0; i < factor; ++i) {
         const double step = (part.to - part.from) / factor;
         const double to = i + 1 == factor ? part.to : part.from + step * (i + 1);

@@ -66,7 +66,7 @@ InstantResult instant_of(const Project& project, const planar::State& state,
     result.reactions.push_back({mechanism.joints[static_cast<std::size_t>(reaction.joint)].name,
                                 mechanism.bodies[static_cast<std::size_t>(reaction.on)].name,
                                 reaction.force, reaction.moment,
-                                planar::is_unique(mechanism, freedom, reaction.joint)});
+                                planar::is_unique(freedom, reaction.joint)});
   }
   // What a pin in its clearance does to the beam, else to the first of its bodies.
   for (std::size_t i = 0; i < mechanism.forces.size(); ++i) {

@@ -98,7 +98,7 @@ std::vector<DriverLine> driver_lines_of(const Project& project, const planar::Me
     const planar::Joint& joint = mechanism.joints[i];
     if (planar::is_driver(joint)) {
       const bool with_force = project.dynamics == Dynamics::rigorous &&
-                              planar::is_unique(mechanism, motion.freedom, static_cast<int>(i));
+                              planar::is_unique(motion.freedom, static_cast<int>(i));
       lines.push_back(line_of(joint, row, motion, with_force));
     }
     row += planar::equations_of(joint);

@@ -43,7 +43,7 @@ void check_unique_loads(const planar::Mechanism& mechanism, const planar::Motion
     const bool on_beam = a.body == beam_body || b.body == beam_body;
     const bool rubs = planar::rubs(mechanism.joints[i]);
     if (!on_beam && !rubs) continue;
-    if (planar::is_unique(mechanism, motion.freedom, static_cast<int>(i))) continue;
+    if (planar::is_unique(motion.freedom, static_cast<int>(i))) continue;
     names += (names.empty() ? "joint " : ", ") + mechanism.joints[i].name;
   }
   if (names.empty() || beam_body == planar::ground) return;

@@ -30,9 +30,7 @@ class PlanarNeighbours : public NeighbourLoads {
         motion_(&planar_motion_of(run)),
         finder_(*mechanism_, *motion_) {}
 
-  bool determines(int joint) const override {
-    return planar::is_unique(*mechanism_, motion_->freedom, joint);
-  }
+  bool determines(int joint) const override { return planar::is_unique(motion_->freedom, joint); }
 
   std::string joint_name(int joint) const override { return joint_at(joint).name; }
 

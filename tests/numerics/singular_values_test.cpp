@@ -85,6 +85,13 @@ TEST_CASE("a long chain has the values of its closed form") {
   CHECK(of.largest == Approx(2.0 * std::cos(step)).epsilon(1e-5));
   REQUIRE(of.smallest.size() == 1);
   CHECK(of.smallest[0] == Approx(2.0 * std::sin(step)).epsilon(1e-8));
+  // The first dozen as well, and the one behind them.
+  const SingularValues dozen =
+      smallest_singular_values(A, 2.0 * std::sin(12.5 * step) / of.largest);
+  REQUIRE(dozen.smallest.size() == 13);
+  for (Eigen::Index k = 0; k < 13; ++k)
+    CHECK(dozen.smallest[12 - k] ==
+          Approx(2.0 * std::sin(static_cast<double>(k + 1) * step)).epsilon(1e-7));
   // Neither end held: one sum that differences do not see.
   const SingularValues free = smallest_singular_values(A.transpose(), 1e-5);
   REQUIRE(free.smallest.size() == 2);
@@ -92,6 +99,72 @@ TEST_CASE("a long chain has the values of its closed form") {
   CHECK((free.vectors.col(1).cwiseAbs().array() * std::sqrt(static_cast<double>(n + 1)) - 1.0)
             .abs()
             .maxCoeff() <= 1e-8);
+}
+
+namespace {
+
+/// The equations of pins between bodies of the plane in a random posture, each row of length one,
+/// and a few bodies held in angle: rows for x and y of each pin, columns for x, y, angle of each
+/// body. `pins` of them join two bodies or a body and the ground.
+Eigen::SparseMatrix<double> random_mechanism(int bodies, int pins, std::mt19937& random) {
+  std::uniform_real_distribution<double> place(-2.0, 2.0);
+  std::uniform_int_distribution<int> any(-1, bodies - 1), some(0, bodies - 1);
+  std::vector<Eigen::Triplet<double>> entries;
+  int row = 0;
+  const auto add = [&](int body, double sign) {
+    if (body < 0) return;
+    entries.emplace_back(row, 3 * body, sign);
+    entries.emplace_back(row, 3 * body + 2, sign * place(random));
+    entries.emplace_back(row + 1, 3 * body + 1, sign);
+    entries.emplace_back(row + 1, 3 * body + 2, sign * place(random));
+  };
+  for (int pin = 0; pin < pins; ++pin, row += 2) {
+    // A tree first, so that the mechanism hangs together.
+    const int b = pin < bodies ? pin : some(random);
+    int a = pin < bodies ? pin - 1 : any(random);
+    if (a == b) a = -1;
+    add(a, -1.0);
+    add(b, 1.0);
+  }
+  for (int held = 0; held < bodies; ++held, ++row) entries.emplace_back(row, 3 * held + 2, 1.0);
+  Eigen::SparseMatrix<double> A(row, 3 * bodies);
+  A.setFromTriplets(entries.begin(), entries.end());
+  return A;
+}
+
+}  // namespace
+
+// Independent computation: Jacobi's SVD of the whole matrix.
+TEST_CASE("of random mechanisms the smallest value is within its bound of that of the SVD") {
+  std::mt19937 random(29);
+  std::uniform_int_distribution<int> bodies_of(8, 24), more(0, 5);
+  int single = 0;
+  for (int k = 0; k < 250; ++k) {
+    const int bodies = bodies_of(random);
+    Eigen::SparseMatrix<double> A = random_mechanism(bodies, bodies + more(random), random);
+    if (k % 5 == 4) {  // a body that nothing but noise holds
+      const double noise = std::pow(10.0, -3.0 - k % 7);
+      for (Eigen::Index c = 0; c < 3; ++c) {
+        for (Eigen::SparseMatrix<double>::InnerIterator at(A, c); at; ++at) at.valueRef() *= noise;
+      }
+    }
+    CAPTURE(k, bodies);
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd{Eigen::MatrixXd(A)};
+    const Eigen::VectorXd& values = svd.singularValues();
+    const SingularValues found = smallest_singular_values(A, 1e-5, 0);
+    CHECK(found.largest == Approx(values[0]).epsilon(5e-6));
+    const double last = values[values.size() - 1];
+    CHECK(found.smallest[found.smallest.size() - 1] ==
+          Approx(last).epsilon(1e-8).margin(1e-13 * values[0]));
+    const Eigen::Index counted =
+        (values.array() > 1e-5 * values[0]).count() - 1;  // those above but the last of them
+    CHECK(found.smallest.size() == values.size() - counted);
+    single += found.smallest.size() == 1 ? 1 : 0;
+    const Eigen::VectorXd vector = found.vectors.rightCols<1>();
+    CHECK(vector.norm() == Approx(1.0));
+    CHECK((A * vector).norm() == Approx(last).epsilon(1e-6).margin(1e-12 * values[0]));
+  }
+  CHECK(single > 150);
 }
 
 }  // namespace singular_values_test

@@ -109,10 +109,10 @@ TEST_CASE("a third parallel crank repeats an equation; what is determined is rig
     CHECK(freedom.undriven == 0);
     CHECK(freedom.gap > 1e10);
     CHECK(names_of(mechanism, freedom.repeating) == cranks);
-    CHECK(is_unique(mechanism, freedom, joint_index(mechanism, "motor")));
-    CHECK(is_unique(mechanism, freedom, joint_index(mechanism, "arm")));
+    CHECK(is_unique(freedom, joint_index(mechanism, "motor")));
+    CHECK(is_unique(freedom, joint_index(mechanism, "arm")));
     for (const std::string& joint : cranks) {
-      CHECK_FALSE(is_unique(mechanism, freedom, joint_index(mechanism, joint)));
+      CHECK_FALSE(is_unique(freedom, joint_index(mechanism, joint)));
     }
     smallest_gap = std::min(smallest_gap, freedom.gap);
 

@@ -409,8 +409,8 @@ TEST_CASE("parallelogram with a third crank off the line: one redundancy, nowher
   // The coupler can be held in tension by its three cranks, and by nothing else: all pins take
   // part, the driver does not.
   CHECK(freedom.repeating == std::vector<int>{0, 1, 2, 3, 4, 5});
-  for (int joint = 0; joint < 6; ++joint) CHECK_FALSE(is_unique(mechanism, freedom, joint));
-  CHECK(is_unique(mechanism, freedom, 6));
+  for (int joint = 0; joint < 6; ++joint) CHECK_FALSE(is_unique(freedom, joint));
+  CHECK(is_unique(freedom, 6));
 
   const Motion motion = solve_motion(mechanism, 144);
   const Errors errors = coupler_errors(motion, r, driver);
@@ -472,7 +472,7 @@ TEST_CASE("parallelogram with a third crank on the line: through the flat positi
       CHECK(freedom.gruebler == 0);
       CHECK(freedom.by_rank == 1);
       CHECK(freedom.redundant == 1);
-      CHECK(is_unique(mechanism, freedom, 6));
+      CHECK(is_unique(freedom, 6));
     } else {
       // Each crank could start out on its own.
       const DegreesOfFreedom flat = degrees_of_freedom_of(mechanism, sketch_of(mechanism));

@@ -5,6 +5,7 @@
 #include <complex>
 
 #include "boxbeam/mechanism/flexible/response.hpp"
+#include "stretch_at.hpp"
 
 namespace boxbeam::flexible {
 namespace {
@@ -22,12 +23,6 @@ Polynomial<Degree> in_shares(const Polynomial<Degree>& of, double by, double h) 
     power *= h;
   }
   return result;
-}
-
-const LinkStretch& stretch_of_part(const Link& link, double from, double to) {
-  const double middle = 0.5 * (from + to);
-  return *std::find_if(link.stretches.begin(), link.stretches.end() - 1,
-                       [&](const LinkStretch& of) { return middle < of.start + of.length; });
 }
 
 /// Term n of a product with a polynomial.
@@ -91,7 +86,7 @@ bool converges_when_divided(const Polynomial<4>& modulus, double by, double h) {
 }  // namespace
 
 bool resolves(const Link& link, double from, double to, double square) {
-  const LinkStretch& of = stretch_of_part(link, from, to);
+  const LinkStretch& of = *stretch_at(link, 0.5 * (from + to));
   const double x = from - of.start;
   const double h = to - from;
   const double z = std::abs(square);
@@ -115,7 +110,7 @@ ExactPart<Scalar>::ExactPart(const Link& link, double from, double to, const Sca
       z_(z),
       stretches_(link.kind != LinkKind::bending),
       bends_(link.kind != LinkKind::axial) {
-  const LinkStretch& of = stretch_of_part(link, from, to);
+  const LinkStretch& of = *stretch_at(link, 0.5 * (from + to));
   if (stretches_) {
     stretch(link, of);
   } else {

@@ -7,6 +7,7 @@
 
 #include "boxbeam/mechanism/flexible/response.hpp"
 #include "exact_part.hpp"
+#include "stretch_at.hpp"
 
 namespace boxbeam::flexible {
 namespace {
@@ -17,8 +18,8 @@ std::optional<std::size_t> part_around(const Structure& structure, std::size_t l
   const Mechanism& mechanism = *structure.mechanism;
   if (mechanism.element == Element::classical || !mechanism.nodes_at_joints) return std::nullopt;
   const std::vector<SpringElement>& parts = structure.links[link].springs;
-  const auto at = std::find_if(parts.begin(), parts.end(),
-                               [&](const SpringElement& part) { return s < part.to; });
+  const auto at = std::partition_point(parts.begin(), parts.end(),
+                                       [&](const SpringElement& part) { return part.to <= s; });
   if (at == parts.end() || s <= at->from) return std::nullopt;
   return static_cast<std::size_t>(at - parts.begin());
 }
@@ -46,7 +47,7 @@ class BentPart {
   BentPart(const Link& link, const SpringElement& part, const Vector3& from, const Vector3& to,
            const FieldAlong<Scalar>& field)
       : part_(&part),
-        stretch_(&stretch_of(link, part)),
+        stretch_(&*stretch_at(link, 0.5 * (part.from + part.to))),
         stretches_(link.kind != LinkKind::bending),
         bends_(link.kind != LinkKind::axial),
         from_(from),
@@ -79,12 +80,6 @@ class BentPart {
   }
 
  private:
-  static const LinkStretch& stretch_of(const Link& link, const SpringElement& part) {
-    const double middle = 0.5 * (part.from + part.to);
-    return *std::find_if(link.stretches.begin(), link.stretches.end() - 1,
-                         [&](const LinkStretch& of) { return middle < of.start + of.length; });
-  }
-
   Along<Scalar> of_axis(int axis, const Vector3& to, const FieldAlong<Scalar>& field) const {
     const double D = part_->to - part_->from;
     const auto load = [&](double share) -> Scalar {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "frequency.hpp"
+#include "stretch_at.hpp"
 
 namespace boxbeam::flexible {
 namespace {
@@ -14,20 +15,13 @@ namespace {
 /// A joint across a link this many times stiffer than the link in bending holds its end.
 constexpr double holding = 1e4;
 
-/// The stretch in which a place of the axis lies.
-const LinkStretch& stretch_at(const Link& link, double s) {
-  const auto behind = std::find_if(link.stretches.begin(), link.stretches.end() - 1,
-                                   [&](const LinkStretch& of) { return s < of.start + of.length; });
-  return *behind;
-}
-
 /// Calls f(stretch, from, to) for what lies of [from, to] in each stretch.
 template <class Function>
 void over_stretches(const Link& link, double from, double to, const Function& f) {
-  for (const LinkStretch& stretch : link.stretches) {
-    const double a = std::max(from, stretch.start);
-    const double b = std::min(to, stretch.start + stretch.length);
-    if (b > a) f(stretch, a, b);
+  for (auto at = stretch_at(link, from); at != link.stretches.end() && at->start < to; ++at) {
+    const double a = std::max(from, at->start);
+    const double b = std::min(to, at->start + at->length);
+    if (b > a) f(*at, a, b);
   }
 }
 
@@ -61,7 +55,7 @@ PieceMass mass_of(const Link& link, double from, double to, double about) {
 
 SpringElement classical_spring(const Link& link, double from, double to) {
   SpringElement spring{0.5 * (from + to), from, to, 0.0, Eigen::Matrix2d::Zero()};
-  const LinkStretch& stretch = stretch_at(link, spring.place);
+  const LinkStretch& stretch = *stretch_at(link, spring.place);
   const double x = spring.place - stretch.start;
   const double length = to - from;
   if (link.kind != LinkKind::bending) spring.axial = length / stretch.EA(x);
@@ -137,8 +131,8 @@ PartLumps lumps_of(const Link& link, double from, double to) {
   const double length = to - from;
   const PieceMass of = mass_of(link, from, to, from);
   // Of the stretches within the part: its ends may be theirs, to round-off.
-  const LinkStretch& first = stretch_at(link, from + 1e-6 * length);
-  const LinkStretch& last = stretch_at(link, to - 1e-6 * length);
+  const LinkStretch& first = *stretch_at(link, from + 1e-6 * length);
+  const LinkStretch& last = *stretch_at(link, to - 1e-6 * length);
   PartLumps lumps;
   lumps.first_moment = {first.mass(from - first.start) * length * length / 12.0,
                         -last.mass(to - last.start) * length * length / 12.0};
@@ -226,7 +220,7 @@ HeldEnds held_ends_of(const Mechanism& mechanism, int index) {
   const Link& link = mechanism.links[static_cast<std::size_t>(index)];
   HeldEnds held;
   if (link.kind == LinkKind::rigid) return held;
-  const LinkStretch& middle = stretch_at(link, 0.5 * link.length);
+  const LinkStretch& middle = *stretch_at(link, 0.5 * link.length);
   const double own = 3.0 * middle.EI(0.5 * link.length - middle.start) / std::pow(link.length, 3);
   const Eigen::Vector2d across = Eigen::Rotation2Dd(link.angle) * Eigen::Vector2d::UnitY();
   for (const Joint& joint : mechanism.joints) {

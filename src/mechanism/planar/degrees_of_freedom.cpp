@@ -10,7 +10,9 @@
 namespace boxbeam::planar {
 namespace {
 
-constexpr double surely = 1e-5;  ///< of the largest: above it a singular value surely counts
+/// Of the largest: above it a singular value surely counts, as no gap of `widest_needed` is below
+/// it.
+constexpr double surely = 1e-6;
 
 /// The Jacobian with lengths scaled.
 Eigen::SparseMatrix<double> scaled_jacobian(const Mechanism& mechanism, const Eigen::VectorXd& q) {
@@ -155,16 +157,8 @@ DegreesOfFreedom degrees_of_freedom_of(const Mechanism& mechanism, const Eigen::
   return result;
 }
 
-bool is_unique(const Mechanism& mechanism, const DegreesOfFreedom& freedom, int joint) {
-  std::size_t row = 0;
-  for (int i = 0; i < joint; ++i) {
-    row += static_cast<std::size_t>(equations_of(mechanism.joints[static_cast<std::size_t>(i)]));
-  }
-  const auto count =
-      static_cast<std::size_t>(equations_of(mechanism.joints[static_cast<std::size_t>(joint)]));
-  return std::all_of(freedom.unique.begin() + static_cast<std::ptrdiff_t>(row),
-                     freedom.unique.begin() + static_cast<std::ptrdiff_t>(row + count),
-                     [](char unique) { return unique != 0; });
+bool is_unique(const DegreesOfFreedom& freedom, int joint) {
+  return !std::binary_search(freedom.repeating.begin(), freedom.repeating.end(), joint);
 }
 
 double condition_of(const Mechanism& mechanism, const Eigen::VectorXd& q) {

@@ -242,10 +242,10 @@ TEST_CASE("multipliers are called unique only where they are so all along the mo
   std::get<Gear>(mechanism.joints[2].kind).offset = phi[4];
   const Motion motion = solve_motion(mechanism, 48);
   CHECK(motion.freedom.redundant == 1);
-  CHECK_FALSE(is_unique(mechanism, motion.freedom, 0));
-  CHECK_FALSE(is_unique(mechanism, motion.freedom, 1));
-  CHECK_FALSE(is_unique(mechanism, motion.freedom, 2));
-  CHECK_FALSE(is_unique(mechanism, motion.freedom, 3));
+  CHECK_FALSE(is_unique(motion.freedom, 0));
+  CHECK_FALSE(is_unique(motion.freedom, 1));
+  CHECK_FALSE(is_unique(motion.freedom, 2));
+  CHECK_FALSE(is_unique(motion.freedom, 3));
 }
 
 TEST_CASE("an instant that lies in a change point is found where the motion has passed it") {

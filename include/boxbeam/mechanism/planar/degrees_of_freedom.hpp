@@ -20,7 +20,7 @@ struct DegreesOfFreedom {
   /// Smallest singular value that counts over the largest that does not: the gap by which the rank
   /// is known; infinite where none is left out.
   double gap = 0.0;
-  std::vector<int> repeating;  ///< joints and drivers that take part in a redundancy
+  std::vector<int> repeating;  ///< joints and drivers that take part in a redundancy, ascending
   std::vector<int> moving;     ///< bodies that the undriven freedoms move
   /// Per equation: whether its multiplier is determined. A multiplier is unique where no
   /// redundancy has a part in its equation. Source: Wojtyra, Multibody System Dynamics 13 (2005).
@@ -41,7 +41,7 @@ double digits_left_at(double condition);
 DegreesOfFreedom degrees_of_freedom_of(const Mechanism& mechanism, const Eigen::VectorXd& q);
 
 /// Whether all multipliers of a joint are unique.
-bool is_unique(const Mechanism& mechanism, const DegreesOfFreedom& freedom, int joint);
+bool is_unique(const DegreesOfFreedom& freedom, int joint);
 
 /// Condition of the Jacobian with drivers in a position, for every instant: 0 where it is singular.
 double condition_of(const Mechanism& mechanism, const Eigen::VectorXd& q);
