@@ -100,7 +100,17 @@ void Statics::assemble() {
   double softest = 0.0;
   for (const Piece& piece : pieces_) {
     const double from = nodes_[piece.from].s, to = nodes_[piece.to].s;
-    const Matrix6 F = flexibility_between(piece.member, from, to);
+    std::vector<Reached>& reached = reached_.emplace_back();
+    reached.push_back({from, Matrix6::Zero()});
+    const auto reach = [&](double s) {
+      const Matrix6 by = carry(Vector3d(s - reached.back().s, 0.0, 0.0));
+      reached.push_back({s, by * reached.back().flexibility * by.transpose() +
+                                flexibility_between(piece.member, reached.back().s, s)});
+    };
+    for (const double border : profiles_[static_cast<std::size_t>(piece.member)].borders())
+      if (border > from && border < to) reach(border);
+    reach(to);
+    const Matrix6& F = reached.back().flexibility;
     softest = std::max({softest, F(1, 1), F(2, 2)});
     flexibilities_.push_back(0.5 * (F + F.transpose()));
   }
