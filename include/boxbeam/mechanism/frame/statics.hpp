@@ -121,13 +121,13 @@ class Statics {
   std::vector<std::vector<SegmentMass>> masses_;
   std::vector<Node> nodes_;
   std::vector<Piece> pieces_;
-  std::vector<Eigen::Matrix<double, 6, 6>> flexibilities_;  ///< F of each piece
   /// F from the beginning of a piece to a place.
   struct Reached {
     double s = 0.0;
     Eigen::Matrix<double, 6, 6> flexibility;
   };
-  std::vector<std::vector<Reached>> reached_;  ///< of each piece, where its profile has borders
+  /// Of each piece, from its beginning on where its profile has borders to its end.
+  std::vector<std::vector<Reached>> reached_;
   std::vector<Eigen::Index> joint_rows_;
   double length_ = 1.0, force_ = 1.0;  ///< units of the unknowns [m, N]
   Eigen::SparseMatrix<double> matrix_;
