@@ -61,7 +61,7 @@ void FlexibilityProfile::add(const Segment& of, double from, double to, int halv
     values[k] = prismatic && k > 0 ? values[0] : exact(Points::between(from, to, k));
   }
   borders_.push_back(to);
-  pieces_.push_back(entries_of(values));
+  pieces_.push_back({entries_of(values), prismatic});
   // The torsion constant of a box bends where the table of its corners has an entry.
   Flexibility within = Flexibility::Constant(1e-12);
   within.row(cut_force::T).setConstant(1e-10);
@@ -106,10 +106,15 @@ std::vector<FlexibilityProfile::Entry> FlexibilityProfile::entries_of(
 }
 
 Flexibility FlexibilityProfile::at(std::size_t piece, double s) const {
+  Flexibility of = Flexibility::Zero();
+  if (is_constant(piece)) {
+    for (const Entry& entry : pieces_[piece].entries)
+      of(entry.row, entry.column) = entry.values.front();
+    return of;
+  }
   const double from = borders_[piece], to = borders_[piece + 1];
   const Points::Shares shares = Points::shares_at((2.0 * s - from - to) / (to - from));
-  Flexibility of = Flexibility::Zero();
-  for (const Entry& entry : pieces_[piece]) {
+  for (const Entry& entry : pieces_[piece].entries) {
     double sum = 0.0;
     for (std::size_t k = 0; k < nodes; ++k) sum += shares.weights[k] * entry.values[k];
     of(entry.row, entry.column) = sum / shares.sum;

@@ -15,8 +15,24 @@ double curve_angle(Eigen::Index k) {
   return std::numbers::pi * (2.0 * static_cast<double>(k) + 1.0) / (2.0 * curve_points);
 }
 
-/// Ascending in [-1, 1].
-double curve_point(Eigen::Index k) { return -std::cos(curve_angle(k)); }
+using CurveShares = Eigen::Matrix<double, curve_points, 1>;
+
+/// The points, ascending in [-1, 1], and what each weighs in the barycentric formula.
+struct CurvePoints {
+  CurveShares at, weights;
+};
+
+const CurvePoints& curve_points_on_piece() {
+  static const CurvePoints points = [] {
+    CurvePoints of;
+    for (Eigen::Index k = 0; k < curve_points; ++k) {
+      of.at[k] = -std::cos(curve_angle(k));
+      of.weights[k] = (k % 2 == 0 ? 1.0 : -1.0) * std::sin(curve_angle(k));
+    }
+    return of;
+  }();
+  return points;
+}
 
 /// The two highest of the waves in a piece, by their largest size.
 Eigen::VectorXd highest_waves(const Eigen::MatrixXd& values) {
@@ -35,7 +51,8 @@ Eigen::VectorXd highest_waves(const Eigen::MatrixXd& values) {
 ChebyshevCurve::Piece ChebyshevCurve::piece_of(const Function& f, double from, double to) {
   Piece piece{from, to, {}};
   for (Eigen::Index k = 0; k < curve_points; ++k) {
-    const Eigen::VectorXd value = f(0.5 * (from + to) + 0.5 * (to - from) * curve_point(k));
+    const double u = curve_points_on_piece().at[k];
+    const Eigen::VectorXd value = f(0.5 * (from + to) + 0.5 * (to - from) * u);
     if (k == 0) piece.values.resize(value.size(), curve_points);
     piece.values.col(k) = value;
   }
@@ -85,13 +102,25 @@ Eigen::VectorXd ChebyshevCurve::at(double x, Eigen::Index components) const {
   const Piece& piece = *(behind - 1);
   const double u = (2.0 * x - piece.from - piece.to) / (piece.to - piece.from);
   // Barycentric formula: Berrut and Trefethen, SIAM Review 46 (2004).
-  Eigen::VectorXd shares(curve_points);
+  const CurvePoints& points = curve_points_on_piece();
+  CurveShares shares;
   for (Eigen::Index k = 0; k < curve_points; ++k) {
-    const double distance = u - curve_point(k);
+    const double distance = u - points.at[k];
     if (distance == 0.0) return piece.values.col(k).head(components);
-    shares[k] = (k % 2 == 0 ? 1.0 : -1.0) * std::sin(curve_angle(k)) / distance;
+    shares[k] = points.weights[k] / distance;
   }
-  return piece.values.topRows(components) * (shares / shares.sum());
+  shares /= shares.sum();
+  return piece.values.topRows(components) * shares;
+}
+
+ChebyshevCurve ChebyshevCurve::mapped(const Eigen::MatrixXd& by) const {
+  ChebyshevCurve of = *this;
+  of.largest_ = Eigen::VectorXd::Zero(by.rows());
+  for (Piece& piece : of.pieces_) {
+    piece.values = by * piece.values;
+    of.largest_ = of.largest_.cwiseMax(piece.values.cwiseAbs().rowwise().maxCoeff());
+  }
+  return of;
 }
 
 double ChebyshevCurve::shortest_piece() const {

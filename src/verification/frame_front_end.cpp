@@ -119,21 +119,22 @@ class LoadedFrame {
   }
 
   /// Of what does not repeat beyond its ends what acts there.
-  frame::Equilibrium moving_at(double time) const {
+  frame::ActingLoads acting_moved(double time) const {
     if (!time_.closed) time = std::clamp(time, time_.begin, time_.begin + time_.length);
-    return statics_.solve(acting_at(moving_, time));
+    return acting_at(moving_, time);
   }
 
   BeamLoads loads_at(int beam, double time) const {
     const auto member = static_cast<std::size_t>(beam);
     if (!changes_) return standing_.members[member].loads;
-    return sum_of(standing_.members[member].loads, moving_at(time).members[member].loads);
+    return sum_of(standing_.members[member].loads,
+                  statics_.balance(acting_moved(time)).members[member].loads);
   }
 
   /// Shift and turn of a beam's start, in its axes.
   frame::Vector6 start_at(int beam, double time) const {
     frame::Vector6 of = statics_.motion_at(beam, 0.0, standing_);
-    if (changes_) of += statics_.motion_at(beam, 0.0, moving_at(time));
+    if (changes_) of += statics_.motion_at(beam, 0.0, statics_.solve(acting_moved(time)));
     const Eigen::Matrix3d& axes = structure.members[static_cast<std::size_t>(beam)].axes;
     of << axes.transpose() * of.head<3>().eval(), axes.transpose() * of.tail<3>().eval();
     return of;
@@ -161,7 +162,8 @@ class LoadedFrame {
     if (!changes_) return pressed;
     std::vector<std::vector<double>> all;
     for (std::size_t i = 0; i < loads.instants(); ++i) {
-      all.push_back(pressed->finer.axial_forces(moving_at(loads.time_of(i).value())));
+      all.push_back(
+          pressed->finer.axial_forces(statics_.solve(acting_moved(loads.time_of(i).value()))));
       for (std::size_t p = 0; p < standing.size(); ++p) all.back()[p] += standing[p];
     }
     pressed->forces = most_compressed_of(std::move(all));
@@ -177,7 +179,7 @@ class LoadedFrame {
   std::vector<frame::Vector6> reactions_at(double time) const {
     std::vector<frame::Vector6> forces = standing_.joints;
     if (!changes_) return forces;
-    const frame::Equilibrium moving = moving_at(time);
+    const frame::Equilibrium moving = statics_.balance(acting_moved(time));
     for (std::size_t k = 0; k < forces.size(); ++k) forces[k] += moving.joints[k];
     return forces;
   }

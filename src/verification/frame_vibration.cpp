@@ -22,6 +22,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using frame::Vector6;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr std::size_t modes_of_frame = 6, instants_of_axial_force = 6;
 
@@ -102,17 +103,15 @@ void keep_in_plane(int member, const Vector3d& at, const Matrix3d& from_world,
   }
 }
 
-/// The value at x of the polynomial through columns at these places: Lagrange.
-Vector6 polynomial_through(const std::vector<double>& places, const std::vector<Vector6>& values,
-                           double x) {
-  Vector6 sum = Vector6::Zero();
+/// What the value at each of these places weighs in that at x of the polynomial through them:
+/// Lagrange.
+std::vector<double> weights_of_polynomial(const std::vector<double>& places, double x) {
+  std::vector<double> weights(places.size(), 1.0);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    double weight = 1.0;
     for (std::size_t k = 0; k < places.size(); ++k)
-      if (k != i) weight *= (x - places[k]) / (places[i] - places[k]);
-    sum += weight * values[i];
+      if (k != i) weights[i] *= (x - places[k]) / (places[i] - places[k]);
   }
-  return sum;
+  return weights;
 }
 
 VectorXd allowed_in_forces(const VectorXd& largest) {
@@ -233,34 +232,28 @@ std::vector<frame::BeamMode> VibratingFrame::modes(double time, std::size_t coun
 
 /// Shift and turn of a member's axis, in the axes of the member. Within a piece the polynomial
 /// through its ends and the places where its motion is known.
-Vector6 VibratingFrame::motion_at(const frame::BeamMode& mode, std::size_t beam, double s) const {
+VibratingFrame::Moved VibratingFrame::moved_at(std::size_t beam, double s) const {
   const frame::VibratingBeam& of = beams_[beam];
-  Index row = 0;
-  for (std::size_t b = 0; b < beam; ++b) row += static_cast<Index>(6 * beams_[b].nodes().size());
+  const std::vector<frame::VibratingBeam::Piece>& pieces = of.pieces();
+  Moved moved;
+  for (std::size_t b = 0; b < beam; ++b)
+    moved.row += static_cast<Index>(6 * beams_[b].nodes().size());
+  std::size_t station = 0, k = 0;
+  for (; k + 1 < pieces.size() && s > pieces[k].to; ++k) station += pieces[k].samples.size();
+  const frame::VibratingBeam::Piece& piece = pieces[k];
+  moved.row += static_cast<Index>(6 * k);
+  std::vector<double> places{piece.from, piece.to};
+  for (std::size_t i = 0; i < piece.samples.size(); ++i)
+    places.push_back(of.stations()[station + i].s.value());
+  const std::vector<double> weights = weights_of_polynomial(places, s);
+  moved.by << weights[0] * Matrix6::Identity(), weights[1] * Matrix6::Identity();
+  for (std::size_t i = 0; i < piece.samples.size(); ++i)
+    moved.by += weights[i + 2] * piece.samples[i].motion;
   const Matrix3d into =
       structure_->members[order_[beam]].axes.transpose() * structure_->members[order_.front()].axes;
-  std::size_t station = 0;
-  for (std::size_t k = 0; k < of.pieces().size(); ++k) {
-    const frame::VibratingBeam::Piece& piece = of.pieces()[k];
-    if (s > piece.to && k + 1 < of.pieces().size()) {
-      station += piece.samples.size();
-      continue;
-    }
-    Eigen::Matrix<double, 12, 1> ends;
-    for (Index part = 0; part < 4; ++part)
-      ends.segment<3>(3 * part) =
-          into * mode.motion.segment<3>(row + static_cast<Index>(6 * k) + 3 * part);
-    std::vector<double> places{piece.from};
-    std::vector<Vector6> values{ends.head<6>()};
-    for (const frame::VibratingBeam::Sample& sample : piece.samples) {
-      places.push_back(of.stations()[station++].s.value());
-      values.push_back(sample.motion * ends);
-    }
-    places.push_back(piece.to);
-    values.push_back(ends.tail<6>());
-    return polynomial_through(places, values, s);
-  }
-  return Vector6::Zero();
+  for (Index part = 0; part < 4; ++part)
+    moved.by.middleCols<3>(3 * part) = (moved.by.middleCols<3>(3 * part) * into).eval();
+  return moved;
 }
 
 VectorXd VibratingFrame::forces(const std::vector<frame::BeamMode>& modes, double time,
@@ -274,11 +267,12 @@ VectorXd VibratingFrame::forces(const std::vector<frame::BeamMode>& modes, doubl
     const Vector3d force = into * point.action.force,
                    about_axis =
                        into * point.action.moment + Vector3d(0.0, at.p.y(), at.p.z()).cross(force);
-    for (Index j = 0; j < sum.size(); ++j) {
-      const Vector6 motion =
-          motion_at(modes[static_cast<std::size_t>(j)], place_[member], at.p.x());
-      sum[j] += force.dot(motion.head<3>()) + about_axis.dot(motion.tail<3>());
-    }
+    Vector6 wrench;
+    wrench << force, about_axis;
+    const Moved moved = moved_at(place_[member], at.p.x());
+    const Eigen::Matrix<double, 12, 1> on_nodes = moved.by.transpose() * wrench;
+    for (Index j = 0; j < sum.size(); ++j)
+      sum[j] += on_nodes.dot(modes[static_cast<std::size_t>(j)].motion.segment<12>(moved.row));
   }
   return sum;
 }

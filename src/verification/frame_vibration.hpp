@@ -36,7 +36,13 @@ class VibratingFrame {
                          double end) const;
 
  private:
-  frame::Vector6 motion_at(const frame::BeamMode& mode, std::size_t beam, double s) const;
+  /// What moves a place of a beam: the motions of two nodes of the scene, which stand in a mode's
+  /// motion from `row` on.
+  struct Moved {
+    Eigen::Index row = 0;
+    Eigen::Matrix<double, 6, 12> by;
+  };
+  Moved moved_at(std::size_t beam, double s) const;
 
   const frame::Structure* structure_;
   frame::Structure moving_;  ///< what changes over time alone

@@ -61,6 +61,26 @@ void PressedWebs::take(Time time, bool goes_on, const std::vector<Patch>& patche
       if (!by.is_none()) add(by, side, instant);
     }
   }
+  if (goes_on) {
+    std::vector<Instant>& instants = runs_.back().instants;
+    follow(instants[instants.size() - 2], instant);
+  }
+}
+
+void PressedWebs::follow(Instant& instant, const Instant& next) const {
+  const double near = at_one_place * project_->beam.length().value();
+  for (std::size_t i = 0; i < instant.forces.size(); ++i) {
+    Pressing& of = instant.forces[i];
+    of.next.reset();
+    // Mostly the same forces come in the same order.
+    const bool same_order = i < next.forces.size() && next.forces[i].force == of.force;
+    const auto same = same_order
+                          ? next.forces.begin() + static_cast<std::ptrdiff_t>(i)
+                          : std::find_if(next.forces.begin(), next.forces.end(),
+                                         [&](const Pressing& at) { return at.force == of.force; });
+    if (same != next.forces.end() && std::abs(same->s - of.s) > near)
+      of.next = static_cast<std::size_t>(same - next.forces.begin());
+  }
 }
 
 void PressedWebs::add(const Patch& patch, std::optional<std::size_t> side, Instant& instant) {
@@ -85,12 +105,15 @@ void PressedWebs::add(const Patch& patch, std::optional<std::size_t> side, Insta
     least = std::min(least, web.stress.value());
     most = std::max(most, web.stress.value());
   };
-  for (const PressedWeb& web : pressing.webs) {
+  const auto reach = [&](const PressedWeb& web) {
     note(web);
-    source.before = std::max(source.before, web.before.value());
-    source.behind = std::max(source.behind, web.behind.value());
-  }
-  for (const PressedWeb& weld : pressing.welds) note(weld);
+    pressing.before = std::max(pressing.before, web.before.value());
+    pressing.behind = std::max(pressing.behind, web.behind.value());
+  };
+  for (const PressedWeb& web : pressing.webs) reach(web);
+  source.before = std::max(source.before, pressing.before);
+  source.behind = std::max(source.behind, pressing.behind);
+  for (const PressedWeb& weld : pressing.welds) reach(weld);
   instant.forces.push_back(std::move(pressing));
 }
 
@@ -100,6 +123,7 @@ void PressedWebs::end(Time period) {
   of.instants.push_back(of.instants.front());
   of.instants.back().time = period;
   of.instants.back().goes_on = true;
+  follow(of.instants[of.instants.size() - 2], of.instants.back());
 }
 
 bool PressedWebs::acts(const Place& place, std::size_t force) const {
@@ -125,7 +149,7 @@ double PressedWebs::stress_at(const Place& place, const std::vector<bool>& actin
                               std::span<const Pressing> forces) {
   double stress = 0.0;
   for (const Pressing& of : forces) {
-    if (!acting[of.force]) continue;
+    if (!acting[of.force] || of.s - of.before > place.s || of.s + of.behind < place.s) continue;
     double own = 0.0;
     for (const PressedWeb& web : of.of(place.diaphragm))
       if (place.is_of(web) && reaches(web, of.s, place.s)) own += web.stress.value();
@@ -146,11 +170,12 @@ void PressedWebs::add_passages(const Place& place, const std::vector<bool>& acti
   std::vector<double> parts;
   const double near = at_one_place * project_->beam.length().value();
   for (const Pressing& of : before.forces) {
-    if (sources_[of.force].to - sources_[of.force].from <= near) continue;
-    const auto same = std::find_if(behind.forces.begin(), behind.forces.end(),
-                                   [&](const Pressing& at) { return at.force == of.force; });
-    if (same == behind.forces.end() || std::abs(same->s - of.s) <= near) continue;
-    if (!acting[of.force]) continue;
+    if (!of.next || !acting[of.force]) continue;
+    const Pressing* const same = &behind.forces[*of.next];
+    // It does not come to reach the place.
+    if (std::min(of.s, same->s) - std::max(of.before, same->before) > place.s + near ||
+        std::max(of.s, same->s) + std::max(of.behind, same->behind) < place.s - near)
+      continue;
     // The larger stress over all that it loads at either instant; where it comes in otherwise at
     // both, that of the nearer one. On a diaphragm it presses no web.
     const bool later = std::abs(same->s - place.s) < std::abs(of.s - place.s);
@@ -178,13 +203,8 @@ void PressedWebs::add_passages(const Place& place, const std::vector<bool>& acti
       if (!(part > 0.0 && part < 1.0)) continue;
       // What does not move is as before.
       double stress = 0.0;
-      for (const Pressing& of : before.forces) {
-        const bool moves =
-            std::any_of(behind.forces.begin(), behind.forces.end(), [&](const Pressing& at) {
-              return at.force == of.force && std::abs(at.s - of.s) > near;
-            });
-        if (!moves) stress += stress_at(place, acting, {&of, 1});
-      }
+      for (const Pressing& of : before.forces)
+        if (!of.next) stress += stress_at(place, acting, {&of, 1});
       for (const Moving& of : moving) {
         if (reaches(of.web, of.from + part * (of.to - of.from), place.s))
           stress += of.web.stress.value();

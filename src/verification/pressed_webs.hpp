@@ -73,9 +73,11 @@ class PressedWebs {
  private:
   /// A force at an instant.
   struct Pressing {
-    std::size_t force = 0;                ///< its number
-    double s = 0.0;                       ///< [m]
-    std::vector<PressedWeb> webs, welds;  ///< of diaphragms, where it is or may come to be
+    std::size_t force = 0;                 ///< its number
+    double s = 0.0;                        ///< [m]
+    std::vector<PressedWeb> webs, welds;   ///< of diaphragms, where it is or may come to be
+    double before = 0.0, behind = 0.0;     ///< of it what all these reach at most [m]
+    std::optional<std::size_t> next = {};  ///< of the next instant's, where it has moved on
 
     const std::vector<PressedWeb>& of(const Diaphragm* diaphragm) const {
       return diaphragm != nullptr ? welds : webs;
@@ -127,6 +129,8 @@ class PressedWebs {
     std::vector<double> times, values;
   };
   void add(const Patch& patch, std::optional<std::size_t> side, Instant& instant);
+  /// Finds the forces that move on from an instant to the next one.
+  void follow(Instant& instant, const Instant& next) const;
   bool acts(const Place& place, std::size_t force) const;
   /// Of each force.
   std::vector<bool> acting_on(const Place& place) const;

@@ -35,6 +35,26 @@ const GaussMethod& gauss_method() {
   return method;
 }
 
+struct ResponseStep {
+  double begin, h, end;  // [s]
+};
+
+/// Steps of equal length between neighbouring borders.
+std::vector<ResponseStep> steps_between(const std::vector<double>& borders, double longest_step) {
+  std::vector<ResponseStep> all;
+  for (std::size_t border = 1; border < borders.size(); ++border) {
+    const double from = borders[border - 1], length = borders[border] - from;
+    const double steps = std::max(1.0, std::ceil(length / longest_step - 1e-9));
+    const double h = length / steps;
+    const auto count = static_cast<std::size_t>(steps);
+    for (std::size_t step = 0; step < count; ++step)
+      all.push_back(
+          {from + static_cast<double>(step) * h, h,
+           step + 1 < count ? from + static_cast<double>(step + 1) * h : borders[border]});
+  }
+  return all;
+}
+
 }  // namespace
 
 TransientResponse::TransientResponse(const EquationsAt& equations,
@@ -51,35 +71,68 @@ void TransientResponse::go_on(const EquationsAt& equations, const std::vector<do
   const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(k, k);
   Eigen::MatrixXd system(stages * k, stages * k);
   Eigen::VectorXd right(stages * k);
-  for (std::size_t border = 1; border < borders.size(); ++border) {
-    const double from = borders[border - 1], length = borders[border] - from;
-    const double steps = std::max(1.0, std::ceil(length / longest_step - 1e-9));
-    const double h = length / steps;
-    const auto count = static_cast<std::size_t>(steps);
-    for (std::size_t step = 0; step < count; ++step) {
-      const double begin = from + static_cast<double>(step) * h;
-      const ModalState& known = states_.back();
-      for (Eigen::Index i = 0; i < stages; ++i) {
-        const ModalEquations at = equations(begin + gauss.nodes[i] * h);
-        for (Eigen::Index j = 0; j < stages; ++j) {
-          system.block(i * k, j * k, k, k) =
-              h * gauss.once(i, j) * at.damping + h * h * gauss.twice(i, j) * at.stiffness;
-        }
-        system.block(i * k, i * k, k, k) += identity;
-        right.segment(i * k, k) = at.force - at.damping * known.speed -
-                                  at.stiffness * (known.eta + gauss.nodes[i] * h * known.speed);
+  for (const auto& [begin, h, end] : steps_between(borders, longest_step)) {
+    const ModalState& known = states_.back();
+    for (Eigen::Index i = 0; i < stages; ++i) {
+      const ModalEquations at = equations(begin + gauss.nodes[i] * h);
+      for (Eigen::Index j = 0; j < stages; ++j) {
+        system.block(i * k, j * k, k, k) =
+            h * gauss.once(i, j) * at.damping + h * h * gauss.twice(i, j) * at.stiffness;
       }
-      const Eigen::VectorXd solved = system.partialPivLu().solve(right);
-      Eigen::MatrixXd accelerations = Eigen::MatrixXd::Map(solved.data(), k, stages);
-      ModalState next;
-      next.eta = known.eta + h * known.speed + h * h * (accelerations * gauss.double_weights);
-      next.speed = known.speed + h * (accelerations * gauss.weights);
-      accelerations_.push_back(std::move(accelerations));
-      states_.push_back(std::move(next));
-      times_.push_back(step + 1 < count ? from + static_cast<double>(step + 1) * h
-                                        : borders[border]);
+      system.block(i * k, i * k, k, k) += identity;
+      right.segment(i * k, k) = at.force - at.damping * known.speed -
+                                at.stiffness * (known.eta + gauss.nodes[i] * h * known.speed);
     }
+    const Eigen::VectorXd solved = system.partialPivLu().solve(right);
+    Eigen::MatrixXd accelerations = Eigen::MatrixXd::Map(solved.data(), k, stages);
+    ModalState next;
+    next.eta = known.eta + h * known.speed + h * h * (accelerations * gauss.double_weights);
+    next.speed = known.speed + h * (accelerations * gauss.weights);
+    accelerations_.push_back(std::move(accelerations));
+    states_.push_back(std::move(next));
+    times_.push_back(end);
   }
+}
+
+UncoupledResponse uncoupled_response(const std::function<Eigen::VectorXd(double time)>& force,
+                                     const Eigen::VectorXd& damping,
+                                     const Eigen::VectorXd& stiffness,
+                                     const std::vector<double>& borders, ModalState start,
+                                     double longest_step) {
+  const GaussMethod& gauss = gauss_method();
+  const std::vector<ResponseStep> steps = steps_between(borders, longest_step);
+  const auto rows = static_cast<Eigen::Index>(steps.size()) + 1;
+  const Eigen::Index k = damping.size();
+  UncoupledResponse response{{borders.front()}, {rows, k}, {rows, k}};
+  auto& [eta, speed] = start;
+  response.eta.row(0) = eta.transpose();
+  response.speed.row(0) = speed.transpose();
+  // What the forces of a step's stages, less those of its beginning, add to each mode in it.
+  Eigen::MatrixX3d shifts(k, 3), rates(k, 3), beyond(k, 3);
+  double known_h = 0.0;
+  for (const auto& [begin, h, end] : steps) {
+    if (h != known_h) {
+      for (Eigen::Index j = 0; j < k; ++j) {
+        const Eigen::Matrix3d system = Eigen::Matrix3d::Identity() + h * damping[j] * gauss.once +
+                                       h * h * stiffness[j] * gauss.twice;
+        const Eigen::Matrix3d inverse = system.inverse();
+        shifts.row(j) = h * h * gauss.double_weights.transpose() * inverse;
+        rates.row(j) = h * gauss.weights.transpose() * inverse;
+      }
+      known_h = h;
+    }
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      beyond.col(i) = force(begin + gauss.nodes[i] * h) - damping.cwiseProduct(speed) -
+                      stiffness.cwiseProduct(eta + gauss.nodes[i] * h * speed);
+    }
+    eta += h * speed + shifts.cwiseProduct(beyond).rowwise().sum();
+    speed += rates.cwiseProduct(beyond).rowwise().sum();
+    const auto row = static_cast<Eigen::Index>(response.times.size());
+    response.eta.row(row) = eta.transpose();
+    response.speed.row(row) = speed.transpose();
+    response.times.push_back(end);
+  }
+  return response;
 }
 
 ModalState TransientResponse::at(double time) const {

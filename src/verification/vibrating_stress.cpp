@@ -6,6 +6,12 @@
 #include "boxbeam/section/section_properties.hpp"
 
 namespace boxbeam {
+namespace {
+
+/// A range this small beside the stresses is none.
+constexpr double round_off_of_range = 1e-11;
+
+}  // namespace
 
 std::vector<ComparedPlace> compared_places_of(const TaperedBeam& beam,
                                               const std::vector<Length>& joints) {
@@ -63,9 +69,44 @@ Eigen::MatrixXd stress_history(const LoadHistory& history,
 }
 
 double largest_range(const Eigen::MatrixXd& stresses) {
-  constexpr double round_off = 1e-11;
   const double range = (stresses.colwise().maxCoeff() - stresses.colwise().minCoeff()).maxCoeff();
-  return range > round_off * stresses.cwiseAbs().maxCoeff() ? range : 0.0;
+  return range > round_off_of_range * stresses.cwiseAbs().maxCoeff() ? range : 0.0;
+}
+
+std::vector<double> missed_without(const Eigen::MatrixXd& parts, const Eigen::MatrixXd& stresses,
+                                   double peak, double range) {
+  // A harmonic that meets a frequency without damping has no bound.
+  constexpr double no_bound = 1e6;
+  const Eigen::Index modes = parts.cols();
+  std::vector<double> missed(static_cast<std::size_t>(modes) + 1, 0.0);
+  const Eigen::RowVectorXd sizes = parts.cwiseAbs().colwise().maxCoeff();
+  const Eigen::RowVectorXd widths = parts.colwise().maxCoeff() - parts.colwise().minCoeff();
+  Eigen::VectorXd sum(parts.rows());
+  for (Eigen::Index j = modes; j-- > 0;) {
+    if (!parts.col(j).allFinite()) {
+      std::fill_n(missed.begin(), j + 1, no_bound);
+      break;
+    }
+    const Eigen::Index others = modes - j;
+    const Eigen::MatrixXd of_units = stresses.bottomRows(others).cwiseAbs();
+    Eigen::RowVectorXd most = sizes.tail(others) * of_units,
+                       widest = widths.tail(others) * of_units;
+    double largest = 0.0, range_of = 0.0;
+    const auto look_at = [&](Eigen::Index place) {
+      sum.noalias() = parts.rightCols(others) * stresses.col(place).tail(others);
+      const double high = sum.maxCoeff(), low = sum.minCoeff();
+      largest = std::max({largest, high, -low});
+      range_of = std::max(range_of, high - low);
+      most[place] = widest[place] = 0.0;
+    };
+    Eigen::Index place = 0;
+    while (most.maxCoeff(&place) > largest) look_at(place);
+    while (range > 0.0 && widest.maxCoeff(&place) > range_of) look_at(place);
+    if (range_of <= round_off_of_range * largest) range_of = 0.0;
+    const double by_range = range > 0.0 ? range_of / range : 0.0;
+    missed[static_cast<std::size_t>(j)] = std::min(no_bound, std::max(largest / peak, by_range));
+  }
+  return missed;
 }
 
 double VibratingStress::peak() const { return (constant.abs() + harmonic.abs()).maxCoeff(); }

@@ -268,14 +268,11 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
       estimate.without_modes[counted] =
           std::max(estimate.without_modes[counted], error + (counted == 0 ? turning : left_out));
     };
-    Eigen::MatrixXd missed = Eigen::MatrixXd::Zero(parts.rows(), stresses.cols());
-    raise(static_cast<std::size_t>(count), 0.0);
-    for (Eigen::Index j = count; j-- > 0;) {
-      const auto mode = static_cast<std::size_t>(j);
-      missed += parts.col(j) * fibre_stresses(modes.diagrams[mode], places).matrix().transpose();
-      const double of_range = range > 0.0 ? largest_range(missed) / range : 0.0;
-      raise(mode, std::max(missed.cwiseAbs().maxCoeff() / peak, of_range));
-    }
+    Eigen::MatrixXd of_modes(count, stresses.cols());
+    for (Eigen::Index j = 0; j < count; ++j)
+      of_modes.row(j) = fibre_stresses(modes.diagrams[static_cast<std::size_t>(j)], places);
+    const std::vector<double> missed = missed_without(parts, of_modes, peak, range);
+    for (std::size_t counted = missed.size(); counted-- > 0;) raise(counted, missed[counted]);
     if (estimate.frequencies.empty() || modes.frequencies.front() < estimate.frequencies.front()) {
       estimate.frequencies = modes.frequencies;
     }

@@ -139,17 +139,10 @@ struct WeighedStresses {
   /// With none, one, ... of the modes counted. `parts`: of each mode over time, a column each.
   std::vector<double> missed(const std::vector<frame::BeamMode>& modes,
                              const Eigen::MatrixXd& parts) const {
-    std::vector<double> missed(modes.size() + 1, 0.0);
-    Eigen::MatrixXd beside = Eigen::MatrixXd::Zero(parts.rows(), stresses.cols());
-    for (std::size_t j = modes.size(); j-- > 0;) {
-      beside += parts.col(static_cast<Eigen::Index>(j)) * stresses_at(modes[j].cut, places);
-      const double of_range = range > 0.0 ? largest_range(beside) / range : 0.0;
-      missed[j] = std::max(beside.cwiseAbs().maxCoeff() / peak, of_range);
-      // A harmonic that meets a frequency without damping has no bound.
-      constexpr double no_bound = 1e6;
-      missed[j] = std::isfinite(beside.sum()) ? std::min(missed[j], no_bound) : no_bound;
-    }
-    return missed;
+    Eigen::MatrixXd of_modes(static_cast<Eigen::Index>(modes.size()), stresses.cols());
+    for (Eigen::Index j = 0; j < of_modes.rows(); ++j)
+      of_modes.row(j) = stresses_at(modes[static_cast<std::size_t>(j)].cut, places);
+    return missed_without(parts, of_modes, peak, range);
   }
 
   std::vector<LoadHarmonic> harmonics(const LoadHistory& history) const {

@@ -74,4 +74,16 @@ TEST_CASE("what no polynomial describes is divided down to the shortest piece", 
   CHECK(curve.at(0.6)[0] == Approx(1.0));
 }
 
+TEST_CASE("a mapped curve is the map of the curve, at points and between", "[numerics]") {
+  const auto f = [](double x) { return Eigen::Vector2d(std::sin(x), std::exp(-x)); };
+  const ChebyshevCurve curve(f, {{0.0, 1.0, 4.0}, 1.0, 0.1}, everywhere(1e-9));
+  Eigen::Matrix<double, 3, 2> by;
+  by << 2.0, 0.0, 1.0, -3.0, 0.0, 0.5;
+  const ChebyshevCurve mapped = curve.mapped(by);
+  CHECK(mapped.pieces() == curve.pieces());
+  CHECK(mapped.largest().size() == 3);
+  for (int i = 0; i <= 400; ++i)
+    CHECK((mapped.at(0.01 * i) - by * curve.at(0.01 * i)).norm() < 1e-14);
+}
+
 }  // namespace chebyshev_curve_test

@@ -210,4 +210,31 @@ TEST_CASE("what begins at rest stays there, and goes on where it was", "[transie
   }
 }
 
+// Of steps of a fraction of a period and of many. By the equations of all modes at once, which the
+// tests above hold against closed forms.
+TEST_CASE("modes that nothing couples, each by itself or all at once", "[transient]") {
+  const Eigen::Vector3d damping(0.0, 0.4, 3.0), stiffness(30.0, 900.0, 4e6);
+  const auto force = [](double time) -> Eigen::VectorXd {
+    return Eigen::Vector3d(std::sin(time), time < 1.0 ? 50.0 : -20.0, 1e3 * time * time);
+  };
+  const std::vector<double> borders{0.0, 1.0, 2.5};
+  const ModalState start{Eigen::Vector3d(0.3, -0.1, 1e-4), Eigen::Vector3d(1.0, 2.0, -0.3)};
+  for (const double step : {0.003, 0.07, 0.5}) {
+    const UncoupledResponse alone =
+        uncoupled_response(force, damping, stiffness, borders, start, step);
+    const TransientResponse together(
+        [&](double time) -> ModalEquations {
+          return {damping.asDiagonal(), stiffness.asDiagonal(), force(time)};
+        },
+        borders, start, step);
+    REQUIRE(alone.times == together.times());
+    for (std::size_t i = 0; i < alone.times.size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      const ModalState& at = together.states()[i];
+      CHECK((alone.eta.row(row).transpose() - at.eta).cwiseAbs().maxCoeff() < 1e-10);
+      CHECK((alone.speed.row(row).transpose() - at.speed).cwiseAbs().maxCoeff() < 1e-8);
+    }
+  }
+}
+
 }  // namespace transient_response_test

@@ -44,6 +44,9 @@ class FlexibilityProfile {
   /// Ascending, from 0 to the beam's length [m].
   const std::vector<double>& borders() const { return borders_; }
 
+  /// Whether nothing changes within the piece from borders()[k] on: of prismatic segments.
+  bool is_constant(std::size_t piece) const { return pieces_[piece].constant; }
+
  private:
   static constexpr std::size_t nodes = 13;
   using Points = ChebyshevPoints<nodes>;
@@ -53,6 +56,10 @@ class FlexibilityProfile {
     Eigen::Index row, column;
     std::array<double, nodes> values;
   };
+  struct Piece {
+    std::vector<Entry> entries;
+    bool constant = false;
+  };
   static std::vector<Entry> entries_of(const std::array<Flexibility, nodes>& values);
 
   void add(const Segment& segment, double from, double to, int halvings);
@@ -60,7 +67,7 @@ class FlexibilityProfile {
   double youngs_modulus_, shear_modulus_;
   bool twisted_;
   std::vector<double> borders_{0.0};
-  std::vector<std::vector<Entry>> pieces_;
+  std::vector<Piece> pieces_;
 };
 
 }  // namespace boxbeam

@@ -31,6 +31,9 @@ class ChebyshevCurve {
   /// Of so many components, the first ones, alone.
   Eigen::VectorXd at(double x, Eigen::Index components) const;
 
+  /// The curve of `by` times this one.
+  ChebyshevCurve mapped(const Eigen::MatrixXd& by) const;
+
   /// The largest size of each component at the points.
   const Eigen::VectorXd& largest() const { return largest_; }
   std::size_t pieces() const { return pieces_.size(); }

@@ -57,6 +57,21 @@ class TransientResponse {
   std::vector<Eigen::MatrixXd> accelerations_;  ///< of each step, a column for each stage
 };
 
+/// Modal coordinates that nothing couples and whose damping and stiffness stay,
+///
+///     eta_j'' + damping_j eta_j' + stiffness_j eta_j = p_j(t)
+///
+/// at the ends of the steps of `TransientResponse`, by its method.
+struct UncoupledResponse {
+  std::vector<double> times;   ///< [s]
+  Eigen::MatrixXd eta, speed;  ///< a row for each time, a column for each mode
+};
+UncoupledResponse uncoupled_response(const std::function<Eigen::VectorXd(double time)>& force,
+                                     const Eigen::VectorXd& damping,
+                                     const Eigen::VectorXd& stiffness,
+                                     const std::vector<double>& borders, ModalState start,
+                                     double longest_step);
+
 /// The state of rest under constant equations: K eta = p.
 ModalState resting(const ModalEquations& equations);
 

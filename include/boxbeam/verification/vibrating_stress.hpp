@@ -31,6 +31,15 @@ Eigen::MatrixXd stress_history(const LoadHistory& history,
 /// Over the rows, of the column in which it is largest; zero where it is round-off of the stresses.
 double largest_range(const Eigen::MatrixXd& stresses);
 
+/// What is left out with none, one, ... and all of some modes counted: the largest stress of the
+/// others together, by `peak`, or its largest range, by `range`, whichever is more; 1e6 at most.
+/// Exact: only places where the others, each at its largest, stay below what is found are passed
+/// over.
+/// `parts`: of each mode over time, a column each; `stresses`: of a unit of each at the places, a
+/// row each [Pa]; `peak`, `range`: of the whole stress [Pa]. A range of zero is not looked at.
+std::vector<double> missed_without(const Eigen::MatrixXd& parts, const Eigen::MatrixXd& stresses,
+                                   double peak, double range);
+
 /// Nominal stress of a vibrating beam, place by place.
 struct VibratingStress {
   Eigen::ArrayXd constant;   ///< [Pa]

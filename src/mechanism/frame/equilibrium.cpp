@@ -21,6 +21,12 @@ Vector6 vector_of(const CutForces& cut) {
   return of;
 }
 
+Vector6 wrench_of(const PointLoad& load) {
+  Vector6 of;
+  of << load.force, load.moment;
+  return of;
+}
+
 /// Strains of heat: a rise towards +z lengthens there, towards +y likewise.
 Vector6 strain_of(const HeatAction& heat, double expansion) {
   Vector6 strain = Vector6::Zero();
@@ -45,14 +51,6 @@ std::vector<double> borders_of(const CutForceDiagram& diagram) {
   return borders;
 }
 
-/// Whether nothing acts on a member between two places of it, weight aside.
-bool stands_free(const MemberLoads& acting, double from, double to) {
-  const bool loaded = std::any_of(
-      acting.loads.points.begin(), acting.loads.points.end(),
-      [&](const PointLoad& load) { return load.s.value() > from && load.s.value() < to; });
-  return !loaded && !acting.line_loaded && acting.heat.isZero(0.0);
-}
-
 /// Integral of B^T (f c + e): how far the section at `to` is shifted and turned from where the one
 /// at `from` would carry it, member axes; a column for each of those of c. Between `breaks`,
 /// ascending, c is a polynomial.
@@ -60,7 +58,9 @@ template <int columns, class Cut>
 Eigen::Matrix<double, 6, columns> strains_between(const FlexibilityProfile& profile, double from,
                                                   double to, const std::vector<double>& breaks,
                                                   const Cut& cut, const Vector6& heat) {
+  // Along a prismatic segment the degree is that of the cut forces, 5, and of the arm.
   using Rule = boost::math::quadrature::gauss<double, 15>;
+  using OfConstant = boost::math::quadrature::gauss<double, 7>;
   const std::vector<double>& pieces = profile.borders();
   Eigen::Matrix<double, 6, columns> sum = Eigen::Matrix<double, 6, columns>::Zero();
   for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
@@ -69,22 +69,26 @@ Eigen::Matrix<double, 6, columns> strains_between(const FlexibilityProfile& prof
     const auto add = [&](double s, double weight) {
       const Eigen::Matrix<double, 6, columns> forces = cut(s);
       const Flexibility f = profile.at(k, s);
-      const Matrix6 carried = carry(Vector3d(to - s, 0.0, 0.0));
-      for (Index j = 0; j < columns; ++j) {
-        const Vector6 strain = f * forces.col(j) + heat;
-        sum.col(j) += weight * (carried * strain);
+      for (Index j = 0; j < columns; ++j)
+        sum.col(j) += weight * carried_on(f * forces.col(j) + heat, to - s);
+    };
+    const auto integrate = [&](const auto& abscissae, const auto& weights, double low,
+                               double high) {
+      const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
+      for (std::size_t i = 0; i < abscissae.size(); ++i) {
+        const double u = abscissae[i], weight = half * weights[i];
+        add(middle + half * u, weight);
+        if (u > 0.0) add(middle - half * u, weight);
       }
     };
     double low = first;
     while (low < last) {
       const auto next = std::upper_bound(breaks.begin(), breaks.end(), low);
       const double high = next == breaks.end() ? last : std::min(last, *next);
-      const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
-      for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
-        const double u = Rule::abscissa()[i], weight = half * Rule::weights()[i];
-        add(middle + half * u, weight);
-        if (u > 0.0) add(middle - half * u, weight);
-      }
+      if (profile.is_constant(k))
+        integrate(OfConstant::abscissa(), OfConstant::weights(), low, high);
+      else
+        integrate(Rule::abscissa(), Rule::weights(), low, high);
       low = high;
     }
   }
@@ -101,7 +105,9 @@ std::vector<LineLoad> Statics::lines_on(int member, const ActingLoads& loads) co
   const Member& of = member_of(*structure_, member);
   const Vector3d gravity = loads.weight * (of.axes.transpose() * structure_->gravity);
   std::vector<LineLoad> weight =
-      weight_and_inertia(of.beam, masses_[static_cast<std::size_t>(member)], gravity, {});
+      loads.weight == 0.0
+          ? unloaded_lines(of.beam)
+          : weight_and_inertia(of.beam, masses_[static_cast<std::size_t>(member)], gravity, {});
   const double whole = of.beam.length().value();
   std::vector<double> ends;
   for (const LineAction& line : loads.lines) {
@@ -172,12 +178,37 @@ Matrix6 Statics::flexibility_between(int member, double from, double to) const {
                             Vector6::Zero());
 }
 
+Vector6 Statics::strain_to(std::size_t piece, double s, const Vector6& cut) const {
+  const std::vector<Reached>& reached = reached_[piece];
+  const Reached& known =
+      *(std::upper_bound(reached.begin(), reached.end(), s,
+                         [](double at, const Reached& of) { return at < of.s; }) -
+        1);
+  const double beyond = s - known.s;
+  const auto before = [&](double at) { return carried_back(cut, s - at); };
+  return carried_on(known.flexibility * carried_back(cut, beyond), beyond) +
+         strains_between<1>(profiles_[static_cast<std::size_t>(pieces_[piece].member)], known.s, s,
+                            {}, before, Vector6::Zero());
+}
+
 Equilibrium Statics::solve(const ActingLoads& loads) const {
+  Equilibrium result = balance(loads);
+  for (MemberLoads& member : result.members) member.cut = cut_forces_of(member.loads);
+  return result;
+}
+
+Equilibrium Statics::balance(const ActingLoads& loads) const {
   const Structure& of = *structure_;
   const std::span<const Index> world = world_components(of), cuts = cut_components(of);
   Equilibrium result;
   result.members = member_loads_of(loads);
-  for (MemberLoads& member : result.members) member.cut = cut_forces_of(member.loads);
+  // Of what acts along members alone; none where nothing does.
+  std::vector<CutForceDiagram> along(result.members.size());
+  for (std::size_t m = 0; m < along.size(); ++m) {
+    const MemberLoads& acting = result.members[m];
+    if (loads.weight != 0.0 || acting.line_loaded || !acting.heat.isZero(0.0))
+      along[m] = cut_forces_of({{}, acting.loads.lines});
+  }
   const auto shift_unit = [&](Index k) { return k < 3 ? length_ : 1.0; };
   const auto force_unit = [&](Index k) { return k < 3 ? force_ : force_ * length_; };
 
@@ -186,22 +217,32 @@ Equilibrium Statics::solve(const ActingLoads& loads) const {
     for (std::size_t k = 0; k < world.size(); ++k)
       right[row_of_node(node) + static_cast<Index>(k)] += load[world[k]] / force_unit(world[k]);
   };
-  // The diagram of what acts on a member alone is in balance with it between its nodes; what acts
-  // at a node is the node's.
+  // What acts between the nodes of a piece is held at its beginning; what acts at a node is the
+  // node's.
   for (std::size_t p = 0; p < pieces_.size(); ++p) {
     const Piece& piece = pieces_[p];
     const Member& member = member_of(of, piece.member);
     const MemberLoads& acting = result.members[static_cast<std::size_t>(piece.member)];
     const double from = nodes_[piece.from].s, to = nodes_[piece.to].s;
-    if (loads.weight == 0.0 && stands_free(acting, from, to)) continue;
-    const Vector6 last = vector_of(acting.cut.at({si<Length>(to), Side::before}));
-    const auto cut = [&](double s) -> Vector6 {
-      return vector_of(acting.cut.at({si<Length>(s), Side::behind})) - carried_back(last, to - s);
-    };
-    const Matrix6 outwards = rotation(member.axes);
-    load_node(piece.from, outwards * cut(from));
-    const Vector6 misfit = strains_between<1>(profiles_[static_cast<std::size_t>(piece.member)],
-                                              from, to, borders_of(acting.cut), cut, acting.heat);
+    Vector6 held = Vector6::Zero(), misfit = Vector6::Zero();
+    for (const PointLoad& load : acting.loads.points) {
+      const double s = load.s.value();
+      if (!(s > from && s < to)) continue;
+      const Vector6 wrench = wrench_of(load);
+      held += carried_back(wrench, s - from);
+      misfit += carried_on(strain_to(p, s, wrench), to - s);
+    }
+    const CutForceDiagram& diagram = along[static_cast<std::size_t>(piece.member)];
+    if (!diagram.pieces.empty()) {
+      const Vector6 last = vector_of(diagram.at({si<Length>(to), Side::before}));
+      const auto cut = [&](double s) -> Vector6 {
+        return vector_of(diagram.at({si<Length>(s), Side::behind})) - carried_back(last, to - s);
+      };
+      held += cut(from);
+      misfit += strains_between<1>(profiles_[static_cast<std::size_t>(piece.member)], from, to,
+                                   borders_of(diagram), cut, acting.heat);
+    }
+    load_node(piece.from, rotation(member.axes) * held);
     for (std::size_t i = 0; i < cuts.size(); ++i)
       right[row_of_piece(p) + static_cast<Index>(i)] = misfit[cuts[i]] / shift_unit(cuts[i]);
   }
@@ -210,9 +251,7 @@ Equilibrium Statics::solve(const ActingLoads& loads) const {
     for (const PointLoad& load :
          result.members[static_cast<std::size_t>(node.member)].loads.points) {
       if (load.s.value() != node.s) continue;
-      Vector6 wrench;
-      wrench << load.force, load.moment;
-      load_node(n, rotation(member_of(of, node.member).axes) * wrench);
+      load_node(n, rotation(member_of(of, node.member).axes) * wrench_of(load));
     }
   }
   for (const Settlement& settlement : loads.settlements) {
@@ -247,7 +286,6 @@ Equilibrium Statics::solve(const ActingLoads& loads) const {
                      sign * force.tail<3>(), joint.name));
     }
   }
-  for (MemberLoads& member : result.members) member.cut = cut_forces_of(member.loads);
   result.motion = x.head(row_of_node(nodes_.size()));
   return result;
 }
@@ -272,7 +310,7 @@ Vector6 Statics::motion_at(int member, double s, const Equilibrium& of) const {
   const Matrix6 outwards = rotation(member_of(*structure_, member).axes);
   const Vector6 strain = strains_between<1>(profiles_[static_cast<std::size_t>(member)], from, s,
                                             borders_of(acting.cut), cut, acting.heat);
-  return outwards * (carry(Vector3d(s - from, 0.0, 0.0)) * (outwards.transpose() * start) + strain);
+  return outwards * (carried_on(outwards.transpose() * start, s - from) + strain);
 }
 
 }  // namespace boxbeam::frame

@@ -32,9 +32,18 @@ inline Matrix6 rotation(const Eigen::Matrix3d& axes) {
   return m;
 }
 
+/// `carry` along the axis of a member by `distance`.
+inline Vector6 carried_on(Vector6 motion, double distance) {
+  motion[1] += distance * motion[5];
+  motion[2] -= distance * motion[4];
+  return motion;
+}
+
 /// What cut forces at a place behind it are at a place `distance` before.
-inline Vector6 carried_back(const Vector6& cut, double distance) {
-  return carry(Eigen::Vector3d(distance, 0.0, 0.0)).transpose() * cut;
+inline Vector6 carried_back(Vector6 cut, double distance) {
+  cut[4] -= distance * cut[2];
+  cut[5] += distance * cut[1];
+  return cut;
 }
 
 /// Of motions and forces in world axes, and in those of joints: in the plane x, y and the turn.

@@ -92,7 +92,8 @@ double Statics::critical_factor(const std::vector<double>& axial_forces, double 
     Eigen::MatrixXd F(cuts.size(), cuts.size());
     for (std::size_t i = 0; i < cuts.size(); ++i) {
       for (std::size_t j = 0; j < cuts.size(); ++j)
-        F(static_cast<Index>(i), static_cast<Index>(j)) = flexibilities_[p](cuts[i], cuts[j]);
+        F(static_cast<Index>(i), static_cast<Index>(j)) =
+            reached_[p].back().flexibility(cuts[i], cuts[j]);
     }
     const Eigen::MatrixXd inverse = F.inverse();
     Matrix6 K = Matrix6::Zero();

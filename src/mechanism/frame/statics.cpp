@@ -100,9 +100,19 @@ void Statics::assemble() {
   double softest = 0.0;
   for (const Piece& piece : pieces_) {
     const double from = nodes_[piece.from].s, to = nodes_[piece.to].s;
-    const Matrix6 F = flexibility_between(piece.member, from, to);
+    std::vector<Reached>& reached = reached_.emplace_back();
+    reached.push_back({from, Matrix6::Zero()});
+    const auto reach = [&](double s) {
+      const Matrix6 by = carry(Vector3d(s - reached.back().s, 0.0, 0.0));
+      const Matrix6 F = by * reached.back().flexibility * by.transpose() +
+                        flexibility_between(piece.member, reached.back().s, s);
+      reached.push_back({s, 0.5 * (F + F.transpose())});
+    };
+    for (const double border : profiles_[static_cast<std::size_t>(piece.member)].borders())
+      if (border > from && border < to) reach(border);
+    reach(to);
+    const Matrix6& F = reached.back().flexibility;
     softest = std::max({softest, F(1, 1), F(2, 2)});
-    flexibilities_.push_back(0.5 * (F + F.transpose()));
   }
   // Unknowns near one: a force that shifts by the length of the frame.
   force_ = length_ / softest;
@@ -133,7 +143,7 @@ void Statics::assemble() {
       add(row, cut[i], piece.from, at_from);
       add(row, cut[i], piece.to, into);
       for (std::size_t j = 0; j < cut.size(); ++j) {
-        const double value = flexibilities_[p](cut[i], cut[j]);
+        const double value = reached_[p].back().flexibility(cut[i], cut[j]);
         if (value == 0.0) continue;
         entries.emplace_back(row, row_of_piece(p) + static_cast<Index>(j),
                              -value * force_unit(cut[j]) / shift_unit(cut[i]));

@@ -56,9 +56,11 @@ struct Equilibrium {
 ///     A^T c + G^T r = p,   A u - F c = d,   G u - r/k = -settlement
 ///
 /// F = int B^T f B ds and d = int B^T (f c_q + e) ds over a piece, c_q the cut forces of what acts
-/// between its nodes, e the strains of heat. No stiffness is formed: rigid joints have 1/k = 0, and
-/// where balance alone decides, forces are free of the round-off of elasticity. Source: principle
-/// of virtual forces; Argyris, Kelsey, Energy Theorems and Structural Analysis (1960).
+/// along it between its nodes, e the strains of heat. A point load w at s adds B F(s) w to d, F(s)
+/// from the piece's beginning to s, known at the borders of the profile. No stiffness is formed:
+/// rigid joints have 1/k = 0, and where balance alone decides, forces are free of the round-off of
+/// elasticity. Source: principle of virtual forces; Argyris, Kelsey, Energy Theorems and Structural
+/// Analysis (1960).
 class Statics {
  public:
   /// `structure` stays. Throws AnalysisError where something is free to move (says what), where
@@ -71,6 +73,9 @@ class Statics {
 
   /// Throws AnalysisError where the loads are not finite.
   Equilibrium solve(const ActingLoads& loads) const;
+
+  /// The same without the diagrams of its members.
+  Equilibrium balance(const ActingLoads& loads) const;
 
   /// Shift and turn of a member's section at a station, at an end of it beyond; world axes.
   Vector6 motion_at(int member, double s, const Equilibrium& of) const;
@@ -108,13 +113,21 @@ class Statics {
   /// How far the section at `to` is shifted and turned from where the one at `from` would carry it,
   /// per cut force at `to`, member axes.
   Eigen::Matrix<double, 6, 6> flexibility_between(int member, double from, double to) const;
+  /// The same from the beginning of a piece to a place in it, under a cut force there.
+  Vector6 strain_to(std::size_t piece, double s, const Vector6& cut) const;
 
   const Structure* structure_;
   std::vector<FlexibilityProfile> profiles_;
   std::vector<std::vector<SegmentMass>> masses_;
   std::vector<Node> nodes_;
   std::vector<Piece> pieces_;
-  std::vector<Eigen::Matrix<double, 6, 6>> flexibilities_;  ///< F of each piece
+  /// F from the beginning of a piece to a place.
+  struct Reached {
+    double s = 0.0;
+    Eigen::Matrix<double, 6, 6> flexibility;
+  };
+  /// Of each piece, from its beginning on where its profile has borders to its end.
+  std::vector<std::vector<Reached>> reached_;
   std::vector<Eigen::Index> joint_rows_;
   double length_ = 1.0, force_ = 1.0;  ///< units of the unknowns [m, N]
   Eigen::SparseMatrix<double> matrix_;
