@@ -158,18 +158,45 @@ ElasticModel better_than(const ElasticModel& model) {
   return {ModelLevel::modal, model.modes + 1, std::max(parts, 2 * model.parts), {}, false};
 }
 
-/// Largest difference of a model from the better one.
-double error_found(const Project& project, const ElasticModel& model, const SharedMotions& shared) {
-  const ElasticModel better = better_than(model);
-  const std::deque<SituationRun> by_model = run_situations(project, model, shared);
-  const std::deque<SituationRun> by_better = run_situations(project, better, shared);
-  double found = 0.0;
-  for (std::size_t i = 0; i < by_model.size(); ++i) {
-    const StressesOfBoth of = stresses_of_both(project, by_model[i].loads, by_better[i].loads);
-    found = std::max(found, difference_between(of.model, of.better));
-  }
-  return found;
+bool are_same(const ElasticModel& some, const ElasticModel& other) {
+  const auto& [level, modes, parts, element, axial] = some;
+  return level == other.level && modes == other.modes && parts == other.parts &&
+         element == other.element && axial == other.axial;
 }
+
+/// Runs a case by elastic models, and keeps those of the last one that was asked how good it is:
+/// mostly it is the one chosen.
+class TriedModels {
+ public:
+  TriedModels(const Project& project, const SharedMotions& shared)
+      : project_(&project), shared_(&shared) {}
+
+  /// Largest difference of a model from the better one.
+  double error_found(const ElasticModel& model) {
+    runs_.clear();
+    tried_ = model;
+    runs_ = run_situations(*project_, model, *shared_);
+    const std::deque<SituationRun> by_better =
+        run_situations(*project_, better_than(model), *shared_);
+    double found = 0.0;
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+      const StressesOfBoth of = stresses_of_both(*project_, runs_[i].loads, by_better[i].loads);
+      found = std::max(found, difference_between(of.model, of.better));
+    }
+    return found;
+  }
+
+  std::deque<SituationRun> take_runs(const ElasticModel& model) {
+    if (!runs_.empty() && are_same(model, tried_)) return std::move(runs_);
+    return run_situations(*project_, model, *shared_);
+  }
+
+ private:
+  const Project* project_;
+  const SharedMotions* shared_;
+  ElasticModel tried_;
+  std::deque<SituationRun> runs_;
+};
 
 /// `beside`: of the frequency, behind its number.
 std::string against_frequencies(const VibrationEstimate& estimate, const std::string& beside = "") {
@@ -352,7 +379,7 @@ bool has_springs(const std::deque<SituationRun>& runs) {
 /// Climbs from rigid bodies to ever more modes; where none are known to be within the tolerance,
 /// rigid bodies with what they are estimated to miss, unless elastic ones were demanded.
 ModelChoice choose_in_space(const Project& project, const std::deque<SituationRun>& rigid,
-                            const std::string& obstacle, const SharedMotions& shared,
+                            const std::string& obstacle, TriedModels& tried,
                             SecondOrderEstimate estimated) {
   ModelChoice choice;
   choice.bends_rigid_motion = true;
@@ -410,7 +437,7 @@ ModelChoice choose_in_space(const Project& project, const std::deque<SituationRu
   std::string refused;
   const auto found_by = [&](const ElasticModel& model) {
     try {
-      return error_found(project, model, shared);
+      return tried.error_found(model);
     } catch (const AnalysisError& error) {
       refused = error.failure().what;
       return std::numeric_limits<double>::infinity();
@@ -480,7 +507,7 @@ ModelChoice choose_in_space(const Project& project, const std::deque<SituationRu
 
 /// Climbs from rigid bodies to bent ones and to ever more modes.
 ModelChoice choose_by_estimate(const Project& project, const std::deque<SituationRun>& rigid,
-                               const std::string& obstacle, const SharedMotions& shared,
+                               const std::string& obstacle, TriedModels& tried,
                                SecondOrderEstimate estimated) {
   ModelChoice choice;
   choice.bends_rigid_motion = true;
@@ -538,7 +565,7 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
   std::string found;
   if (enough && by_rigid.error > verified_above * choice.tolerance &&
       project.model.demand == ModelDemand::automatic && !unseen(0)) {
-    const double against_mode = error_found(project, {}, shared) + estimate.left_out;
+    const double against_mode = tried.error_found({}) + estimate.left_out;
     choice.weighed.back().found = against_mode;
     found = fmt::format(", found {} against one mode in every posture", percent_text(against_mode));
     enough = against_mode <= choice.tolerance;
@@ -557,7 +584,7 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
     by_bending.basis = "vibration left out";
     if (by_bending.error <= choice.tolerance) {
       if (by_bending.error > verified_above * choice.tolerance && !unseen(0)) {
-        by_bending.found = error_found(project, bent, shared) + estimate.left_out;
+        by_bending.found = tried.error_found(bent) + estimate.left_out;
       }
       if (by_bending.found.value_or(0.0) <= choice.tolerance) {
         choice.chosen = bent;
@@ -579,12 +606,11 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
   const auto passes_unseen = [&](std::size_t modes) {
     return project.model.demand == ModelDemand::automatic && unseen(modes);
   };
-  const std::string why =
-      climb_modes(estimate,
-                  {missed, against,
-                   [&](const ElasticModel& model) { return error_found(project, model, shared); },
-                   passes_unseen},
-                  choice);
+  const std::string why = climb_modes(
+      estimate,
+      {missed, against, [&](const ElasticModel& model) { return tried.error_found(model); },
+       passes_unseen},
+      choice);
   if (why.empty() && choice.chosen.level != ModelLevel::modal) return choice;
   if (choice.chosen.level == ModelLevel::modal) {
     choice.counts_second_order = true;
@@ -661,7 +687,7 @@ void add_slower_vibration(const Project& project, const std::deque<SituationRun>
 /// Rigid bodies for loads that were measured; else what the estimate says, and where it says that
 /// the beam vibrates under loads from a table, that they may have been measured.
 ModelChoice choose_for_rigid(const Project& project, const std::deque<SituationRun>& rigid,
-                             const std::string& obstacle, const SharedMotions& shared) {
+                             const std::string& obstacle, TriedModels& tried) {
   if (project.model.measured_loads && project.model.demand != ModelDemand::flexible) {
     ModelChoice choice;
     choice.bends_rigid_motion = true;
@@ -675,12 +701,12 @@ ModelChoice choose_for_rigid(const Project& project, const std::deque<SituationR
   DesignedSecondOrder second = estimate_designed_second_order(project, rigid);
   if (std::holds_alternative<spatial::Mechanism>(project.mechanism)) {
     ModelChoice choice =
-        choose_in_space(project, rigid, obstacle, shared, std::move(second.estimate));
+        choose_in_space(project, rigid, obstacle, tried, std::move(second.estimate));
     if (choice.counts_second_order) choice.second_order.growth = std::move(second.beyond_once);
     return choice;
   }
   ModelChoice choice =
-      choose_by_estimate(project, rigid, obstacle, shared, std::move(second.estimate));
+      choose_by_estimate(project, rigid, obstacle, tried, std::move(second.estimate));
   if (choice.counts_second_order) {
     // What its cut forces hold is the second order of the loads times one.
     choice.second_order.growth = std::move(second.beyond_once);
@@ -732,7 +758,7 @@ void weigh_balance(const Project& project, const std::deque<SituationRun>& rigid
 
 /// Whether a frame at rest vibrates under loads over time by more than is tolerated, and if so the
 /// first modes that are known to hold what does; loads act slowly where none are.
-void choose_for_frame(const Project& project, const SharedMotions& shared, ModelChoice& choice,
+void choose_for_frame(const Project& project, TriedModels& tried, ModelChoice& choice,
                       std::deque<SituationRun>& runs) {
   FrameVibration worst;
   for (const SituationRun& run : runs) {
@@ -775,7 +801,7 @@ void choose_for_frame(const Project& project, const SharedMotions& shared, Model
     why = too_fast(runs, estimate.frequencies, k + 1);
     if (!why.empty()) break;
     try {
-      const double found = error_found(project, model, shared);
+      const double found = tried.error_found(model);
       if (found > choice.tolerance) continue;
       choice.weighed.push_back({model, "modes left out", estimate.without_modes[k], found});
       choice.chosen = model;
@@ -783,7 +809,7 @@ void choose_for_frame(const Project& project, const SharedMotions& shared, Model
           "; loads over time by {}, found {} against one mode more and "
           "twice the parts; reactions of supports are those of statics",
           describe(model), percent_text(found));
-      runs = run_situations(project, model, shared);
+      runs = tried.take_runs(model);
       return;
     } catch (const AnalysisError& error) {
       why = error.failure().what;
@@ -796,18 +822,19 @@ void choose_for_frame(const Project& project, const SharedMotions& shared, Model
 
 ModelledRuns run_by_chosen_model(const Project& project, const SharedMotions& shared) {
   const std::unique_ptr<const FrontEnd> front_end = front_end_of(project);
+  TriedModels tried(project, shared);
   if (std::optional<ModelChoice> own = front_end->own_model()) {
     std::deque<SituationRun> runs = run_situations(project, own->chosen, shared);
     own->second_order = estimate_second_order(project, runs);
     own->reason += "; " + second_order_text(own->second_order);
-    if (has_loads_over_time(project)) choose_for_frame(project, shared, *own, runs);
+    if (has_loads_over_time(project)) choose_for_frame(project, tried, *own, runs);
     return {std::move(*own), std::move(runs)};
   }
   std::deque<SituationRun> rigid = run_situations(project, {}, shared);
   const std::string obstacle = front_end->obstacle_to_vibration(rigid);
-  ModelChoice model = choose_for_rigid(project, rigid, obstacle, shared);
+  ModelChoice model = choose_for_rigid(project, rigid, obstacle, tried);
   if (model.chosen.level == ModelLevel::rigid) return {std::move(model), std::move(rigid)};
-  std::deque<SituationRun> runs = run_situations(project, model.chosen, shared);
+  std::deque<SituationRun> runs = tried.take_runs(model.chosen);
   const bool in_plane = std::holds_alternative<planar::Mechanism>(project.mechanism);
   if (obstacle.empty() && in_plane) weigh_balance(project, rigid, runs, model);
   return {std::move(model), std::move(runs)};
