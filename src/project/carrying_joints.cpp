@@ -6,7 +6,6 @@
 #include <algorithm>
 
 namespace boxbeam::readers {
-
 namespace {
 
 using spatial::ClosingKind;

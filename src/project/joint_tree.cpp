@@ -5,7 +5,6 @@
 #include <algorithm>
 
 namespace boxbeam::readers {
-
 namespace {
 
 using spatial::ClosingJoint;

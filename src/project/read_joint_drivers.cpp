@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 namespace boxbeam::readers {
-
 namespace {
 
 using spatial::ClosingJoint;

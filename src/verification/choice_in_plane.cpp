@@ -19,7 +19,6 @@
 #include "unvibrated_choice.hpp"
 
 namespace boxbeam {
-
 namespace {
 
 /// A joint that slides with dry friction, by name; "" where there is none.

@@ -15,7 +15,6 @@
 #include "vibration_in_space.hpp"
 
 namespace boxbeam {
-
 namespace {
 
 /// A joint of a mechanism in space that slides with dry friction, by name; "" where there is none.

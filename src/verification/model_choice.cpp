@@ -13,7 +13,6 @@
 #include "unvibrated_choice.hpp"
 
 namespace boxbeam {
-
 namespace {
 
 /// Rigid bodies for loads that were measured; else what the estimate says, and where it says that

@@ -6,7 +6,6 @@
 #include "vibration_in_space.hpp"
 
 namespace boxbeam {
-
 namespace {
 
 /// Stresses of two histories at the even instants of the better one. A motion that ends at rest has

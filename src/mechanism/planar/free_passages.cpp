@@ -7,7 +7,6 @@
 #include "free_step.hpp"
 
 namespace boxbeam::planar {
-
 namespace {
 
 // Pivots of the equations of motion by that of regular positions.

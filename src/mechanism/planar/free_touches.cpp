@@ -6,7 +6,6 @@
 #include "free_step.hpp"
 
 namespace boxbeam::planar {
-
 namespace {
 
 /// Into how many parts the way between two states is divided, so that nothing is passed through
