@@ -103,4 +103,11 @@ class MjcfElements {
 std::optional<Inertial> mass_of(MjcfElements& elements, const RobotElement& of,
                                 const std::vector<MjcfChild>& inside);
 
+/// Where a joint may stand, and what it does where nothing drives it: spring, damper, friction.
+/// `of`: how messages call it.
+void read_limits(MjcfElements& elements, const RobotElement& of, const MjcfElement& in,
+                 Joint& joint);
+void read_passive(MjcfElements& elements, const RobotElement& of, const MjcfElement& in,
+                  Joint& joint);
+
 }  // namespace boxbeam::robots

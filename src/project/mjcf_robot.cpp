@@ -205,60 +205,9 @@ class MjcfReader {
     if (turns && joint.reference != 0.0) joint.turns.push_back({joint.axis, -joint.reference});
     if (joint.type == JointType::prismatic)
       joint.xyz -= pose.R * joint.axis.normalized() * joint.reference;
-    read_range(in, joint, coordinate);
-    read_passive(in, joint, one, coordinate);
+    read_limits(elements_, joints_.back(), in, joint);
+    read_passive(elements_, joints_.back(), in, joint);
     return joint;
-  }
-
-  void read_range(const MjcfElement& in, Joint& joint, const auto& coordinate) {
-    const auto range = elements_.numbers(in, "range", 2, 2);
-    const std::size_t limited =
-        in.attribute("limited") ? elements_.choice(in, "limited", "auto", {"false", "true", "auto"})
-                                : 2;
-    if (!range || limited == 0 || (limited == 2 && !elements_.settings().autolimits)) return;
-    if (joint.type == JointType::spherical) {
-      elements_.leave_out("range of ball joints");
-      return;
-    }
-    joint.limit.lower = coordinate((*range)[0]);
-    joint.limit.upper = coordinate((*range)[1]);
-    if ((*range)[0] > (*range)[1])
-      file_.problem(
-          joints_.back(),
-          fmt::format("its lower limit {} is above its upper one {}", (*range)[0], (*range)[1]),
-          "write the smaller one first");
-  }
-
-  void read_passive(const MjcfElement& in, Joint& joint, bool one, const auto& coordinate) {
-    // Polynomials of the coordinate or rate: the first number is the straight line.
-    const auto law = [&](const char* name) -> std::optional<double> {
-      const auto of = elements_.numbers(in, name, 1, 5);
-      if (!of) return {};
-      if (std::any_of(of->begin() + 1, of->end(), [](double more) { return more != 0.0; })) {
-        elements_.leave_out(fmt::format("{} that is no straight line", name));
-        return {};
-      }
-      return of->front() != 0.0 ? std::optional(of->front()) : std::nullopt;
-    };
-    const auto not_zero = [&](const char* name) -> std::optional<double> {
-      const double value = elements_.number(in, name, 0.0);
-      return value != 0.0 ? std::optional(value) : std::nullopt;
-    };
-    Passive passive;
-    passive.damping = law("damping");
-    passive.stiffness = law("stiffness");
-    passive.free = coordinate(elements_.number(in, "springref", 0.0));
-    passive.friction = not_zero("frictionloss");
-    passive.armature = not_zero("armature");
-    for (const auto& [name, value] :
-         {std::pair{"damping", passive.damping}, std::pair{"stiffness", passive.stiffness},
-          std::pair{"frictionloss", passive.friction}, std::pair{"armature", passive.armature}}) {
-      if (!value) continue;
-      if (*value < 0.0)
-        file_.problem(joints_.back(), fmt::format("its {} is below zero", name), "");
-      if (!one) elements_.leave_out(fmt::format("{} of ball and free joints", name));
-    }
-    if (one) joint.passive = passive;
   }
 
   // -------------------------------------------------------------------------------- other sections

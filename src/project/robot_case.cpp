@@ -1,73 +1,18 @@
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <filesystem>
 #include <set>
 
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/project/limits.hpp"
 #include "boxbeam/project/quantity_text.hpp"
 #include "boxbeam/project/robot.hpp"
 #include "boxbeam/project/toml_text.hpp"
+#include "placeholder_beam.hpp"
+#include "robot_text.hpp"
 
 namespace boxbeam::robots {
 namespace {
-
-constexpr double steel_density = 7850.0;  // [kg/m^3], EN 1991-1-1, table A.4: 77 to 78.5 kN/m^3
-
-/// A number that a case takes: what it would refuse as too small to be meant is none.
-double meant(double value, const WantedDimension& of) {
-  return std::abs(value) < limits::range_of(of).smallest ? 0.0 : value;
-}
-
-/// "0.25 m" in quotes.
-std::string quantity(double value, const WantedDimension& of, const char* unit) {
-  return fmt::format("\"{} {}\"", meant(value, of), unit);
-}
-
-std::string place_text(const Eigen::Vector3d& p) {
-  std::array<std::string, 3> parts;
-  for (int k = 0; k < 3; ++k)
-    parts[static_cast<std::size_t>(k)] = quantity(p[k], wanted::length, "m");
-  return fmt::format("[{}]", fmt::join(parts, ", "));
-}
-
-/// [xx, yy, zz], or three rows where there are products.
-std::string inertia_text(const Eigen::Matrix3d& I) {
-  const auto row = [](const Eigen::Vector3d& of) {
-    std::array<std::string, 3> parts;
-    for (int k = 0; k < 3; ++k)
-      parts[static_cast<std::size_t>(k)] = quantity(of[k], wanted::inertia, "kg m^2");
-    return fmt::format("[{}]", fmt::join(parts, ", "));
-  };
-  const auto is_none = [](double value) { return meant(value, wanted::inertia) == 0.0; };
-  if (is_none(I(0, 1)) && is_none(I(0, 2)) && is_none(I(1, 2))) return row(I.diagonal());
-  return fmt::format("[{}, {}, {}]", row(I.row(0)), row(I.row(1)), row(I.row(2)));
-}
-
-/// "x", "-z", or three numbers.
-std::string direction_text(const Eigen::Vector3d& given) {
-  const Eigen::Vector3d direction = given.normalized();
-  for (int k = 0; k < 3; ++k) {
-    if (std::abs(direction[k]) < 1.0 || direction.cwiseAbs().sum() > 1.0) continue;
-    return fmt::format("\"{}{}\"", direction[k] < 0.0 ? "-" : "", "xyz"[k]);
-  }
-  return fmt::format("[{}, {}, {}]", direction.x() + 0.0, direction.y() + 0.0, direction.z() + 0.0);
-}
-
-/// Turns one after the other, as the case writes them; or "".
-std::string turn_text(const std::vector<Turn>& given) {
-  std::string turns;
-  for (const Turn& turn : given) {
-    if (meant(turn.angle, wanted::angle) == 0.0) continue;
-    turns += fmt::format("{}[{}, {}]", turns.empty() ? "" : ", ", direction_text(turn.axis),
-                         quantity(turn.angle, wanted::angle, "rad"));
-  }
-  return turns.empty() ? "" : fmt::format("turn = [{}]\n", turns);
-}
 
 /// A name that nothing else has yet.
 std::string free_name(std::string name, const std::set<std::string>& taken) {
@@ -75,89 +20,11 @@ std::string free_name(std::string name, const std::set<std::string>& taken) {
   return name;
 }
 
-/// What a case would refuse, or does not mean, of a mass and an inertia; "" where all is well.
-struct InertiaDoubt {
-  std::string words;
-  bool refused = false;
-};
-
-InertiaDoubt doubt_of(const Inertial& of) {
-  if (of.inertia.isZero(0.0)) {
-    return {of.mass > 0.0 ? "no inertia about its centre: a point mass" : "", false};
-  }
-  if (of.mass == 0.0) return {"a body without mass has no inertia", true};
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(of.inertia);
-  const Eigen::Vector3d& moments = principal.eigenvalues();
-  const double slack = 1e-9 * moments.cwiseAbs().maxCoeff();
-  const std::string are = fmt::format("principal moments {:.4g}, {:.4g} and {:.4g} kg m^2",
-                                      moments[0], moments[1], moments[2]);
-  if (moments[0] < -slack) return {are + ": one is below zero", true};
-  if (moments[2] > moments[0] + moments[1] + slack)
-    return {are + ": one is above the sum of the other two", true};
-  if (moments[0] <= slack) return {are + ": only of a thin rod one is zero", false};
-  return {};
-}
-
-/// The placeholder beam in a link: where it lies, and a section as heavy as the link.
-struct PlaceholderBeam {
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
-  Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
-  Eigen::Vector3d joint = Eigen::Vector3d::Zero();  ///< that carries the link, in its axes [m]
-  double start = 0.0, length = 1.0;                 ///< along the axis from the joint [m]
-  double width = 0.0, wall = 0.0;                   ///< of a square box [m]
-  const char* why = "";
-};
-
-PlaceholderBeam placeholder_beam(const Robot& robot, std::size_t link) {
-  constexpr double nothing = 1e-6;  // [m]
-  PlaceholderBeam beam;
-  for (const Joint& joint : robot.joints)
-    if (joint.child == link) beam.joint = joint.point;
-  std::vector<Eigen::Vector3d> places;  // from the joint that carries it
-  for (const Joint& joint : robot.joints)
-    if (joint.parent == link) places.push_back(joint.xyz - beam.joint);
-  for (const Closing& closing : robot.closings) {
-    if (closing.a == link) places.push_back(closing.p_a - beam.joint);
-    if (closing.b == link) places.push_back(closing.p_b - beam.joint);
-  }
-  Eigen::Vector3d end = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& place : places)
-    if (place.norm() > end.norm()) end = place;
-  beam.why = "from the link's joint to the farthest one that it carries";
-  const std::optional<Inertial>& inertial = robot.links[link].inertial;
-  if (end.norm() <= nothing && inertial) {
-    end = 2.0 * (inertial->centre - beam.joint);
-    places.push_back(end);
-    beam.why = "from the link's joint through its centre of mass, and as far again";
-  }
-  if (end.norm() > nothing) {
-    beam.axis = end.normalized();
-    double low = 0.0, high = 0.0;
-    for (const Eigen::Vector3d& place : places) {
-      low = std::min(low, place.dot(beam.axis));
-      high = std::max(high, place.dot(beam.axis));
-    }
-    beam.start = low;
-    beam.length = high - low;
-  } else {
-    beam.why = "1 m along x: joints and centre of mass of the link are at one place";
-  }
-  const Eigen::Vector3d up =
-      std::abs(beam.axis.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX();
-  beam.z = (up - up.dot(beam.axis) * beam.axis).normalized();
-  // Walls of a twentieth of the width: A = w^2 - (0.9 w)^2, m = density A L.
-  const double mass = inertial ? inertial->mass : 0.0;
-  beam.width =
-      mass > 0.0 ? std::sqrt(mass / (0.19 * steel_density * beam.length)) : beam.length / 20.0;
-  beam.wall = beam.width / 20.0;
-  return beam;
-}
-
 class CaseOfRobot {
  public:
   CaseOfRobot(const Robot& robot, const std::string& beam)
       : robot_(robot),
-        beam_(beam_link(beam)),
+        beam_(beam_link_of(robot, beam)),
         placeholder_(placeholder_beam(robot, beam_)),
         left_(left_to_closings(robot)) {
     std::set<std::string> joints;
@@ -183,32 +50,6 @@ class CaseOfRobot {
   }
   void rule(const std::string& name) {
     put("\n# {} {}\n", std::string(97 - name.size(), '-'), name);
-  }
-
-  std::size_t beam_link(const std::string& wanted) const {
-    const std::vector<Link>& links = robot_.links;
-    const auto mass_of = [&](std::size_t i) {
-      return links[i].inertial ? links[i].inertial->mass : 0.0;
-    };
-    if (wanted.empty()) {
-      std::optional<std::size_t> heaviest;
-      for (std::size_t i = 0; i < links.size(); ++i)
-        if (i != robot_.root && (!heaviest || mass_of(i) > mass_of(*heaviest))) heaviest = i;
-      if (heaviest) return *heaviest;
-      throw InputError(fmt::format("{} has no link but its root: nothing moves", robot_.file),
-                       robot_.is_ground(robot_.root)
-                           ? "a beam is a link that a joint carries"
-                           : "name it where it is the beam: --beam " + links[robot_.root].name);
-    }
-    std::vector<std::string> known;
-    for (std::size_t i = 0; i < links.size(); ++i) {
-      if (robot_.is_ground(i)) continue;
-      if (links[i].name == wanted) return i;
-      known.push_back(links[i].name);
-    }
-    throw InputError(
-        fmt::format("{} has no link \"{}\" that could be the beam", robot_.file, wanted),
-        fmt::format("its links: {}", fmt::join(known, ", ")));
   }
 
   /// Points are called as the joints there; a reference "body.point" ends at its last dot.

@@ -7,9 +7,8 @@
 #include <limits>
 #include <numbers>
 
-#include "boxbeam/section/level_shear.hpp"
 #include "boxbeam/section/section_properties.hpp"
-#include "boxbeam/section/torsion.hpp"
+#include "solid_points.hpp"
 #include "wall_places.hpp"
 
 namespace boxbeam {
@@ -17,11 +16,6 @@ namespace boxbeam {
 using namespace wall_places;
 
 namespace {
-
-bool in_hole(const StressField& field, Length z) {
-  return width_at(field.section, field.holes, z).value() <= 0.0 &&
-         abs(z) < 0.5 * height_of(field.section.outer);
-}
 
 /// A fibre of a box or tube in the middle of its top or bottom; sign +1 or -1.
 SectionPoint fibre(const StressField& field, const std::string& name, bool inner, double sign) {
@@ -64,14 +58,6 @@ SectionPoint web_end(const StressField& field, const std::string& at, WallPart w
   StressInfluence weld;
   set_shear(weld, flow_at(*field.flow, place.wall, place.fraction) / throat);
   point.throat = SeamThroat{before + "seam " + at + " throat", weld};
-  return point;
-}
-
-/// A place in a solid, or the mean over a level of any other section, at y.
-SectionPoint level_point(const StressField& field, const std::string& name, double y, double z) {
-  SectionPoint point = point_at(field, name, y, z, wall_at(field.section, si<Length>(z)));
-  set_shear(point.influence, level_shear_of(field.section, field.holes, field.taper, z));
-  set_shear(point.prismatic, level_shear_of(field.section, field.holes, {}, z));
   return point;
 }
 
@@ -176,78 +162,6 @@ void add_path_points(const StressField& field, std::vector<SectionPoint>& points
     };
     const double first = stress(wall.start), last = stress(wall.end);
     if ((first > 0.0) != (last > 0.0)) add("neutral axis", first / (first - last));
-  }
-}
-
-/// Plates: the level's mean for V_z on the sides, for V_y on top and bottom, T by the series.
-SectionPoint plate_point(const StressField& field, const std::string& name, double y, double z) {
-  const auto& plate = std::get<Plate>(field.section.outer);
-  SectionPoint point = level_point(field, name, y, z);
-  const double half_width = 0.5 * plate.width.value(), half_height = 0.5 * plate.height.value();
-  const bool top_or_bottom = std::abs(z) == half_height;
-  const bool corner = top_or_bottom && std::abs(y) == half_width;
-  for (StressInfluence* influence : {&point.influence, &point.prismatic}) {
-    const Taper taper = influence == &point.influence ? field.taper : Taper{};
-    influence->shear[cut_force::T] = 0.0;
-    if (top_or_bottom && !corner) {
-      set_shear(*influence, level_shear_across_of(field.section, field.holes, taper, y));
-      influence->shear[cut_force::T] =
-          (z > 0.0 ? -1.0 : 1.0) * torsion_shear_of_rectangle(plate.width, plate.height);
-    } else if (!corner) {
-      influence->shear[cut_force::T] =
-          (y < 0.0 ? -1.0 : 1.0) * torsion_shear_of_rectangle(plate.height, plate.width);
-    }
-  }
-  return point;
-}
-
-SectionPoint polygon_point(const StressField& field, const std::string& name, double y, double z) {
-  SectionPoint point = level_point(field, name, y, z);
-  for (StressInfluence* influence : {&point.influence, &point.prismatic}) {
-    influence->shear[cut_force::V_y] = influence->shear[cut_force::T] =
-        std::numeric_limits<double>::quiet_NaN();
-  }
-  return point;
-}
-
-void add_polygon_points(const StressField& field, std::vector<SectionPoint>& points) {
-  const auto add = [&](const std::string& name, double y, double z) {
-    points.push_back(polygon_point(field, name, y, z));
-  };
-  const auto& polygon = std::get<Polygon>(field.section.outer);
-  int number = 0;
-  for (const SectionPlace& place : polygon.outer) {
-    add(fmt::format("corner {}", ++number), place.y.value(), place.z.value());
-  }
-  const double z = field.sums.z / field.sums.area;
-  if (in_hole(field, si<Length>(z))) return;
-  add("neutral axis", field.sums.y / field.sums.area, z);
-  points.back().neutral = true;
-}
-
-void add_plate_points(const StressField& field, PointSet set, std::vector<SectionPoint>& points) {
-  const Extent extent = extent_of(field.section.outer);
-  const double y = extent.y_high.value(), z = extent.z_high.value();
-  const Length middle = si<Length>(field.sums.z / field.sums.area);
-  points.push_back(plate_point(field, "fibre +z", 0.0, z));
-  points.push_back(plate_point(field, "fibre -z", 0.0, -z));
-  const bool solid = !in_hole(field, middle);
-  if (set == PointSet::in_plane) {
-    if (!solid) return;
-    points.push_back(plate_point(field, "neutral axis", y, middle.value()));
-    points.back().neutral = true;
-    return;
-  }
-  for (const double side : {1.0, -1.0}) {
-    const std::string y_name = signed_axis(side, 'y');
-    if (solid) {
-      points.push_back(plate_point(field, "neutral axis " + y_name, side * y, middle.value()));
-      points.back().neutral = true;
-    }
-    for (const double up : {1.0, -1.0}) {
-      points.push_back(plate_point(field, fmt::format("corner {} {}", y_name, signed_axis(up, 'z')),
-                                   side * y, up * z));
-    }
   }
 }
 

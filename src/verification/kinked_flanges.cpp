@@ -10,6 +10,7 @@
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/strength/effective_path.hpp"
+#include "flat_plates.hpp"
 #include "patch_notes.hpp"
 #include "patch_search.hpp"
 #include "plate_steps.hpp"
@@ -18,145 +19,6 @@ namespace boxbeam {
 namespace {
 
 using Eigen::Vector2d;
-
-/// The sine of 10 degrees: plates that lean no more to each other are parallel.
-constexpr double hardly_turned = 0.17364817766693033;
-
-/// A straight plate where a segment begins or ends. SI.
-struct FlatPlate {
-  std::string name, called;        ///< "top flange", "the top flange"
-  std::array<Vector2d, 2> ends;    ///< of its clear width, on its mid-line
-  std::array<Vector2d, 2> slopes;  ///< of these, along the beam
-  std::array<std::size_t, 2> nodes{};
-  Length clear;
-  Area area, inside;  ///< all of it; what stands on none of the plates beside it
-  Stress yield_strength;
-  bool outstand = false;
-  PlateForce force{};                  ///< along the beam
-  std::array<PlateForce, 2> halves{};  ///< of each half of its depth
-  bool high = false;                   ///< of the section, across it
-  double thickness = 0.0;
-
-  Vector2d direction() const { return (ends[1] - ends[0]).normalized(); }
-  Vector2d normal() const { return {-direction().y(), direction().x()}; }
-  Vector2d middle() const { return 0.5 * (ends[0] + ends[1]); }
-  bool across_z() const { return std::abs(normal().y()) >= std::abs(normal().x()); }
-};
-
-void set_force(FlatPlate& plate, const AreaSums& gross, const Extent& extent, Area area) {
-  plate.area = area;
-  const StressInfluence of = normal_influence(gross, plate.middle().x(), plate.middle().y());
-  for (std::size_t k = 0; k < cut_force::count; ++k) plate.force[k] = area.value() * of.normal[k];
-  for (const std::size_t half : {0U, 1U}) {
-    const Vector2d centre = 0.5 * (plate.middle() + plate.ends[half]);
-    const StressInfluence at = normal_influence(gross, centre.x(), centre.y());
-    for (std::size_t k = 0; k < cut_force::count; ++k)
-      plate.halves[half][k] = 0.5 * area.value() * at.normal[k];
-  }
-  plate.high = plate.across_z() ? plate.middle().y() > 0.5 * (extent.z_low + extent.z_high).value()
-                                : plate.middle().x() > 0.5 * (extent.y_low + extent.y_high).value();
-}
-
-std::vector<FlatPlate> plates_of_box(const Section& section, const FourWalls& walls,
-                                     const FourWalls& from, const FourWalls& to, double length) {
-  const AreaSums gross = sums_of(outline_of(section, {}));
-  const Extent extent = extent_of(section.outer);
-  std::vector<FlatPlate> plates;
-  for (const BoxPlate of : box_plates) {
-    const bool flange = is_flange(of);
-    const auto ends = [&](const FourWalls& at) {
-      const BoxWall& wall = at.of(of);
-      const auto point = [&](Length along) {
-        return flange ? Vector2d(along.value(), wall.middle.value())
-                      : Vector2d(wall.middle.value(), along.value());
-      };
-      return std::array{point(wall.low), point(wall.high)};
-    };
-    const BoxWall& wall = walls.of(of);
-    FlatPlate& plate = plates.emplace_back();
-    plate.name = to_text(of);
-    plate.called = "the " + plate.name;
-    plate.ends = ends(walls);
-    const auto before = ends(from), behind = ends(to);
-    for (const std::size_t k : {0U, 1U}) {
-      plate.slopes[k] = (behind[k] - before[k]) / length;
-      plate.nodes[k] = 2 * static_cast<std::size_t>(of) + k;  // its own
-    }
-    plate.thickness = wall.thickness.value();
-    plate.clear = wall.clear();
-    plate.yield_strength = wall.yield_strength;
-    Area area = (flange ? Length(extent.y_high - extent.y_low) : wall.clear()) * wall.thickness;
-    // Flats along it turn off with it.
-    plate.inside = wall.clear() * wall.thickness;
-    for (const FlatStiffener& bar : wall.stiffeners) {
-      area += bar.depth * bar.thickness;
-      plate.inside += bar.depth * bar.thickness;
-    }
-    set_force(plate, gross, extent, area);
-  }
-  return plates;
-}
-
-std::vector<FlatPlate> plates_of_path(const Section& section, const PathSection& path,
-                                      const ThinWalled& from, const ThinWalled& to, double length) {
-  const AreaSums gross = sums_of(outline_of(section, {}));
-  const Extent extent = extent_of(section.outer);
-  const auto slope_of = [&](std::size_t node) {
-    const SectionPlace &a = from.nodes[node], &b = to.nodes[node];
-    return Vector2d((b.y - a.y).value() / length, (b.z - a.z).value() / length);
-  };
-  std::vector<FlatPlate> plates;
-  for (const PathPlate& of : path.plates) {
-    if (!of.straight) continue;
-    FlatPlate& plate = plates.emplace_back();
-    plate.name = plate.called = of.name;
-    plate.ends = {of.at(of.low), of.at(of.high)};
-    plate.nodes = of.nodes;
-    for (const std::size_t k : {0U, 1U}) {
-      // Beyond the nodes of the case a wall may reach to the far face of the one that it meets.
-      const std::size_t node = of.nodes[k] < from.nodes.size() ? of.nodes[k] : of.nodes[1 - k];
-      if (node < from.nodes.size())
-        plate.slopes[k] = slope_of(node);
-      else
-        plate.slopes[k].setZero();
-    }
-    double area = 0.0;
-    const auto add = [&](const Wall& wall) { area += length_of(wall) * wall.thickness; };
-    for (const PathPlate::Part& part : of.parts) add(path.graph.walls[part.wall]);
-    // What reaches beyond its ends over what it stands on.
-    for (const Wall& wall : path.graph.walls) {
-      const bool beyond =
-          wall.to >= from.nodes.size() && (wall.from == of.nodes[0] || wall.from == of.nodes[1]);
-      if (beyond && std::abs(plate.normal().dot(direction_on(wall, 0.5))) <= hardly_turned)
-        add(wall);
-    }
-    plate.thickness = of.thickness.value();
-    plate.clear = of.clear();
-    plate.inside = plate.clear * of.thickness;
-    plate.yield_strength = of.yield_strength;
-    plate.outstand = of.outstand();
-    set_force(plate, gross, extent, si<Area>(area));
-  }
-  return plates;
-}
-
-/// The plates where a segment ends, or begins; none of profiles that are not made of plates.
-std::vector<FlatPlate> plates_at(const Project& project, std::size_t segment, bool end) {
-  const Segment& of = project.beam.segments[segment];
-  const Section& section = end ? of.to : of.from;
-  const PlateMaterials materials = materials_of(project, segment);
-  const double length = of.length.value();
-  if (const auto* const path = std::get_if<ThinWalled>(&section.outer)) {
-    const auto at = path_section_of(*path, materials);
-    if (!at) return {};
-    return plates_of_path(section, *at, std::get<ThinWalled>(of.from.outer),
-                          std::get<ThinWalled>(of.to.outer), length);
-  }
-  const auto from = four_walls_of(of.from.outer, materials),
-             to = four_walls_of(of.to.outer, materials);
-  if (!from || !to) return {};
-  return plates_of_box(section, end ? *to : *from, *from, *to, length);
-}
 
 /// Of what lies in the same direction beside a plate the nearest; its distance.
 std::pair<const FlatPlate*, double> going_on(const FlatPlate& of,
@@ -308,7 +170,7 @@ void add_knees(const Project& project, std::vector<FlangeKink>& kinks) {
     const Eigen::Matrix3d& axes = frame.members[static_cast<std::size_t>(project.beam_body)].axes;
     const Eigen::Vector3d turn = axes.transpose() * (at.from + at.to);
     const std::size_t segment = s > Length{} ? beam.segments.size() - 1 : 0;
-    for (const FlatPlate& of : plates_at(project, segment, s > Length{})) {
+    for (const FlatPlate& of : flat_plates_at(project, segment, s > Length{})) {
       const double across = of.normal().x() * turn.y() + of.normal().y() * turn.z();
       constexpr double straight = 1e-3;
       if (std::abs(across) < straight) continue;
@@ -362,8 +224,8 @@ Length FlangeKink::width() const {
 std::vector<FlangeKink> flange_kinks_of(const Project& project) {
   std::vector<FlangeKink> kinks;
   for (std::size_t k = 0; k + 1 < project.beam.segments.size(); ++k) {
-    const std::vector<FlatPlate> before = plates_at(project, k, true),
-                                 behind = plates_at(project, k + 1, false);
+    const std::vector<FlatPlate> before = flat_plates_at(project, k, true),
+                                 behind = flat_plates_at(project, k + 1, false);
     std::vector<Growing> here;
     for (const FlatPlate& of : before) {
       const auto next = going_on(of, behind);
@@ -423,7 +285,7 @@ std::vector<FlangeStep> flange_steps_of(const Project& project) {
   const TaperedBeam& beam = project.beam;
   std::vector<FlangeStep> steps;
   for (std::size_t k = 0; k + 1 < beam.segments.size(); ++k) {
-    const std::array sides{plates_at(project, k, true), plates_at(project, k + 1, false)};
+    const std::array sides{flat_plates_at(project, k, true), flat_plates_at(project, k + 1, false)};
     const Length s = beam.segments[k].end();
     const Diaphragm* const diaphragm = diaphragm_that_leads(project, s);
     for (const std::size_t side : {0U, 1U}) {
@@ -455,8 +317,8 @@ std::vector<PlateStep> plate_steps_at(const Project& project, std::size_t segmen
   // What rounding of units makes is no step.
   constexpr double least = 1e-6;
   std::vector<PlateStep> steps;
-  const std::vector<FlatPlate> behind = plates_at(project, segment + 1, false);
-  for (const FlatPlate& of : plates_at(project, segment, true)) {
+  const std::vector<FlatPlate> behind = flat_plates_at(project, segment + 1, false);
+  for (const FlatPlate& of : flat_plates_at(project, segment, true)) {
     const auto next = going_on(of, behind);
     if (!goes_on(of, next) || std::abs(of.thickness - next.first->thickness) <= least) continue;
     const bool in_path =

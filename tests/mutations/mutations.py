@@ -836,7 +836,7 @@ MUTATIONS = [
           "what an impact loses", "contact_test"),
          ("impact-pulls", "(d > 0.0 ? std::max(0.0, force) : force)", "force",
           "a contact never pulls", "contact_test")),
-    *_in("src/mechanism/planar", "free_motion.cpp",
+    *_in("src/mechanism/planar", "free_touches.cpp",
          ("touch-sense", "touched(of.law, depth_of(of, state.q, state.v).rate,",
           "touched(of.law, -depth_of(of, state.q, state.v).rate,",
           "the velocity with which bodies meet", "clearance_test")),

@@ -8,6 +8,7 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/flexible/response.hpp"
+#include "element_mass.hpp"
 #include "exact_part.hpp"
 
 namespace boxbeam::flexible {
@@ -220,12 +221,8 @@ LinkColumns<Scalar> mass_times(const Structure& structure, const LinkColumns<Sca
     }
     product[k].resize(3, motion[k].cols());
     for (Eigen::Index i = 0; i < motion[k].cols(); ++i) {
-      const RigidElement& of = structure.links[k].elements[static_cast<std::size_t>(i)];
-      const auto q = motion[k].col(i);
-      const Eigen::Vector2d& S = of.first_moment;
-      product[k](0, i) = of.mass * q[0] - S.y() * q[2];
-      product[k](1, i) = of.mass * q[1] + S.x() * q[2];
-      product[k](2, i) = S.x() * q[1] - S.y() * q[0] + of.inertia * q[2];
+      product[k].col(i) =
+          mass_times(structure.links[k].elements[static_cast<std::size_t>(i)], motion[k].col(i));
     }
   }
   return product;

@@ -12,6 +12,7 @@
 
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
+#include "element_mass.hpp"
 #include "exact_modes.hpp"
 
 namespace boxbeam::flexible {
@@ -89,7 +90,24 @@ struct Problem {
       : structure(of), below(shift), coordinates(of), stiffness(of, -below, 0.0) {}
 
   VectorXd mass_times(const VectorXd& q) const {
-    return coordinates.vector(flexible::mass_times(structure, coordinates.columns(q.data())));
+    VectorXd product(q.size());
+    mass_times(q.data(), product.data());
+    return product;
+  }
+
+  void mass_times(const double* q, double* product) const {
+    if (structure.mechanism->element == Element::exact) {
+      coordinates.write(flexible::mass_times(structure, coordinates.columns(q)), product);
+      return;
+    }
+    for (const DividedLink& link : structure.links) {
+      for (const RigidElement& of : link.elements) {
+        Eigen::Map<Eigen::Vector3d> result(product);
+        result = flexible::mass_times(of, Eigen::Map<const Eigen::Vector3d>(q));
+        q += 3;
+        product += 3;
+      }
+    }
   }
 };
 
@@ -129,10 +147,7 @@ class Mass {
   explicit Mass(const Problem& problem) : problem_(&problem) {}
   Index rows() const { return problem_->coordinates.size(); }
   Index cols() const { return rows(); }
-  void perform_op(const double* q, double* product) const {
-    problem_->coordinates.write(mass_times(problem_->structure, problem_->coordinates.columns(q)),
-                                product);
-  }
+  void perform_op(const double* q, double* product) const { problem_->mass_times(q, product); }
 
  private:
   const Problem* problem_;

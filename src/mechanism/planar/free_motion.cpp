@@ -15,19 +15,16 @@
 #include "boxbeam/mechanism/planar/branch.hpp"
 #include "boxbeam/mechanism/planar/constraints.hpp"
 #include "boxbeam/mechanism/planar/forces.hpp"
+
 #include "boxbeam/mechanism/planar/reach.hpp"
+#include "free_step.hpp"
 
 namespace boxbeam::planar {
 namespace {
 
-// Pivots of the equations of motion by that of regular positions.
-constexpr double near_singular = 2e-2;    ///< no step ends there
-constexpr double beside_singular = 4e-3;  ///< where a step over a singular position may end
-constexpr double singular = 1e-6;         ///< nothing is known any more
-
-// Errors of a step in scaled coordinates.
-constexpr double error_near_singular = 1e-8;
-constexpr double error_of_passage = 1e-6;
+// Pivot of the equations of motion by that of regular positions, below which nothing is known any
+// more.
+constexpr double singular = 1e-6;
 
 /// Solutions of the equations of motion times coordinates, at most: some ten seconds. Of few
 /// coordinates a solution costs as much as of `fewest_coordinates`.
@@ -78,22 +75,6 @@ std::vector<int> pressed_sides_of(const Mechanism& mechanism, const Eigen::Vecto
     sides.push_back((by_moment ? 2 : 0) + (positive ? 1 : 0));
   }
   return sides;
-}
-
-/// Into how many parts the way between two states is divided, so that nothing is passed through
-/// unseen: each at most a tenth of the length from which it acts.
-int looks_between(const std::vector<OneSided>& one_sided, const State& from, const State& end) {
-  constexpr double fewest = 32.0, most = 20000.0, parts = 10.0;
-  double looks = fewest;
-  for (const OneSided& of : one_sided) {
-    for (const State* const state : {&from, &end}) {
-      const Eigen::Vector2d v =
-          velocity_of(of.b, state->q, state->v) - velocity_of(of.a, state->q, state->v);
-      const double way = v.norm() * std::abs(end.time - from.time);
-      if (of.law.free_length > 0.0) looks = std::max(looks, parts * way / of.law.free_length);
-    }
-  }
-  return static_cast<int>(std::ceil(std::min(looks, most)));
 }
 
 }  // namespace
@@ -176,21 +157,6 @@ State FreeSolver::start(double time, const Eigen::VectorXd& q, const Eigen::Vect
   return state_of(first);
 }
 
-struct FreeSolver::Step {
-  State end;
-  bool solved = true;
-  double error = 0.0;      ///< in tolerances
-  double change = 1.0;     ///< of it, where a stage first has a contact that does not go on
-  double pivot = 1.0;      ///< the smallest of its stages and its end
-  double end_pivot = 1.0;  ///< of its end
-};
-
-bool FreeSolver::in_impact(const State& state) const {
-  return std::any_of(one_sided_.begin(), one_sided_.end(), [&](const OneSided& of) {
-    return of.law.impact && state.touches[of.force].on;
-  });
-}
-
 double FreeSolver::beside_halves(const State& known, const Step& step) {
   const double half = 0.5 * (step.end.time - known.time);
   const Step first = step_from(known, half);
@@ -206,123 +172,6 @@ double FreeSolver::beside_halves(const State& known, const Step& step) {
   }
   return largest / tolerance_;
 }
-
-bool FreeSolver::has_changed(const OneSided& of, const State& state) const {
-  const double value = depth_of(of, state.q, state.v).value;
-  return state.touches[of.force].on ? value < -touching_ : value > touching_;
-}
-
-bool FreeSolver::has_changed(const State& state) const {
-  return std::any_of(one_sided_.begin(), one_sided_.end(),
-                     [&](const OneSided& of) { return has_changed(of, state); });
-}
-
-double FreeSolver::mass_between(const OneSided& of, const State& state) {
-  constexpr double push = 1e3;  // far above round-off of what acts without it
-  if (!of.law.impact) return 0.0;
-  const Eigen::Vector2d line = position_of(of.b, state.q) - position_of(of.a, state.q);
-  State pushed = state;
-  // Without what it bears itself, which at its beginning is nothing.
-  const auto parting = [&](double force) {
-    pushed.touches[of.force] = {true, 0.0, 0.0, force};
-    if (!equations_.solve_rates(pushed)) return 0.0;
-    return line.dot(acceleration_of(of.b, pushed.q, pushed.v, pushed.a) -
-                    acceleration_of(of.a, pushed.q, pushed.v, pushed.a)) /
-           line.norm();
-  };
-  return push / std::abs(parting(push) - parting(0.0));
-}
-
-void FreeSolver::change(State& state) {
-  for (const OneSided& of : one_sided_) {
-    if (!has_changed(of, state)) continue;
-    Touch& touch = state.touches[of.force];
-    if (touch.on)
-      touch = {};
-    else
-      touch = touched(of.law, depth_of(of, state.q, state.v).rate, mass_between(of, state));
-  }
-  changes_.push_back(state.time);
-  state = state_of(state);
-}
-
-std::optional<FreeSolver::Change> FreeSolver::first_change(const State& from,
-                                                           const State& end) const {
-  constexpr int halvings = 40;
-  if (one_sided_.empty()) return std::nullopt;
-  const double dt = end.time - from.time;
-  const int looks = looks_between(one_sided_, from, end);
-  const auto at = [&](double time) {
-    if (time == end.time) return end;
-    State state = interpolate(time, from, end);
-    state.touches = from.touches;
-    return state;
-  };
-  State before = from;
-  for (int i = 1; i <= looks; ++i) {
-    const State behind = at(i == looks ? end.time : from.time + dt * i / looks);
-    std::optional<Change> first;
-    for (std::size_t k = 0; k < one_sided_.size(); ++k) {
-      const OneSided& of = one_sided_[k];
-      double low = before.time, high = behind.time;
-      if (!has_changed(of, behind)) {
-        // Between them it may have gone there and come back.
-        const double sense = from.touches[of.force].on ? -1.0 : 1.0;
-        const double there = sense * depth_of(of, before.q, before.v).rate;
-        const double back = -sense * depth_of(of, behind.q, behind.v).rate;
-        if (!(there > 0.0 && back > 0.0)) continue;
-        high = low + (high - low) * there / (there + back);
-        if (!has_changed(of, at(high))) continue;
-      }
-      for (int j = 0; j < halvings; ++j) {
-        const double middle = 0.5 * (low + high);
-        (has_changed(of, at(middle)) ? high : low) = middle;
-      }
-      if (!first || std::abs(high - from.time) < std::abs(first->until - from.time))
-        first = Change{k, low, high};
-    }
-    if (first) return first;
-    before = behind;
-  }
-  return std::nullopt;
-}
-
-FreeSolver::Step FreeSolver::step_to(const Change& change, const State& from) {
-  constexpr int most = 60;
-  const OneSided& of = one_sided_[change.of];
-  const bool on = from.touches[of.force].on;
-  const double smallest = 1e-15 * std::abs(change.until) + 1e-300;
-  double low = 0.0, high = -1.0;  // not yet known
-  double dt = change.until - from.time;
-  std::optional<Step> beyond_it;
-  for (int i = 0; i < most; ++i) {
-    Step step = step_from(from, dt);
-    if (!step.solved) return step;
-    const ValueAndRate there = depth_of(of, step.end.q, step.end.v);
-    // How far it is beyond where it is said to have changed.
-    const double past = on ? -touching_ - there.value : there.value - touching_;
-    const double rate = on ? -there.rate : there.rate;
-    if (past > 0.0) {
-      high = dt;
-      beyond_it = std::move(step);
-      if (past <= touching_) break;
-    } else {
-      low = dt;
-    }
-    if (high >= 0.0 && high - low <= smallest) break;
-    // Half a way that counts behind it.
-    double next = rate > 0.0 ? dt - (past - 0.5 * touching_) / rate : -1.0;
-    if (high < 0.0 && !(next > low)) next = dt + 1e-3 * std::max(dt, smallest);
-    if (high >= 0.0 && !(next > low && next < high)) next = 0.5 * (low + high);
-    dt = next;
-  }
-  if (beyond_it) return *std::move(beyond_it);
-  Step failed;
-  failed.solved = false;
-  return failed;
-}
-
-bool FreeSolver::is_near_singular(double pivot) const { return pivot < near_singular * regular_; }
 
 FreeSolver::Step FreeSolver::step_from(const State& known, double dt) {
   using Vector = std::vector<double>;
@@ -368,143 +217,6 @@ FreeSolver::Step FreeSolver::step_from(const State& known, double dt) {
   step.end_pivot = step.solved ? equations_.smallest_pivot() : 0.0;
   step.pivot = std::min(step.pivot, step.end_pivot);
   return step;
-}
-
-std::optional<FreeSolver::Step> FreeSolver::step_over(const State& known, double dt) {
-  constexpr double longer = 1.05;
-  const double longest = 4.0 * natural_;
-  std::optional<Step> best;
-  for (dt *= longer; std::abs(dt) < longest; dt *= longer) {
-    Step step = step_from(known, dt);
-    if (!step.solved || step.end_pivot < beside_singular * regular_) continue;
-    if (step.error * tolerance_ > std::max(tolerance_, error_of_passage)) continue;
-    // What begins or ends to act there must be passed apart from it.
-    if (first_change(known, step.end)) continue;
-    if (!best || step.error < best->error) best = std::move(step);
-  }
-  return best;
-}
-
-const FreeSolver::Passage* FreeSolver::passage_of(const State& known) const {
-  constexpr double same_motion = 1e-5;
-  const Eigen::VectorXd& scale = equations_.constraints().col_scale();
-  for (const Passage& passage : passages_) {
-    const double way = passage.behind.time - passage.before.time;
-    const double share = (known.time - passage.before.time) / way;
-    if (share <= 0.0 || share >= 1.0) continue;
-    const Eigen::VectorXd off = known.q - interpolate(known.time, passage.before, passage.behind).q;
-    if (off.cwiseQuotient(scale).lpNorm<Eigen::Infinity>() < same_motion) return &passage;
-  }
-  return nullptr;
-}
-
-State FreeSolver::between(const Passage& passage, double time) {
-  const auto reached = [&](const State& from, double until) -> std::optional<State> {
-    Step step = step_from(from, until - from.time);
-    if (!step.solved || step.end_pivot < beside_singular * regular_) return std::nullopt;
-    if (step.error * tolerance_ > error_near_singular) return std::nullopt;
-    return std::move(step.end);
-  };
-  State before = passage.before;
-  State behind = passage.behind;
-  const double way = behind.time - before.time;
-  // Where it is regular enough, from the nearer end; else between two such places.
-  const bool early = (time - before.time) / way < 0.5;
-  if (auto state = reached(early ? before : behind, time)) return *state;
-  for (double aside = way / 64.0; std::abs(aside) < std::abs(way); aside *= 2.0) {
-    const bool from_before = (time - aside - before.time) / way > 0.0;
-    const bool from_behind = (behind.time - time - aside) / way > 0.0;
-    const auto left = from_before ? reached(before, time - aside) : before;
-    const auto right = from_behind ? reached(behind, time + aside) : behind;
-    if (!left || !right) continue;
-    before = *left;
-    behind = *right;
-    break;
-  }
-  State state = interpolate(time, before, behind);
-  const double share = (time - before.time) / (behind.time - before.time);
-  state.lambda = (1.0 - share) * before.lambda + share * behind.lambda;
-  state.touches = before.touches;
-  state.friction = (1.0 - share) * before.friction + share * behind.friction;
-  state.slips = before.slips;
-  if (project_) {
-    // The way back onto the constraints that needs no regular position.
-    const Assembly closed = Assembler(*mechanism_).assemble(time, state.q);
-    if (closed.closed) state.q = closed.q;
-  }
-  equations_.evaluate_at(time, state.q);
-  state.residual = equations_.residual();
-  return state;
-}
-
-bool FreeSolver::contacts_go_on(const State& state) const {
-  const std::vector<FrictionContact>& contacts = equations_.contacts();
-  const auto count = static_cast<Eigen::Index>(contacts.size());
-  Eigen::VectorXd velocity(count), pressure(count);
-  for (Eigen::Index j = 0; j < count; ++j) {
-    const FrictionContact& contact = contacts[static_cast<std::size_t>(j)];
-    velocity[j] = sliding_velocity_of(contact, state.q, state.v);
-    pressure[j] = pressure_on(contact, state.lambda);
-  }
-  return slips_go_on(laws_, state.slips, velocity, state.friction, pressure, turning_back * rest_);
-}
-
-double FreeSolver::contact_changes_within(const State& known, const Step& step) {
-  // A step sees its stages only, and these roughly.
-  constexpr int looks = 16;
-  const double dt = step.end.time - known.time;
-  if (step.change < 1.0) return step.change * dt;
-  const bool any_sticks =
-      std::find(known.slips.begin(), known.slips.end(), Slip::none) != known.slips.end();
-  for (int i = 1; i < looks; ++i) {
-    State at = interpolate(known.time + dt * i / looks, known, step.end);
-    at.lambda = known.lambda;
-    at.friction = known.friction;
-    at.slips = known.slips;
-    if (any_sticks && !equations_.solve_rates(at)) return 0.0;
-    if (!contacts_go_on(at)) return at.time - known.time;
-  }
-  return 0.0;
-}
-
-void FreeSolver::decide_contacts(State& state) {
-  FrictionResponse response;
-  if (!equations_.friction_response(state, response)) return;
-  const std::vector<char> stands = standing_contacts(laws_, state.slips, response.velocity, rest_);
-  state.v += equations_.velocities_by(holding_impulses(response, stands));
-  for (std::size_t j = 0; j < laws_.size(); ++j)
-    if (stands[j] != 0) response.velocity[static_cast<Eigen::Index>(j)] = 0.0;
-  state.slips = decide_sticking(laws_, response, stands, names_, state.time).slips;
-}
-
-void FreeSolver::settle_contacts(State& state) {
-  const std::vector<Slip> before = state.slips;
-  const auto velocity = [&](std::size_t j) {
-    return sliding_velocity_of(equations_.contacts()[j], state.q, state.v);
-  };
-  if (contacts_go_on(state)) {
-    bool slides = false;
-    for (std::size_t j = 0; j < laws_.size(); ++j) {
-      slides = slides || (can_stick(laws_[j]) && before[j] == Slip::none &&
-                          std::abs(velocity(j)) > turning_back * rest_);
-    }
-    if (!slides) return;
-  }
-  for (std::size_t j = 0; j < laws_.size(); ++j) {
-    if (!can_stick(laws_[j]) || static_cast<double>(before[j]) * velocity(j) >= -rest_) continue;
-    throw AnalysisError(
-        {"a contact with dry friction comes to rest where the mechanism passes a "
-         "singular position; give it a creep velocity, which smooths its friction",
-         "joint " + names_[j],
-         state.time,
-         {},
-         {}});
-  }
-  decide_contacts(state);
-  static_cast<void>(equations_.solve_rates(state));
-  // Ways begun at other instants lead to the same changes.
-  note_changes(slip_changes_, changes_between(names_, before, state.slips, state.time),
-               1e-9 * time_span_of(*mechanism_).length);
 }
 
 State FreeSolver::advance(double time, const State& known) {
