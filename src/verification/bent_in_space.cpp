@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/numerics/exact_memo.hpp"
 #include "boxbeam/section/torsion.hpp"
 #include "elastic_motion_in_space.hpp"
 #include "members_in_space.hpp"
@@ -148,7 +149,8 @@ LoadsAt bent_statically_in_space(const Project& project, const spatial::Chain& c
   if (const std::string why = obstacle_to_bending_in_space(project, chain); !why.empty())
     refuse_vibration(why + otherwise);
   auto of = std::make_shared<const BentInSpace>(project, chain, parts);
-  return [of, otherwise, states = std::move(states), rigid = std::move(rigid)](Time time) {
+  const auto found = [of, otherwise, states = std::move(states),
+                      rigid = std::move(rigid)](Time time) {
     BeamLoads loads = rigid(time);
     const auto bent = of->at(states(time.value()), cut_forces_of(loads), 1.0);
     if (!bent) refuse_vibration(std::string("the beam is free to move") + otherwise, time.value());
@@ -156,6 +158,10 @@ LoadsAt bent_statically_in_space(const Project& project, const spatial::Chain& c
       refuse_vibration(std::string("the mechanism buckles as it stands") + otherwise, time.value());
     add_bending(bent->loads, loads);
     return loads;
+  };
+  // Instants are asked for again and again.
+  return [found, known = std::make_shared<ExactMemo<1, BeamLoads>>()](Time time) {
+    return known->of({time.value()}, [&] { return found(time); });
   };
 }
 

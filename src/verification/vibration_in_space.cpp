@@ -308,7 +308,10 @@ VibrationInSpace estimate_vibration_in_space(const Project& project, const Situa
     for (std::size_t k = 0; k < missed.size(); ++k)
       estimate.without_modes[k] = std::max(estimate.without_modes[k], missed[k]);
     beside = std::max(beside, std::clamp(1.0 - modes.front().own_mass, 0.0, 1.0));
-    if (estimate.frequencies.empty() || modes.front().frequency < estimate.frequencies.front()) {
+    // Of postures that are alike the first.
+    constexpr double lower = 1.0 - 1e-9;
+    if (estimate.frequencies.empty() ||
+        modes.front().frequency < lower * estimate.frequencies.front()) {
       estimate.frequencies.clear();
       for (const frame::BeamMode& mode : modes) estimate.frequencies.push_back(mode.frequency);
       result.lowest_at = si<Time>(time);

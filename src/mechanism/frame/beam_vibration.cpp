@@ -174,6 +174,24 @@ void VibratingBeam::add_piece(double from, double to, const FlexibilityProfile& 
     sample.inertia = slice_inertia(masses[segment], x);
     stations_.push_back({si<Length>(s)});
   }
+  const auto count = static_cast<Index>(piece.samples.size());
+  Eigen::MatrixXd powers(count, 3), values(count, 60);
+  for (Index i = 0; i < count; ++i) {
+    const double u = (points[static_cast<std::size_t>(i)].on.at - from) / (to - from);
+    powers.row(i) << 1.0, u, u * u;
+    values.row(i) = piece.samples[static_cast<std::size_t>(i)].leaning().reshaped().transpose();
+  }
+  const Eigen::MatrixXd polynomials = powers.colPivHouseholderQr().solve(values);
+  for (std::size_t k = 0; k < 3; ++k)
+    piece.leaning[k].reshaped() = polynomials.row(static_cast<Index>(k)).transpose();
+}
+
+VibratingBeam::Leaning VibratingBeam::Sample::leaning() const {
+  Leaning of;
+  of.col(0) = (motion.row(5) + strain.row(cut_force::V_y)).transpose();
+  of.col(1) = (-motion.row(4) + strain.row(cut_force::V_z)).transpose();
+  of.rightCols<3>() = motion.bottomRows<3>().transpose();
+  return of;
 }
 
 std::size_t VibratingBeam::node_of(double s) const {

@@ -1,14 +1,13 @@
 #include "boxbeam/mechanism/frame/bent_scene.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "boxbeam/section/cut_forces.hpp"
+#include "held_scene.hpp"
 #include "rigid_arms.hpp"
-#include "rigid_ties.hpp"
-#include "scene_matrices.hpp"
 
 namespace boxbeam::frame {
 namespace {
@@ -20,7 +19,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using EndMatrix = VibratingBeam::Matrix12;
 using EndVector = Eigen::Matrix<double, 12, 1>;
-using EndRow = Eigen::Matrix<double, 1, 12>;
 
 /// N, V_y, V_z and T, M_y, M_z.
 struct BornForces {
@@ -33,14 +31,6 @@ BornForces born_at(const PosedBeam& posed, const Station& station) {
           {cut.T.value(), cut.M_y.value(), cut.M_z.value()}};
 }
 
-/// Slopes v', w' of the axis at a sample per motion of the ends, in the rows of y and z.
-Eigen::Matrix<double, 3, 12> slopes_of(const VibratingBeam::Sample& sample) {
-  Eigen::Matrix<double, 3, 12> slopes = Eigen::Matrix<double, 3, 12>::Zero();
-  slopes.row(1) = sample.motion.row(5) + sample.strain.row(cut_force::V_y);
-  slopes.row(2) = -sample.motion.row(4) + sample.strain.row(cut_force::V_z);
-  return slopes;
-}
-
 /// A piece of a beam under what it bears.
 struct BornPiece {
   EndMatrix stress = EndMatrix::Zero();    ///< second variation of the work of its cut forces
@@ -50,26 +40,29 @@ struct BornPiece {
 BornPiece born_piece(const PosedBeam& posed, const VibratingBeam::Piece& piece,
                      const Station* stations, bool whole) {
   BornPiece of;
+  EndMatrix half = EndMatrix::Zero();
   for (std::size_t i = 0; i < piece.samples.size(); ++i) {
     const VibratingBeam::Sample& sample = piece.samples[i];
     const BornForces born = born_at(posed, stations[i]);
     Vector6 cut;
     cut << born.force, born.moment;
-    of.strained += sample.weight * sample.strain.transpose() * cut;
-    const auto slopes = slopes_of(sample);
-    EndMatrix stress = born.force.x() * slopes.transpose() * slopes;
+    of.strained += sample.strain.transpose() * (sample.weight * cut);
+    const VibratingBeam::Leaning leaning = sample.leaning();
+    // What works on each of the columns, halved.
+    VibratingBeam::Leaning on = VibratingBeam::Leaning::Zero();
+    on.leftCols<2>() = 0.5 * born.force.x() * leaning.leftCols<2>();
     if (whole) {
-      const auto turn = sample.motion.bottomRows<3>();
-      const auto twisting = sample.strain.bottomRows<3>();
+      // theta . (M x theta')
+      on.rightCols<3>() =
+          sample.strain.bottomRows<3>().transpose().lazyProduct(-0.5 * skew(born.moment));
       // With v' = theta_z, w' = -theta_y, of no shear, -(V_y theta_y + V_z theta_z)/2.
-      const EndRow sheared = born.force.y() * (0.5 * turn.row(1) + slopes.row(2)) +
-                             born.force.z() * (0.5 * turn.row(2) - slopes.row(1));
-      const EndMatrix by_shear = turn.row(0).transpose() * sheared,
-                      by_moments = turn.transpose() * skew(born.moment) * twisting;
-      stress += by_shear + by_shear.transpose() + 0.5 * (by_moments + by_moments.transpose());
+      on.col(2) += born.force.y() * (0.5 * leaning.col(3) + leaning.col(1)) +
+                   born.force.z() * (0.5 * leaning.col(4) - leaning.col(0));
     }
-    of.stress += sample.weight * stress;
+    on *= sample.weight;
+    half += leaning.lazyProduct(on.transpose());
   }
+  of.stress = half + half.transpose();
   return of;
 }
 
@@ -79,85 +72,94 @@ Matrix3d stress_of_arm(const Vector3d& force, const Vector3d& arm) {
          0.5 * (force * arm.transpose() + arm * force.transpose());
 }
 
+/// Where forces and lines take hold.
+std::vector<Place> pushed_by(const SceneStress& stress) {
+  std::vector<Place> places;
+  for (const SceneStress::Force& force : stress.forces) places.push_back(force.at);
+  for (const SceneStress::Line& line : stress.lines) places.insert(places.end(), {line.a, line.b});
+  return places;
+}
+
 /// The posture of a scene under what acts in it.
 class StressedScene {
  public:
   StressedScene(const VibratingScene& scene, const SceneStress& stress)
-      : scene_(&scene), rows_(rows_of(scene)), matrices_(matrices_of(scene, rows_, false)) {
-    MatrixSum sum;
-    strained_ = VectorXd::Zero(rows_.size);
-    for (std::size_t b = 0; b < scene.beams.size(); ++b) add_beam(b, stress.whole[b], sum);
+      : scene_(&scene),
+        held_(scene, pushed_by(stress), last_),
+        strained_(VectorXd::Zero(held_.rows().size)),
+        elastic_(held_.elastic_ties()),
+        whole_(stress.whole.front()) {
+    for (std::size_t b = 0; b < scene.beams.size(); ++b) add_beam(b, stress.whole[b]);
     // What is in joints and rods that give way strains them.
-    for (const Tied& of : matrices_.giving)
+    for (const Tied& of : held_.ties().giving)
       for (const auto& [row, per] : of.gap.parts) strained_.segment<6>(row) += *of.tie->rigid * per;
-    for (const SceneStress::Force& force : stress.forces) add_force(force, sum);
-    for (const SceneStress::Line& line : stress.lines) add_line(line, sum);
-    stress_ = sum.of_size(rows_.size, rows_.size);
+    for (const SceneStress::Force& force : stress.forces) add_force(force);
+    for (const SceneStress::Line& line : stress.lines) add_line(line);
   }
 
   std::optional<BentScene> bent(double factor) const {
-    VectorXd norms;
-    KeptTies last;
-    const RigidTies rigidly(equations_of(matrices_.held, matrices_.unit, norms), last);
-    const auto reduced = [&](const Eigen::SparseMatrix<double>& of) {
-      return rigidly.reduced(Eigen::SparseMatrix<double>(matrices_.unit.asDiagonal() * of *
-                                                         matrices_.unit.asDiagonal()));
-    };
     BentScene result;
-    const Eigen::LLT<MatrixXd> standing(reduced(matrices_.K + factor * stress_));
-    constexpr double round_off = 1e-14;
-    const auto stands = [](const Eigen::LLT<MatrixXd>& of) {
-      return of.info() == Eigen::Success && (of.rows() == 0 || of.rcond() > round_off);
-    };
-    if (!stands(standing)) {
-      const MatrixXd stiffness = reduced(matrices_.K), stress = reduced(stress_);
-      if (!stands(Eigen::LLT<MatrixXd>(stiffness))) return {};
+    const auto standing = standing_under(factor);
+    if (!standing) {
+      if (!standing_under(0.0)) return {};
       double stable = 0.0, unstable = factor;
       constexpr double close = 1e-3;
       while (unstable - stable > close * unstable) {
         const double middle = 0.5 * (stable + unstable);
-        (stands(Eigen::LLT<MatrixXd>(stiffness + middle * stress)) ? stable : unstable) = middle;
+        (standing_under(middle) ? stable : unstable) = middle;
       }
       result.critical = 0.5 * (stable + unstable);
       return result;
     }
-    const VectorXd load = rigidly.reduced(VectorXd(strained_.cwiseProduct(matrices_.unit)));
-    result.motion = rigidly.motion(standing.solve(load)).cwiseProduct(matrices_.unit);
-    load_first_beam(factor, result);
+    const VectorXd moved = standing->moved_by(strained_);
+    load_first_beam(factor, moved, result);
+    result.motion = in_scene_axes(*scene_, held_.rows(), moved);
     return result;
   }
 
  private:
-  void add_beam(std::size_t b, bool whole, MatrixSum& sum) {
+  /// Under so many times what acts.
+  std::optional<StandingScene> standing_under(double factor) const {
+    SceneStiffness stiffness;
+    for (std::size_t b = 0; b < born_.size(); ++b) {
+      std::vector<EndMatrix>& pieces = stiffness.pieces.emplace_back();
+      const auto& elastic = scene_->beams[b].beam->pieces();
+      for (std::size_t p = 0; p < elastic.size(); ++p)
+        pieces.push_back(elastic[p].stiffness + factor * born_[b][p].stress);
+    }
+    stiffness.beside = elastic_;
+    for (const Eigen::Triplet<double>& of : stress_.entries)
+      stiffness.beside.entries.emplace_back(of.row(), of.col(), factor * of.value());
+    return held_.standing(stiffness);
+  }
+
+  void add_beam(std::size_t b, bool whole) {
     const PosedBeam& posed = scene_->beams[b];
-    const EndMatrix into = into_beam_axes(posed);
-    Index row = rows_.beams[b];
+    Index row = held_.rows().beams[b];
     const Station* station = posed.beam->stations().data();
+    std::vector<BornPiece>& born = born_.emplace_back();
     for (const VibratingBeam::Piece& piece : posed.beam->pieces()) {
-      const BornPiece of = born_piece(posed, piece, station, whole);
-      sum.add(row, row, into.transpose() * of.stress * into);
-      strained_.segment<12>(row) += into.transpose() * of.strained;
-      if (b == 0) born_.push_back(of);
+      const BornPiece& of = born.emplace_back(born_piece(posed, piece, station, whole));
+      strained_.segment<12>(row) += of.strained;
       row += 6;
       station += piece.samples.size();
     }
-    if (b == 0) whole_ = whole;
   }
 
   /// Along a beam's axis its cut forces count already.
-  void add_force(const SceneStress::Force& of, MatrixSum& sum) const {
+  void add_force(const SceneStress::Force& of) {
     if (of.at.member == ground) return;
-    const Followed by = followed_by(*scene_, rows_, of.at);
+    const Followed by = followed_by(*scene_, held_.rows(), of.at);
     Vector3d arm = of.at.p - by.from;
-    const auto member = static_cast<std::size_t>(of.at.member);
-    if (member < scene_->beams.size()) {
-      const Vector3d axis = scene_->beams[member].axes.col(0);
+    if (static_cast<std::size_t>(of.at.member) < scene_->beams.size()) {
+      const Vector3d axis = by.axes.col(0);
       arm -= axis.dot(arm) * axis;
     }
-    sum.add(by.row + 3, by.row + 3, stress_of_arm(of.force, arm));
+    const Index row = held_.kept_row(by.row) + 3;
+    stress_.add(row, row, by.axes.transpose() * stress_of_arm(of.force, arm) * by.axes);
   }
 
-  void add_line(const SceneStress::Line& of, MatrixSum& sum) const {
+  void add_line(const SceneStress::Line& of) {
     const Vector3d along = of.b.p - of.a.p;
     const double length = along.norm();
     if (length == 0.0) return;
@@ -170,14 +172,15 @@ class StressedScene {
     std::vector<End> ends;
     const auto add = [&](const Place& at, double sign) {
       if (at.member == ground) return;
-      const Followed by = followed_by(*scene_, rows_, at);
-      ends.push_back({by.row, sign * carry(at.p - by.from).topRows<3>()});
+      const Followed by = followed_by(*scene_, held_.rows(), at);
+      ends.push_back(
+          {held_.kept_row(by.row), sign * carry(at.p - by.from).topRows<3>() * rotation(by.axes)});
     };
     add(of.a, -1.0);
     add(of.b, 1.0);
     for (const End& one : ends)
       for (const End& other : ends)
-        sum.add(one.row, other.row, one.motion.transpose() * across * other.motion);
+        stress_.add(one.row, other.row, one.motion.transpose() * across * other.motion);
   }
 
   /// What bending adds to the cut forces of a piece, at its start, both thirds and its end.
@@ -185,25 +188,16 @@ class StressedScene {
     std::array<Vector3d, 4> forces, moments;
   };
 
-  AddedCut added_in(const VibratingBeam::Piece& piece, const BornPiece& born,
-                    const Station* stations, const EndVector& ends, double factor) const {
+  AddedCut added_in(const VibratingBeam::Piece& piece, const BornPiece& born, const EndVector& ends,
+                    double factor) const {
     const PosedBeam& posed = scene_->beams.front();
     const double h = piece.to - piece.from;
     const EndVector added = piece.stiffness * ends - born.strained + factor * (born.stress * ends);
-    // Turns and slopes, which on even pieces are of the second degree.
-    const auto count = static_cast<Index>(piece.samples.size());
-    MatrixXd powers(count, 3), turns(count, 3), slopes(count, 3);
-    for (Index i = 0; i < count; ++i) {
-      const VibratingBeam::Sample& sample = piece.samples[static_cast<std::size_t>(i)];
-      const double u = (stations[i].s.value() - piece.from) / h;
-      powers.row(i) << 1.0, u, u * u;
-      turns.row(i) = (sample.motion.bottomRows<3>() * ends).transpose();
-      slopes.row(i) = (slopes_of(sample) * ends).transpose();
-    }
-    const Eigen::ColPivHouseholderQR<MatrixXd> fit(powers);
-    const MatrixXd turn = fit.solve(turns), slope = fit.solve(slopes);
-    const auto at = [](const MatrixXd& of, double u) -> Vector3d {
-      return (of.row(0) + u * of.row(1) + u * u * of.row(2)).transpose();
+    Eigen::Matrix<double, 5, 3> leaning;
+    for (std::size_t k = 0; k < 3; ++k)
+      leaning.col(static_cast<Index>(k)) = piece.leaning[k].transpose() * ends;
+    const auto leaning_at = [&](double u) -> Eigen::Matrix<double, 5, 1> {
+      return leaning.col(0) + u * leaning.col(1) + u * u * leaning.col(2);
     };
     const auto born_inside = [&](double u) {
       return born_at(posed, {si<Length>(piece.from + u * h)});
@@ -232,7 +226,8 @@ class StressedScene {
     const auto couple = [&](double u) -> Vector3d {
       Vector3d force = born_inside(u).force;
       if (!whole_) force.tail<2>().setZero();
-      return factor * at(slope, u).cross(force);
+      const Eigen::Matrix<double, 5, 1> of = leaning_at(u);
+      return factor * Vector3d(0.0, of[0], of[1]).cross(force);
     };
     std::array<Vector3d, 4> sum{};
     sum[0].setZero();
@@ -248,7 +243,7 @@ class StressedScene {
       const auto between = [&](const Vector3d& a, const Vector3d& b) -> Vector3d {
         return (1.0 - u) * a + u * b;
       };
-      const BornForces inside = in_turned_axes(at(turn, u), born_inside(u));
+      const BornForces inside = in_turned_axes(leaning_at(u).tail<3>(), born_inside(u));
       cut.forces[k] = -added.head<3>() + inside.force;
       cut.moments[k] = between(cut.moments[0], cut.moments[3]) - (sum[k] - u * sum[3]) +
                        inside.moment - between(at_start.moment, at_end.moment);
@@ -285,20 +280,19 @@ class StressedScene {
     return line;
   }
 
-  void load_first_beam(double factor, BentScene& result) const {
+  void load_first_beam(double factor, const VectorXd& moved, BentScene& result) const {
     const PosedBeam& posed = scene_->beams.front();
     const VibratingBeam& beam = *posed.beam;
-    const EndMatrix into = into_beam_axes(posed);
-    Index row = rows_.beams.front();
+    Index row = held_.rows().beams.front();
     const Station* station = beam.stations().data();
     double force = 0.0, moment = 0.0;
     std::vector<AddedCut> cuts;
     for (std::size_t p = 0; p < beam.pieces().size(); ++p) {
       const VibratingBeam::Piece& piece = beam.pieces()[p];
-      const EndVector ends = into * result.motion.segment<12>(row);
+      const EndVector ends = moved.segment<12>(row);
       for (const Index at : {3, 9})
         result.turn = std::max(result.turn, ends.segment<3>(at).cwiseAbs().maxCoeff());
-      const AddedCut& cut = cuts.emplace_back(added_in(piece, born_[p], station, ends, factor));
+      const AddedCut& cut = cuts.emplace_back(added_in(piece, born_.front()[p], ends, factor));
       result.loads.lines.push_back(line_of(cut, piece.from, piece.to - piece.from));
       const BornForces born = born_at(posed, *station);
       force = std::max({force, cut.forces[0].norm(), cut.forces[3].norm(), born.force.norm()});
@@ -322,12 +316,13 @@ class StressedScene {
   }
 
   const VibratingScene* scene_;
-  SceneRows rows_;
-  SceneMatrices matrices_;
-  std::vector<BornPiece> born_;  ///< of the first beam
-  bool whole_ = true;            ///< the first beam
+  KeptTies last_;
+  HeldScene held_;
+  std::vector<std::vector<BornPiece>> born_;  ///< of each beam
   VectorXd strained_;
-  Eigen::SparseMatrix<double> stress_;
+  MatrixSum stress_;   ///< of forces and lines, between what is kept
+  MatrixSum elastic_;  ///< ties
+  bool whole_;         ///< the first beam
 };
 
 }  // namespace

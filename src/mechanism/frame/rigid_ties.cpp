@@ -82,8 +82,8 @@ RigidTies::RigidTies(const Eigen::SparseMatrix<double>& G, KeptTies& last, Index
     Whole& whole = std::get<Whole>(factors_);
     whole.setThreshold(repeats);
     whole.compute(MatrixXd(G));
-    const MatrixXd Q = whole.householderQ() * MatrixXd::Identity(size_, size_);
-    tied_ = Q.rightCols(size_ - whole.rank());
+    const MatrixXd last_columns = MatrixXd::Identity(size_, size_).rightCols(size_ - whole.rank());
+    tied_ = whole.householderQ() * last_columns;
     return;
   }
   const ByRows by_rows = G;
@@ -129,18 +129,18 @@ void RigidTies::find_free(const ByRows& G, const EliminatedTies& of) {
   if (!left.empty()) tied_ = orthonormal_columns(tied_);
 }
 
-VectorXd RigidTies::motion(const VectorXd& of_free) const {
-  VectorXd motion = tied_ * of_free.tail(tied_.cols());
+MatrixXd RigidTies::motions(const MatrixXd& of_free) const {
+  MatrixXd motions = tied_ * of_free.bottomRows(tied_.cols());
   for (std::size_t k = 0; k < alone_.size(); ++k)
-    motion[alone_[k]] += of_free[static_cast<Index>(k)];
-  return motion;
+    motions.row(alone_[k]) += of_free.row(static_cast<Index>(k));
+  return motions;
 }
 
-VectorXd RigidTies::reduced(const VectorXd& forces) const {
-  VectorXd of_free(free());
+MatrixXd RigidTies::on_free(const MatrixXd& forces) const {
+  MatrixXd of_free(free(), forces.cols());
   const auto alone = static_cast<Index>(alone_.size());
-  of_free.head(alone) = forces(alone_);
-  of_free.tail(tied_.cols()) = tied_.transpose() * forces;
+  of_free.topRows(alone) = forces(alone_, Eigen::all);
+  of_free.bottomRows(tied_.cols()) = tied_.transpose() * forces;
   return of_free;
 }
 

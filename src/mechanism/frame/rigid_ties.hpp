@@ -37,10 +37,10 @@ class RigidTies {
 
   /// How many motions are free.
   Eigen::Index free() const { return static_cast<Eigen::Index>(alone_.size()) + tied_.cols(); }
-  /// Of free motions, which are orthonormal, the coordinates.
-  Eigen::VectorXd motion(const Eigen::VectorXd& of_free) const;
+  /// Of free motions, which are orthonormal, the coordinates, a column for each.
+  Eigen::MatrixXd motions(const Eigen::MatrixXd& of_free) const;
   /// What forces on the coordinates do to the free motions.
-  Eigen::VectorXd reduced(const Eigen::VectorXd& forces) const;
+  Eigen::MatrixXd on_free(const Eigen::MatrixXd& forces) const;
   /// A symmetric matrix of the coordinates as that of the free motions.
   Eigen::MatrixXd reduced(const Eigen::SparseMatrix<double>& symmetric) const;
 

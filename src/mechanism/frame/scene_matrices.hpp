@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "boxbeam/mechanism/frame/beam_vibration.hpp"
+#include "rigid_arms.hpp"
 
-/// The matrices of a scene, by the motions of the nodes of its beams and the centres of its bodies.
+/// The equations of a scene, by the motions of the nodes of its beams, in the axes of each, and of
+/// the centres of its bodies, in those of the scene.
 namespace boxbeam::frame {
 
 /// A sparse matrix as the sum of blocks.
@@ -54,16 +56,18 @@ struct SceneRows {
 
 SceneRows rows_of(const VibratingScene& scene);
 
-/// From the axes of the scene to those of a beam, for the motions of the ends of a piece.
-VibratingBeam::Matrix12 into_beam_axes(const PosedBeam& posed);
-
 /// The motions that a place of a member follows rigidly.
 struct Followed {
   Eigen::Index row = 0;
   Eigen::Vector3d from = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< of the motions, as columns
 };
 
 Followed followed_by(const VibratingScene& scene, const SceneRows& rows, const Place& at);
+
+/// Coordinates as shifts and turns in the axes of the scene.
+Eigen::VectorXd in_scene_axes(const VibratingScene& scene, const SceneRows& rows,
+                              Eigen::VectorXd coordinates);
 
 /// A tie with what its force does to the coordinates.
 struct Tied {
@@ -71,19 +75,17 @@ struct Tied {
   Gap gap;
 };
 
-/// The matrices of a scene before rigid ties take motions away.
-struct SceneMatrices {
-  Eigen::SparseMatrix<double> springs, K, M, C;
+/// The ties of a scene.
+struct SceneTies {
   std::vector<Tied> held, elastic;
   std::vector<Tied> giving;  ///< of these those of joints and rods, in their order
-  Eigen::VectorXd unit;      ///< shifts by the length of the longest beam, as turns
+  double length = 0.0;       ///< shifts by that of the longest beam, as turns
 };
 
-/// `pressed`: the beams' axial forces are in their stiffness.
-SceneMatrices matrices_of(const VibratingScene& scene, const SceneRows& rows, bool pressed = true);
+/// `stiff_as_rigid` is measured in the axes of the beams.
+SceneTies ties_of(const VibratingScene& scene, const SceneRows& rows);
 
-/// The equations of rigid ties, a column of length one for each, and their lengths before.
-Eigen::SparseMatrix<double> equations_of(const std::vector<Tied>& held, const Eigen::VectorXd& unit,
-                                         Eigen::VectorXd& norms);
+/// So many times as much counts a coordinate beside turns.
+inline double unit_of_row(Eigen::Index row, double length) { return row % 6 < 3 ? length : 1.0; }
 
 }  // namespace boxbeam::frame

@@ -1,4 +1,4 @@
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,9 +8,9 @@
 #include "boxbeam/mechanism/frame/beam_vibration.hpp"
 #include "boxbeam/section/cut_forces.hpp"
 #include "geometric_stiffness.hpp"
+#include "held_scene.hpp"
+#include "lowest_modes.hpp"
 #include "rigid_arms.hpp"
-#include "rigid_ties.hpp"
-#include "scene_matrices.hpp"
 
 namespace boxbeam::frame {
 namespace {
@@ -65,15 +65,7 @@ void add_tie_load(const Tie& tie, const Tie::End& end, double size, double lengt
 
 }  // namespace
 
-SceneRows rows_of(const VibratingScene& scene) {
-  SceneRows rows;
-  for (const PosedBeam& posed : scene.beams) {
-    rows.beams.push_back(rows.bodies);
-    rows.bodies += static_cast<Index>(6 * posed.beam->nodes().size());
-  }
-  rows.size = rows.bodies + static_cast<Index>(6 * scene.bodies.size());
-  return rows;
-}
+namespace {
 
 Matrix12 into_beam_axes(const PosedBeam& posed) {
   Matrix12 into = Matrix12::Zero();
@@ -81,28 +73,10 @@ Matrix12 into_beam_axes(const PosedBeam& posed) {
   return into;
 }
 
-namespace {
-
 /// In the middle of a piece.
 double axial_force_in(const PosedBeam& posed, const VibratingBeam::Piece& piece) {
   return posed.rigid.at({si<Length>(0.5 * (piece.from + piece.to))}).N.value();
 }
-
-}  // namespace
-
-Followed followed_by(const VibratingScene& scene, const SceneRows& rows, const Place& at) {
-  const auto member = static_cast<std::size_t>(at.member);
-  if (member >= scene.beams.size()) {
-    const std::size_t body = member - scene.beams.size();
-    return {rows.bodies + static_cast<Index>(6 * body), scene.bodies[body].centre};
-  }
-  const PosedBeam& posed = scene.beams[member];
-  const std::size_t node = posed.beam->node_of(posed.axes.col(0).dot(at.p - posed.start));
-  return {rows.beams[member] + static_cast<Index>(6 * node),
-          posed.start + posed.beam->nodes()[node] * posed.axes.col(0)};
-}
-
-namespace {
 
 /// Line loads that keep the forces on a piece's ends in balance, and the cut forces under them.
 void add_inertia_of_piece(const Vector12& forces, const Vector12& by_axial_force, double from,
@@ -143,9 +117,10 @@ void add_inertia_of_piece(const Vector12& forces, const Vector12& by_axial_force
   cut.M_y = z.M;
 }
 
-/// The motion as a mode: what acts on the first beam but for ties, work and energy.
-BeamMode mode_of_motion(const VibratingScene& scene, const SceneRows& rows, const VectorXd& motion,
-                        double omega) {
+/// The motion as a mode, from its coordinates: what acts on the first beam but for ties, work and
+/// energy.
+BeamMode mode_of_coordinates(const VibratingScene& scene, const SceneRows& rows,
+                             const VectorXd& coordinates, double omega) {
   constexpr Index N = cut_force::N, V_y = cut_force::V_y, V_z = cut_force::V_z, T = cut_force::T,
                   M_y = cut_force::M_y, M_z = cut_force::M_z;
   BeamMode mode;
@@ -157,10 +132,9 @@ BeamMode mode_of_motion(const VibratingScene& scene, const SceneRows& rows, cons
   Index at = 0;
   for (std::size_t b = 0; b < scene.beams.size(); ++b) {
     const PosedBeam& posed = scene.beams[b];
-    const Matrix12 into = into_beam_axes(posed);
     Index row = rows.beams[b];
     for (const VibratingBeam::Piece& piece : posed.beam->pieces()) {
-      const Vector12 ends = into * motion.segment<12>(row);
+      const Vector12 ends = coordinates.segment<12>(row);
       row += 6;
       if (b == 0) {
         const double h = piece.to - piece.from;
@@ -188,101 +162,97 @@ BeamMode mode_of_motion(const VibratingScene& scene, const SceneRows& rows, cons
   return mode;
 }
 
-/// The largest of the diagonal, shifts by this length.
-double stiffest_entry_of(const Eigen::SparseMatrix<double>& stiffness, double length) {
-  const VectorXd diagonal = stiffness.diagonal();
-  double largest = 0.0;
-  for (Index k = 0; k < diagonal.size(); ++k)
-    largest = std::max(largest, diagonal[k] * (k % 6 < 3 ? length * length : 1.0));
-  return largest;
-}
-
-}  // namespace
-
-SceneMatrices matrices_of(const VibratingScene& scene, const SceneRows& rows, bool pressed) {
-  const Index size = rows.size;
-  MatrixSum stiff, inert, viscous, sprung;
-  double length = 0.0;
+/// Calls f(block, row) for the diagonal blocks of a scene, which overlap along beams: 12 rows of a
+/// piece, 6 of a body.
+template <class OfPiece, class OfBody>
+void each_block(const VibratingScene& scene, const SceneRows& rows, const OfPiece& of_piece,
+                const OfBody& of_body) {
   for (std::size_t b = 0; b < scene.beams.size(); ++b) {
-    const PosedBeam& posed = scene.beams[b];
-    const Matrix12 into = into_beam_axes(posed);
-    length = std::max(length, posed.beam->length());
     Index row = rows.beams[b];
-    for (const VibratingBeam::Piece& piece : posed.beam->pieces()) {
-      const auto add = [&](const Matrix12& of, MatrixSum& sum) {
-        sum.add(row, row, into.transpose() * of * into);
-      };
-      const double N = pressed ? axial_force_in(posed, piece) : 0.0;
-      add(piece.stiffness + geometric_block(N, piece.to - piece.from), stiff);
-      add(piece.mass, inert);
-      add(posed.beam->retardation() * piece.stiffness, viscous);
+    for (const VibratingBeam::Piece& piece : scene.beams[b].beam->pieces()) {
+      of_piece(scene.beams[b], piece, row);
       row += 6;
     }
   }
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const Index at = rows.bodies + static_cast<Index>(6 * b);
-    inert.add(at, at, scene.bodies[b].mass * Matrix3d::Identity());
-    inert.add(at + 3, at + 3, scene.bodies[b].inertia);
-  }
-  SceneMatrices all;
-  const Eigen::SparseMatrix<double> of_beams = stiff.of_size(size, size);
-  const double as_rigid = stiff_as_rigid * stiffest_entry_of(of_beams, length);
-  for (const Tie& tie : scene.ties) {
-    Gap gap;
-    for (const Tie::End& end : tie.ends) {
-      if (end.at.member == ground) continue;
-      const Followed by = followed_by(scene, rows, end.at);
-      gap.add(by.row, carry(end.at.p - by.from).transpose() * end.per);
-    }
-    if (tie.rigid) all.giving.push_back({&tie, gap});
-    if (tie.stiffness * (tie.way() == 0 ? length * length : 1.0) > as_rigid) {
-      all.held.push_back({&tie, std::move(gap)});
-      continue;
-    }
-    for (const auto& [row, per_row] : gap.parts) {
-      for (const auto& [column, per_column] : gap.parts) {
-        const Matrix6 both = per_row * per_column.transpose();
-        if (tie.stiffness != 0.0) sprung.add(row, column, tie.stiffness * both);
-        if (tie.damping != 0.0) viscous.add(row, column, tie.damping * both);
-      }
-    }
-    all.elastic.push_back({&tie, std::move(gap)});
-  }
-  all.springs = sprung.of_size(size, size);
-  all.K = of_beams + all.springs;
-  all.M = inert.of_size(size, size);
-  all.C = viscous.of_size(size, size);
-  all.unit = VectorXd::Ones(size);
-  for (Index k = 0; k < size; ++k)
-    if (k % 6 < 3) all.unit[k] = length;
-  return all;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    of_body(scene.bodies[b], rows.bodies + static_cast<Index>(6 * b));
 }
 
-Eigen::SparseMatrix<double> equations_of(const std::vector<Tied>& held, const VectorXd& unit,
-                                         VectorXd& norms) {
-  const auto count_held = static_cast<Index>(held.size());
-  norms = VectorXd::Ones(count_held);
-  MatrixSum holding;
-  for (std::size_t k = 0; k < held.size(); ++k) {
-    const auto column = static_cast<Index>(k);
-    const auto scaled = [&](const std::pair<Index, Vector6>& part) {
-      return Vector6(part.second.cwiseProduct(unit.segment<6>(part.first)));
-    };
-    double square = 0.0;
-    for (const auto& part : held[k].gap.parts) square += scaled(part).squaredNorm();
-    // Of the ground alone: nothing moves.
-    if (square > 0.0) norms[column] = std::sqrt(square);
-    // Also what is zero in this posture alone: the same entries in all of them. Couples hold no
-    // shifts in any.
-    for (const auto& part : held[k].gap.parts) {
-      const Vector6 entries = scaled(part) / norms[column];
-      const Index first = entries.head<3>().isZero(0.0) ? 3 : 0;
-      for (Index i = first; i < 6; ++i)
-        holding.entries.emplace_back(part.first + i, column, entries[i]);
+/// Forces that give a scene these accelerations, a column for each.
+MatrixXd inertia_of(const VibratingScene& scene, const SceneRows& rows, const MatrixXd& motions) {
+  MatrixXd forces = MatrixXd::Zero(motions.rows(), motions.cols());
+  each_block(
+      scene, rows,
+      [&](const PosedBeam&, const VibratingBeam::Piece& piece, Index row) {
+        forces.middleRows<12>(row) += piece.mass.lazyProduct(motions.middleRows<12>(row));
+      },
+      [&](const RigidMass& body, Index row) {
+        forces.middleRows<3>(row) = body.mass * motions.middleRows<3>(row);
+        forces.middleRows<3>(row + 3) = body.inertia.lazyProduct(motions.middleRows<3>(row + 3));
+      });
+  return forces;
+}
+
+/// Of a piece under its axial force.
+Matrix12 stiffness_of(const PosedBeam& posed, const VibratingBeam::Piece& piece) {
+  return piece.stiffness + geometric_block(axial_force_in(posed, piece), piece.to - piece.from);
+}
+
+/// Forces of elasticity and of viscosity.
+struct ForcesOfMotion {
+  VectorXd elastic, viscous;
+};
+
+ForcesOfMotion forces_of(const HeldScene& held, const VectorXd& coordinates) {
+  ForcesOfMotion of{VectorXd::Zero(coordinates.size()), VectorXd::Zero(coordinates.size())};
+  each_block(
+      held.scene(), held.rows(),
+      [&](const PosedBeam& posed, const VibratingBeam::Piece& piece, Index row) {
+        const Vector12 ends = coordinates.segment<12>(row);
+        of.elastic.segment<12>(row) += stiffness_of(posed, piece) * ends;
+        of.viscous.segment<12>(row) += posed.beam->retardation() * piece.stiffness * ends;
+      },
+      [](const RigidMass&, Index) {});
+  for (const Tied& tied : held.ties().elastic) {
+    const double gap = tied.gap.of(coordinates);
+    for (const auto& [row, per] : tied.gap.parts) {
+      of.elastic.segment<6>(row) += tied.tie->stiffness * gap * per;
+      of.viscous.segment<6>(row) += tied.tie->damping * gap * per;
     }
   }
-  return holding.of_size(unit.size(), count_held);
+  return of;
 }
+
+/// Of the ties the loads on the first beam, elastic energy and work. Modal mass one.
+void add_ties(const HeldScene& held, const VectorXd& coordinates, const VectorXd& inertia,
+              double omega, BeamMode& mode) {
+  const SceneTies& ties = held.ties();
+  const ForcesOfMotion of = forces_of(held, coordinates);
+  mode.drag = in_scene_axes(held.scene(), held.rows(), of.viscous);
+  mode.damping = coordinates.dot(of.viscous);
+  const auto put = [&](const Tie& tie, double force) {
+    for (const Tie::End& end : tie.ends)
+      if (end.at.member == 0)
+        add_tie_load(tie, end, force, held.scene().beams.front().beam->length(), mode.loads);
+  };
+  // What rigid ties do keeps the rest in motion; elastic ones oppose their gaps.
+  const VectorXd sizes = held.tie_forces(of.elastic - omega * omega * inertia);
+  for (std::size_t t = 0; t < ties.held.size(); ++t)
+    put(*ties.held[t].tie, sizes[static_cast<Index>(t)]);
+  for (const Tied& tied : ties.elastic) {
+    const double gap = tied.gap.of(coordinates), force = tied.tie->stiffness * gap;
+    put(*tied.tie, -force);
+    mode.energy[4] += force * gap / (omega * omega);
+  }
+  const Index on_beams = mode.work.size();
+  mode.work.conservativeResize(on_beams + static_cast<Index>(6 * ties.giving.size()));
+  mode.work.tail(mode.work.size() - on_beams).setZero();
+  for (std::size_t t = 0; t < ties.giving.size(); ++t)
+    mode.work[on_beams + static_cast<Index>(6 * t) + ties.giving[t].tie->way()] =
+        ties.giving[t].gap.of(coordinates);
+}
+
+}  // namespace
 
 TurningTerms turning_terms_of(const Matrix3d& inertia, const Turning& frame) {
   const Matrix3d w = skew(frame.omega), spin = skew(inertia * frame.omega);
@@ -297,54 +267,38 @@ std::vector<BeamMode> modes_of(const VibratingScene& scene, std::size_t count) {
 }
 
 std::vector<BeamMode> modes_of(const VibratingScene& scene, std::size_t count, KeptTies& last) {
-  const SceneRows rows = rows_of(scene);
-  const SceneMatrices all = matrices_of(scene, rows);
-  VectorXd norms;
-  const RigidTies rigidly(equations_of(all.held, all.unit, norms), last);
-  if (rigidly.free() == 0) return {};
-  const auto reduced = [&](const Eigen::SparseMatrix<double>& of) {
-    return rigidly.reduced(
-        Eigen::SparseMatrix<double>(all.unit.asDiagonal() * of * all.unit.asDiagonal()));
-  };
-  const MatrixXd stiffness = reduced(all.K), mass = reduced(all.M);
-  const Eigen::LLT<MatrixXd> factor(stiffness);
-  if (factor.info() != Eigen::Success)
-    refuse("with its drivers held it is free to move, or buckles");
-  // Of M x = mu K x the largest mu are those of the lowest frequencies; what has no mass has none.
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(mass, stiffness);
-  if (solver.info() != Eigen::Success) refuse("its modes are not found");
-  const double round_off = 1e-15 * stiffness.norm();
-  const VibratingBeam& first = *scene.beams.front().beam;
+  const HeldScene held(scene, {}, last);
+  const SceneRows& rows = held.rows();
+  if (held.free() == 0) return {};
+  SceneStiffness stiffness;
+  for (const PosedBeam& posed : scene.beams) {
+    auto& pieces = stiffness.pieces.emplace_back();
+    for (const VibratingBeam::Piece& piece : posed.beam->pieces())
+      pieces.push_back(stiffness_of(posed, piece));
+  }
+  stiffness.beside = held.elastic_ties();
+  const auto standing = held.standing(stiffness);
+  if (!standing) refuse("with its drivers held it is free to move, or buckles");
+  VectorXd unit(rows.size);
+  for (Index k = 0; k < rows.size; ++k) unit[k] = unit_of_row(k, held.ties().length);
+  const LowestModes found =
+      lowest_modes_of({[&](const MatrixXd& forces) { return standing->moved_by(forces); },
+                       [&](const MatrixXd& motions) { return inertia_of(scene, rows, motions); }},
+                      static_cast<Index>(count), unit);
+  const double round_off = 1e-15 * standing->stiffest();
+  const auto own = static_cast<Index>(6 * scene.beams.front().beam->nodes().size());
   std::vector<BeamMode> modes;
-  for (Index k = stiffness.rows(); k-- > 0 && modes.size() < count;) {
-    const double mu = solver.eigenvalues()[k];
-    if (!(mu > 1e-12 * solver.eigenvalues()[stiffness.rows() - 1])) break;
-    const VectorXd x = solver.eigenvectors().col(k);  // of elastic energy one half
-    if (round_off * x.squaredNorm() > 1e-3) refuse("with its drivers held it is free to move");
-    const VectorXd motion = rigidly.motion(x).cwiseProduct(all.unit) / std::sqrt(mu);
-    BeamMode& mode = modes.emplace_back(mode_of_motion(scene, rows, motion, 1.0 / std::sqrt(mu)));
-    mode.motion = motion;
-    mode.drag = all.C * motion;
-    mode.damping = motion.dot(mode.drag);
-    mode.energy[4] = mu * motion.dot(all.springs * motion);
-    const Index on_beams = mode.work.size();
-    mode.work.conservativeResize(on_beams + static_cast<Index>(6 * all.giving.size()));
-    mode.work.tail(mode.work.size() - on_beams).setZero();
-    for (std::size_t t = 0; t < all.giving.size(); ++t)
-      mode.work[on_beams + static_cast<Index>(6 * t) + all.giving[t].tie->way()] =
-          all.giving[t].gap.of(motion);
-    const auto own = static_cast<Index>(6 * first.nodes().size());
-    mode.own_mass = motion.head(own).dot((all.M * motion).head(own));
-    // What rigid ties do keeps the rest in motion; elastic ones oppose their gaps.
-    const auto put = [&](const Tie& tie, double force) {
-      for (const Tie::End& end : tie.ends)
-        if (end.at.member == 0) add_tie_load(tie, end, force, first.length(), mode.loads);
-    };
-    const VectorXd by_ties = all.K * motion - all.M * motion / mu;
-    const VectorXd sizes = rigidly.forces(by_ties.cwiseProduct(all.unit)).cwiseQuotient(norms);
-    for (std::size_t t = 0; t < all.held.size(); ++t)
-      put(*all.held[t].tie, sizes[static_cast<Index>(t)]);
-    for (const Tied& of : all.elastic) put(*of.tie, -of.tie->stiffness * of.gap.of(motion));
+  for (Index k = 0; k < found.mu.size(); ++k) {
+    const double omega = 1.0 / std::sqrt(found.mu[k]);
+    const VectorXd coordinates = found.modes.col(k) * omega;
+    // Of elastic energy one half.
+    if (round_off * found.modes.col(k).cwiseQuotient(unit).squaredNorm() > 1e-3)
+      refuse("with its drivers held it is free to move");
+    const VectorXd inertia = inertia_of(scene, rows, coordinates);
+    BeamMode& mode = modes.emplace_back(mode_of_coordinates(scene, rows, coordinates, omega));
+    mode.motion = in_scene_axes(scene, rows, coordinates);
+    mode.own_mass = coordinates.head(own).dot(inertia.head(own));
+    add_ties(held, coordinates, inertia, omega, mode);
   }
   return modes;
 }

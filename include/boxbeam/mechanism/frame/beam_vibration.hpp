@@ -102,16 +102,23 @@ TurningTerms turning_terms_of(const Eigen::Matrix3d& inertia, const Turning& fra
 class VibratingBeam {
  public:
   using Matrix12 = Eigen::Matrix<double, 12, 12>;
+  using Leaning = Eigen::Matrix<double, 12, 5>;
   struct Sample {
     double weight = 0.0;
     Eigen::Matrix<double, 6, 12> cut, strain, motion;   ///< per motion of the ends
     double mass = 0.0;                                  ///< per length [kg/m]
     Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< per length [kg m]
+
+    /// Columns v', w' of the axis and turns theta_x, theta_y, theta_z, per motion of the ends.
+    Leaning leaning() const;
   };
   struct Piece {
     double from = 0.0, to = 0.0;
     Matrix12 stiffness = Matrix12::Zero(), mass = Matrix12::Zero();
     std::vector<Sample> samples;
+    /// Its leaning as c_0 + c_1 u + c_2 u^2, u from 0 to 1, which on an even piece it is; else by
+    /// least squares through its samples.
+    std::array<Leaning, 3> leaning;
   };
 
   /// Cut at the stations of `held`, and between them so that about `parts` pieces make the beam.

@@ -1,0 +1,116 @@
+#include "lowest_modes.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace boxbeam::frame {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Motions of no order, the same on every computer.
+MatrixXd motions_of_no_order(Index count, const VectorXd& scale) {
+  std::minstd_rand numbers;
+  MatrixXd motions(scale.size(), count);
+  for (double& size : motions.reshaped())
+    size = 2.0 * static_cast<double>(numbers()) / std::minstd_rand::max() - 1.0;
+  return scale.asDiagonal() * motions;
+}
+
+/// Motions of elastic energy one half that work none on each other's, with the forces that move
+/// them and those of their inertia.
+class IndependentMotions {
+ public:
+  explicit IndependentMotions(Index size)
+      : motions_(size, 0), forces_(size, 0), inertia_(size, 0) {}
+
+  Index count() const { return motions_.cols(); }
+  const MatrixXd& motions() const { return motions_; }
+  auto inertia_from(Index first) const { return inertia_.rightCols(count() - first); }
+
+  /// What is new in these motions, but for this size of it; of each of them the parts that the new
+  /// ones are, a column each. Orthogonal to round-off: Gram and Schmidt, twice.
+  MatrixXd add(const MatrixXd& motions, const MatrixXd& forces, double nothing) {
+    const Index before = count();
+    for (MatrixXd* const all : {&motions_, &forces_})
+      all->conservativeResize(Eigen::NoChange, before + motions.cols());
+    MatrixXd parts = MatrixXd::Zero(motions.cols(), motions.cols());
+    Index now = before;
+    for (Index j = 0; j < motions.cols(); ++j) {
+      VectorXd motion = motions.col(j), force = forces.col(j);
+      for (int twice = 0; twice < 2; ++twice) {
+        const VectorXd same = forces_.leftCols(now).transpose() * motion;
+        motion -= motions_.leftCols(now) * same;
+        force -= forces_.leftCols(now) * same;
+        parts.col(j).head(now - before) += same.tail(now - before);
+      }
+      const double size = std::sqrt(std::max(0.0, motion.dot(force)));
+      if (!(size > nothing)) continue;
+      parts(now - before, j) = size;
+      motions_.col(now) = motion / size;
+      forces_.col(now) = force / size;
+      ++now;
+    }
+    for (MatrixXd* const all : {&motions_, &forces_}) all->conservativeResize(Eigen::NoChange, now);
+    return parts.topRows(now - before);
+  }
+
+  void add_inertia(const MatrixXd& inertia) {
+    inertia_.conservativeResize(Eigen::NoChange, count());
+    inertia_.rightCols(inertia.cols()) = inertia;
+  }
+
+ private:
+  MatrixXd motions_, forces_, inertia_;
+};
+
+}  // namespace
+
+LowestModes lowest_modes_of(const ModeOperators& of, Index count, const VectorXd& scale) {
+  constexpr Index more = 2;
+  constexpr double close = 1e-11, no_mass = 1e-12, round_off = 1e-14;
+  IndependentMotions basis(scale.size());
+  MatrixXd forces = of.inertia_of(motions_of_no_order(count + more, scale)),
+           motions = of.moved_by(forces);
+  double nothing = round_off * std::sqrt(motions.cwiseProduct(forces).colwise().sum().maxCoeff());
+  MatrixXd parts = basis.add(motions, forces, nothing), by_ritz(0, 0);
+  while (true) {
+    const Index before = by_ritz.cols(), now = basis.count();
+    if (now == before) break;
+    basis.add_inertia(of.inertia_of(basis.motions().rightCols(now - before)));
+    forces = basis.inertia_from(before);
+    motions = of.moved_by(forces);
+    by_ritz.conservativeResize(now, now);
+    const MatrixXd beside = basis.motions().transpose() * forces;
+    by_ritz.rightCols(now - before) = beside;
+    by_ritz.bottomRows(now - before) = beside.transpose();
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(by_ritz);
+    nothing = round_off * solver.eigenvalues()[now - 1];
+    parts = basis.add(motions, forces, nothing);
+    bool found = now >= count;
+    for (Index k = now; found && k-- > std::max<Index>(0, now - count);) {
+      const double mu = solver.eigenvalues()[k];
+      const VectorXd last = solver.eigenvectors().col(k).tail(now - before);
+      found = (parts * last).norm() <= close * mu || mu <= no_mass * solver.eigenvalues()[now - 1];
+    }
+    if (found) break;
+  }
+  LowestModes modes;
+  if (by_ritz.cols() == 0) return modes;
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(by_ritz);
+  const Index all = by_ritz.cols();
+  Index massive = 0;
+  while (massive < std::min(count, all) &&
+         solver.eigenvalues()[all - 1 - massive] > no_mass * solver.eigenvalues()[all - 1])
+    ++massive;
+  modes.mu = solver.eigenvalues().tail(massive).reverse();
+  modes.modes =
+      basis.motions().leftCols(all) * solver.eigenvectors().rightCols(massive).rowwise().reverse();
+  return modes;
+}
+
+}  // namespace boxbeam::frame
