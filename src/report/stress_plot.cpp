@@ -4,35 +4,16 @@
 #include <cmath>
 
 #include "boxbeam/report/format.hpp"
+#include "boxbeam/verification/drawn_histories.hpp"
 #include "canvas.hpp"
 
 namespace boxbeam::plot {
-namespace {
-
-/// The governing place and two more at other stations, with stress over the same situation.
-std::vector<const CheckResult*> shown_of(const Verification& verification,
-                                         const CheckResult& governing) {
-  std::vector<const CheckResult*> shown{&governing};
-  for (const CheckResult& result : verification.checks) {
-    if (result.check.criterion != governing.check.criterion || !result.basis || shown.size() == 3 ||
-        result.basis->running != governing.basis->running)
-      continue;
-    const bool same_station = std::any_of(
-        shown.begin(), shown.end(),
-        [&](const CheckResult* other) { return other->check.station == result.check.station; });
-    if (!same_station) shown.push_back(&result);
-  }
-  return shown;
-}
-
-}  // namespace
-
 void stress(Script& gp, const Project& project, const Verification& verification) {
-  const CheckResult* governing = verification.governing(Criterion::fatigue);
-  if (governing == nullptr || !governing->basis)
-    governing = verification.governing(Criterion::yield);
+  std::vector<const CheckResult*> shown;
+  for (const std::size_t i : drawn_over_time(verification.checks))
+    shown.push_back(&verification.checks[i]);
+  const CheckResult* const governing = shown.front();
   const std::size_t running = governing->basis->running;
-  const std::vector<const CheckResult*> shown = shown_of(verification, *governing);
   std::vector<LegendEntry> legend;
   double low = 0.0;
   double high = 0.0;

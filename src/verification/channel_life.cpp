@@ -46,33 +46,13 @@ std::vector<SpectrumRow> in_classes(std::vector<SpectrumRow> spectrum) {
   return rows;
 }
 
-/// The situation whose cycles take the largest part of the life, or have the largest range where
-/// none does damage; of equal ones the first.
-std::size_t governing_situation(const Project& project, const std::vector<SpectrumRow>& spectrum) {
-  std::unordered_map<std::string_view, std::pair<double, double>> shares;
-  for (const SpectrumRow& row : spectrum) {
-    auto& [life, range] = shares[row.situation];
-    life += row.cycle.count / row.endured;
-    range = std::max(range, row.cycle.range.value());
-  }
-  std::size_t worst = 0;
-  std::pair<double, double> most{-1.0, -1.0};
-  for (std::size_t i = 0; i < project.situations.size(); ++i) {
-    const auto share = shares.find(project.situations[i].name);
-    const auto of = share == shares.end() ? std::pair{0.0, 0.0} : share->second;
-    if (of <= most) continue;
-    most = of;
-    worst = i;
-  }
-  return worst;
-}
-
 /// Channels prepared for many evaluations.
 class PreparedChannels {
  public:
   explicit PreparedChannels(const std::vector<LifeChannel>& channels) {
     cycles_.reserve(channels.size());
     lines_.reserve(channels.size());
+    loads_.reserve(channels.size());
     for (const LifeChannel& channel : channels) {
       std::vector<Cycle>& cycles = cycles_.emplace_back();
       cycles.reserve(channel.spectrum.size());
@@ -90,6 +70,34 @@ class PreparedChannels {
   std::vector<SnLine> lines_;
   std::vector<FatigueLoad> loads_;
 };
+
+/// The situation whose cycles take the largest part of the life, the loads taken k times, or have
+/// the largest range where none does damage; of equal ones the first.
+std::size_t governing_situation(const Project& project, const std::vector<LifeChannel>& channels,
+                                const PreparedChannels& prepared, double k) {
+  if (project.situations.size() == 1) return 0;
+  std::unordered_map<std::string_view, std::pair<double, double>> shares;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const std::vector<double> endured =
+        cycles_to_failure_in(prepared.loads()[i], project.fatigue.demand, k);
+    for (std::size_t j = 0; j < endured.size(); ++j) {
+      const SpectrumRow& row = channels[i].spectrum[j];
+      auto& [life, range] = shares[row.situation];
+      life += row.cycle.count / endured[j];
+      range = std::max(range, row.cycle.range.value());
+    }
+  }
+  std::size_t worst = 0;
+  std::pair<double, double> most{-1.0, -1.0};
+  for (std::size_t i = 0; i < project.situations.size(); ++i) {
+    const auto share = shares.find(project.situations[i].name);
+    const auto of = share == shares.end() ? std::pair{0.0, 0.0} : share->second;
+    if (of <= most) continue;
+    most = of;
+    worst = i;
+  }
+  return worst;
+}
 
 /// With the cycles that they endure, the loads taken k times.
 std::vector<SpectrumRow> spectrum_at(const Project& project,
@@ -130,8 +138,7 @@ ChannelLife life_of(const Project& project, const std::vector<LifeChannel>& chan
   ChannelLife life;
   life.factor = largest_factor(prepared.loads(), project.fatigue.demand);
   // Just above the factor, where the life is used up: at it a range may stand below the cut-off.
-  life.governing = governing_situation(
-      project, spectrum_at(project, channels, prepared, life.factor * (1.0 + 1e-9)));
+  life.governing = governing_situation(project, channels, prepared, life.factor * (1.0 + 1e-9));
   return life;
 }
 

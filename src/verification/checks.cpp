@@ -10,7 +10,6 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/fatigue/range_limit.hpp"
 #include "boxbeam/strength/yield.hpp"
-#include "boxbeam/verification/drawn_samples.hpp"
 #include "boxbeam/verification/station_memory.hpp"
 #include "channel_life.hpp"
 #include "check_sources.hpp"
@@ -51,7 +50,7 @@ StressFunction shear_stress(const StressPoint& point) {
   return {StressKind::shear, &point.influence.shear};
 }
 
-/// The check's frame, and the stress in the situation where it is worst.
+/// The check's frame, of a stress in the situation where it is worst.
 CheckResult start(Criterion criterion, const Project& project, const StressPoint& point,
                   const SituationHistory& worst, const StressFunction& stress) {
   CheckResult result;
@@ -65,19 +64,6 @@ CheckResult start(Criterion criterion, const Project& project, const StressPoint
   basis.kind = stress.kind;
   basis.stress_factor = stress.factor;
   basis.running = index_of(project, *worst.situation);
-  const StationHistory& history = worst.history;
-  const auto stress_of = [&](std::size_t i) { return stress(history.samples()[i]); };
-  const std::vector<std::size_t> drawn = drawn_samples(history.samples().size(), {stress_of});
-  basis.times.reserve(drawn.size() + 1);
-  basis.history.reserve(drawn.size() + 1);
-  for (const std::size_t i : drawn) {
-    basis.times.push_back(history.time_of(i).value());
-    basis.history.push_back(stress_of(i));
-  }
-  if (history.closed()) {
-    basis.times.push_back(basis.times.front() + history.period().value());
-    basis.history.push_back(basis.history.front());
-  }
   return result;
 }
 
@@ -118,6 +104,7 @@ std::vector<Channel> channels_of(PointHistory& of, Criterion criterion) {
   const Project& project = *of.project;
   const StressPoint& point = *of.point;
   std::vector<Channel> channels;
+  channels.reserve(2);
   const auto add = [&](StressKind kind, const Turns& turns, const Detail& detail,
                        bool compression_reduced) {
     Channel channel{&turns, {}};
@@ -252,6 +239,7 @@ std::optional<CheckResult> check_fatigue(PointHistory& of, Criterion criterion) 
   if (channels.size() < (together ? 2 : 1)) return std::nullopt;
 
   std::vector<LifeChannel> lives;
+  lives.reserve(channels.size());
   for (Channel& channel : channels) lives.push_back(std::move(channel.life));
   const ChannelLife life = life_of(project, lives);
   const std::size_t governing = life.governing;

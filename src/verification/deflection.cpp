@@ -44,23 +44,90 @@ Flexibility flexibility_at(const FlexibilityPiece& piece, double s) {
   return at;
 }
 
+/// A stretch of a piece without a jump of cut forces inside: its flexibility where it is asked for.
+struct Part {
+  double from = 0.0, to = 0.0;
+  Flexibility at_from, at_to;
+  std::array<Flexibility, nodes> at;  ///< by `gauss`
+};
+
+/// Divides the pieces of a beam where cut forces jump or the line is measured from: once for all
+/// instants at which they do so at the same places.
+class DividedBeam {
+ public:
+  explicit DividedBeam(const DeflectionModel& model) : model_(&model) {}
+
+  const DeflectionModel& model() const { return *model_; }
+
+  const std::vector<Part>& under(const CutForceDiagram& diagram) {
+    std::vector<double> jumps;
+    jumps.reserve(diagram.pieces.size());
+    for (const CutForcePiece& cut : diagram.pieces) jumps.push_back(cut.start.value());
+    if (parts_.empty() || jumps != jumps_) {
+      jumps_ = std::move(jumps);
+      parts_.clear();
+      for (const FlexibilityPiece& piece : model_->pieces) {
+        const std::vector<double> borders = borders_in(piece);
+        for (std::size_t i = 0; i + 1 < borders.size(); ++i)
+          parts_.push_back(part_of(piece, borders[i], borders[i + 1]));
+      }
+    }
+    return parts_;
+  }
+
+ private:
+  /// The ends of a piece and the borders within it.
+  std::vector<double> borders_in(const FlexibilityPiece& piece) const {
+    const double start = piece.start.value(), end = (piece.start + piece.length).value();
+    std::vector<double> borders{start, end};
+    const auto add = [&](double at) {
+      if (at > start && at < end) borders.push_back(at);
+    };
+    for (const double at : jumps_) add(at);
+    if (const auto* chord = std::get_if<Chord>(&model_->against)) {
+      add(chord->from.value());
+      add(chord->to.value());
+    } else if (const auto* tangent = std::get_if<Tangent>(&model_->against)) {
+      add(tangent->at.value());
+    }
+    std::sort(borders.begin(), borders.end());
+    borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
+    return borders;
+  }
+
+  static Part part_of(const FlexibilityPiece& piece, double from, double to) {
+    Part part{from, to, flexibility_at(piece, from), flexibility_at(piece, to), {}};
+    for (std::size_t i = 0; i < nodes; ++i)
+      part.at[i] = flexibility_at(piece, from + 0.5 * (to - from) * (1.0 + gauss[i][0]));
+    return part;
+  }
+
+  const DeflectionModel* model_;
+  std::vector<double> jumps_;
+  std::vector<Part> parts_;
+};
+
 /// Integrates the bent axis along the beam, from no deflection and no turn at its start.
 class Integration {
  public:
-  Integration(const DeflectionModel& model, const CutForceDiagram& diagram, const BeamShift& shift)
-      : model_(&model), diagram_(&diagram), shift_(shift) {}
+  Integration(const DeflectionModel& model, const BeamShift& shift)
+      : model_(&model), shift_(shift) {}
 
-  void run() {
-    for (const FlexibilityPiece& piece : model_->pieces) {
-      const std::vector<double> borders = borders_in(piece);
-      for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
-        add(piece, borders[i], borders[i + 1]);
-      }
+  /// Precondition: the diagram has pieces, from the start of the beam to its end.
+  void run(const std::vector<Part>& parts, const CutForceDiagram& diagram) {
+    line_.stretches.reserve(parts.size());
+    rotations_.reserve(parts.size());
+    std::size_t piece = 0;
+    for (const Part& part : parts) {
+      const double middle = 0.5 * (part.from + part.to);
+      while (piece + 1 < diagram.pieces.size() && diagram.pieces[piece + 1].start.value() <= middle)
+        ++piece;
+      add(part, diagram.pieces[piece]);
     }
   }
 
   /// The places of a line less those of another one, w_0 + slope (s - a).
-  DeflectedLine measured() const {
+  DeflectedLine measured() {
     double a = 0.0;
     Eigen::Vector2d w_0, slope;
     if (const auto* chord = std::get_if<Chord>(&model_->against)) {
@@ -75,7 +142,7 @@ class Integration {
       w_0 = -shift_.start;
       slope = -shift_.slope;
     }
-    DeflectedLine line = line_;
+    DeflectedLine line = std::move(line_);
     for (DeflectedLine::Stretch& stretch : line.stretches) {
       stretch.at_from -= w_0 + slope * (stretch.from.value() - a);
       stretch.at_to -= w_0 + slope * (stretch.to.value() - a);
@@ -86,28 +153,10 @@ class Integration {
   }
 
  private:
-  /// The ends of a piece and where, within it, cut forces jump or the line is measured from.
-  std::vector<double> borders_in(const FlexibilityPiece& piece) const {
-    const double start = piece.start.value(), end = (piece.start + piece.length).value();
-    std::vector<double> borders{start, end};
-    const auto add = [&](Length at) {
-      if (at.value() > start && at.value() < end) borders.push_back(at.value());
-    };
-    for (const CutForcePiece& cut : diagram_->pieces) add(cut.start);
-    if (const auto* chord = std::get_if<Chord>(&model_->against)) {
-      add(chord->from);
-      add(chord->to);
-    } else if (const auto* tangent = std::get_if<Tangent>(&model_->against)) {
-      add(tangent->at);
-    }
-    std::sort(borders.begin(), borders.end());
-    borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
-    return borders;
-  }
-
   /// The shear strains along y and z at a place.
-  Eigen::Vector2d sheared_at(const Flexibility& of, const CutForces& cut) const {
-    return of.shear.cwiseProduct(seen({cut.V_y.value(), cut.V_z.value()}));
+  Eigen::Vector2d sheared_at(const Flexibility& of, const CutForcePiece& cut, double s) const {
+    const double x = s - cut.start.value();
+    return of.shear.cwiseProduct(seen({cut.V_y(x), cut.V_z(x)}));
   }
 
   /// What of a direction counts: in the plane z alone.
@@ -116,34 +165,31 @@ class Integration {
     return of;
   }
 
-  void add(const FlexibilityPiece& piece, double from, double to) {
+  void add(const Part& part, const CutForcePiece& cut) {
+    const auto [from, to] = std::pair(part.from, part.to);
     const double half = 0.5 * (to - from);
     // int kappa, int (to - s) kappa, int gamma
     Eigen::Vector2d turn = Eigen::Vector2d::Zero(), lag = turn, sheared = turn;
-    for (const auto& [u, weight] : gauss) {
-      const double s = from + half * (1.0 + u);
-      const CutForces cut = diagram_->at({si<Length>(s)});
-      const Flexibility of = flexibility_at(piece, s);
-      const Eigen::Vector3d bending(cut.N.value(), cut.M_y.value(), cut.M_z.value());
+    for (std::size_t i = 0; i < nodes; ++i) {
+      const auto [u, weight] = gauss[i];
+      const double s = from + half * (1.0 + u), x = s - cut.start.value();
+      const Eigen::Vector3d bending(cut.N(x), cut.M_y(x), cut.M_z(x));
       const Eigen::Vector2d kappa =
-          seen(of.curvature * bending + Eigen::Vector2d(0.0, shift_.curvature));
+          seen(part.at[i].curvature * bending + Eigen::Vector2d(0.0, shift_.curvature));
       turn += half * weight * kappa;
       lag += half * weight * (to - s) * kappa;
-      sheared += half * weight * sheared_at(of, cut);
+      sheared += half * weight * sheared_at(part.at[i], cut, s);
     }
-    const auto slope_at = [&](double s, Side side) -> Eigen::Vector2d {
-      return theta_ + sheared_at(flexibility_at(piece, s), diagram_->at({si<Length>(s), side}));
-    };
     DeflectedLine::Stretch& stretch = line_.stretches.emplace_back();
     stretch.from = si<Length>(from);
     stretch.to = si<Length>(to);
     stretch.at_from = w_;
     rotations_.push_back(theta_);
-    stretch.slope_from = slope_at(from, Side::behind);
+    stretch.slope_from = theta_ + sheared_at(part.at_from, cut, from);
     w_ += theta_ * (to - from) - lag + sheared;
     theta_ -= turn;
     stretch.at_to = w_;
-    stretch.slope_to = slope_at(to, Side::before);
+    stretch.slope_to = theta_ + sheared_at(part.at_to, cut, to);
   }
 
   /// The rotation of the section at a place where a stretch begins, or at the end of the beam.
@@ -155,12 +201,18 @@ class Integration {
   }
 
   const DeflectionModel* model_;
-  const CutForceDiagram* diagram_;
   BeamShift shift_;
   Eigen::Vector2d w_ = Eigen::Vector2d::Zero(), theta_ = Eigen::Vector2d::Zero();
   DeflectedLine line_;
   std::vector<Eigen::Vector2d> rotations_;  ///< at the beginnings of the stretches
 };
+
+DeflectedLine deflected_line_of(DividedBeam& beam, const CutForceDiagram& diagram,
+                                const BeamShift& shift) {
+  Integration integration(beam.model(), shift);
+  integration.run(beam.under(diagram), diagram);
+  return integration.measured();
+}
 
 /// w = c_0 + c_1 u + c_2 u^2 + c_3 u^3 over a stretch, u from 0 to 1; along y and z.
 struct Cubic {
@@ -272,9 +324,8 @@ DeflectionModel deflection_model_of(const Project& project) {
 
 DeflectedLine deflected_line_of(const DeflectionModel& model, const CutForceDiagram& diagram,
                                 const BeamShift& shift) {
-  Integration integration(model, diagram, shift);
-  integration.run();
-  return integration.measured();
+  DividedBeam beam(model);
+  return deflected_line_of(beam, diagram, shift);
 }
 
 std::string to_text(const MeasuredFrom& against) {
@@ -322,8 +373,9 @@ std::optional<CheckResult> check_deflection(const Project& project,
   if (!project.deflection) return std::nullopt;
   const DeflectionInput& input = *project.deflection;
   const DeflectionModel model = deflection_model_of(project);
+  DividedBeam beam(model);
   const auto largest_in = [&](const SituationRun& run, const CutForceDiagram& diagram, Time time) {
-    return largest_of(deflected_line_of(model, diagram, run.motion->beam_shift(time)));
+    return largest_of(deflected_line_of(beam, diagram, run.motion->beam_shift(time)));
   };
   Extreme worst;
   DeflectionBasis basis;

@@ -41,19 +41,28 @@ std::vector<CutForceLine> envelope_lines(const std::deque<SituationRun>& runs) {
   const std::vector<Station> stations = drawn_stations(runs.front().loads.diagram(0));
   std::vector<CutForceLine> lines{{Time{}, "smallest", stations, {}},
                                   {Time{}, "largest", stations, {}}};
-  for (const Station& station : stations) {
-    CutForces low = runs.front().loads.diagram(0).at(station);
-    CutForces high = low;
-    for (const SituationRun& run : runs) {
-      for (const CutForces& cut : run.loads.cuts_at(station)) {
-        low = {std::min(low.N, cut.N), std::min(low.V_y, cut.V_y), std::min(low.V_z, cut.V_z),
-               std::min(low.T, cut.T), std::min(low.M_y, cut.M_y), std::min(low.M_z, cut.M_z)};
-        high = {std::max(high.N, cut.N), std::max(high.V_y, cut.V_y), std::max(high.V_z, cut.V_z),
-                std::max(high.T, cut.T), std::max(high.M_y, cut.M_y), std::max(high.M_z, cut.M_z)};
-      }
+  const CutForceDiagram first = runs.front().loads.diagram(0);
+  for (const Station& station : stations) lines[0].values.push_back(first.at(station));
+  lines[1].values = lines[0].values;
+  const auto take = [&](std::size_t at, const CutForces& cut) {
+    CutForces &low = lines[0].values[at], &high = lines[1].values[at];
+    low = {std::min(low.N, cut.N), std::min(low.V_y, cut.V_y), std::min(low.V_z, cut.V_z),
+           std::min(low.T, cut.T), std::min(low.M_y, cut.M_y), std::min(low.M_z, cut.M_z)};
+    high = {std::max(high.N, cut.N), std::max(high.V_y, cut.V_y), std::max(high.V_z, cut.V_z),
+            std::max(high.T, cut.T), std::max(high.M_y, cut.M_y), std::max(high.M_z, cut.M_z)};
+  };
+  for (const SituationRun& run : runs) {
+    const LoadHistory& loads = run.loads;
+    // Of records the units are known, of motions each diagram.
+    if (loads.is_recorded()) {
+      for (std::size_t k = 0; k < stations.size(); ++k)
+        for (const CutForces& cut : loads.cuts_at(stations[k])) take(k, cut);
+      continue;
     }
-    lines[0].values.push_back(low);
-    lines[1].values.push_back(high);
+    for (std::size_t i = 0; i < loads.instants(); ++i) {
+      const CutForceDiagram& diagram = loads.kept_diagram(i);
+      for (std::size_t k = 0; k < stations.size(); ++k) take(k, diagram.at(stations[k]));
+    }
   }
   return lines;
 }

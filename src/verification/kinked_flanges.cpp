@@ -332,6 +332,8 @@ std::vector<PlateStep> plate_steps_at(const Project& project, std::size_t segmen
 std::vector<Patch> PatchSearch::kinks_under(const CutForceDiagram& diagram) const {
   std::vector<Patch> patches;
   std::vector<double> uses;
+  patches.reserve(kinks_.size());
+  uses.reserve(kinks_.size());
   for (const FlangeKink& of : kinks_) {
     // At an end of the beam both are those of its own side.
     const bool at_start = of.s == Length{}, at_end = of.s == project_->beam.length();

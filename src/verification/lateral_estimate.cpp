@@ -238,11 +238,12 @@ void LateralEstimate::take(const CutForceDiagram& diagram, const BeamLoads& load
   const std::size_t count = by_M_y_.size();
   load_.twisting.resize(count);
   load_.turned.resize(turned_.size());
+  auto cut = diagram.pieces.begin();
   for (std::size_t e = 0; e < count; ++e) {
     const std::array<double, 2> places = gauss_places(beam_, e);
     for (std::size_t g = 0; g < 2; ++g) {
-      const CutForces cut = diagram.at({si<Length>(places[g])});
-      const double M_y = cut.M_y.value(), M_z = cut.M_z.value();
+      while (cut + 1 != diagram.pieces.end() && (cut + 1)->start.value() <= places[g]) ++cut;
+      const double x = places[g] - cut->start.value(), M_y = cut->M_y(x), M_z = cut->M_z(x);
       load_.twisting[e][g] = M_y * M_y * by_M_y_[e][g] + M_z * M_z * by_M_z_[e][g];
       if (!turned_.empty()) load_.turned[e][g] = M_y * turned_[e][g][0] + M_z * turned_[e][g][1];
     }
@@ -321,7 +322,9 @@ void LateralEstimate::tip(const BeamLoads& loads) {
   for (const LineLoad& line : loads.lines) {
     if (line.force[1].c == Polynomial<3>{}.c && line.force[2].c == Polynomial<3>{}.c) continue;
     const double start = line.start.value(), end = start + line.length.value();
-    for (std::size_t e = 0; e < reach_.size(); ++e) {
+    const auto above = std::upper_bound(beam_.nodes.begin() + 1, beam_.nodes.end(), start);
+    for (auto e = static_cast<std::size_t>(above - beam_.nodes.begin()) - 1;
+         e < reach_.size() && beam_.nodes[e] < end; ++e) {
       const double first = beam_.nodes[e], length = beam_.nodes[e + 1] - first;
       const double from = std::max(first, start), to = std::min(first + length, end);
       if (!(from < to)) continue;

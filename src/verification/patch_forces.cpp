@@ -42,6 +42,7 @@ std::string name_of(const Patch& first, const Patch& sum, const Patch& added, in
 std::vector<Patch> PatchSearch::forces_of(const BeamLoads& loads) const {
   const TaperedBeam& beam = project_->beam;
   std::vector<Patch> patches;
+  patches.reserve(loads.points.size() * (project_->in_space ? 2 : 1));
   std::map<std::string_view, std::size_t> of_name;
   for (const PointLoad& load : loads.points) {
     const std::size_t number = of_name[load.name]++;

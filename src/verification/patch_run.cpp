@@ -132,9 +132,10 @@ void PatchRun::look_at_passages(Time from, Time to, const std::vector<Length>& b
   if (before.size() != behind.size()) return;
   for (std::size_t k = 0; k < before.size(); ++k) {
     const auto [low, high] = std::minmax(before[k], behind[k]);
+    if (low == high) continue;
     for (const Length& border : borders()) {
       // What stands on it is looked at beside it, too, as near as is another place.
-      if (low < high && (border == low || border == high)) {
+      if (border == low || border == high) {
         const double beside =
             std::min(1e-2, (1e-4 * project_->beam.length() / (high - low)).value());
         if (border == before[k]) look_at(from + beside * (to - from));

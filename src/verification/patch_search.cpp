@@ -123,6 +123,7 @@ std::vector<Patch> PatchSearch::patches_of(const BeamLoads& loads, const CutForc
   }
   // What hardly presses by itself is opposed to others all the same.
   std::vector<Patch> looked_at;
+  looked_at.reserve(2 * patches.size());  // groups follow
   for (Patch& of : patches)
     if (say_how_it_comes_in(of, all)) looked_at.push_back(of);
   if (!looked_at.empty()) mark_opposed(loads.lines, patches, looked_at);
@@ -145,9 +146,9 @@ std::vector<Borne> PatchSearch::worst_of(const Patch& patch, const std::vector<P
     else if (factor_of(of.basis) < factor_of(same->basis))
       *same = std::move(of);
   };
+  Patch there = patch;
   for (const Reached& reached : reached_by(patch)) {
     const Station& station = reached.at;
-    Patch there = patch;
     there.force = reached.part * patch.force;
     there.couple = reached.part * patch.couple;
     there.stiff_length = reached.stiff_length;
@@ -159,6 +160,7 @@ std::vector<Borne> PatchSearch::worst_of(const Patch& patch, const std::vector<P
     }
     if (!judged.box) continue;
     for (Borne& of : ways_at(there, start, station, judged, diagram)) take(std::move(of));
+    if (judged.seams.empty()) continue;
     for (Borne& of : seams_at(patch, all, judged, diagram.at(station))) take(std::move(of));
   }
   return worst;
@@ -184,6 +186,7 @@ Force PatchSearch::square_to(const Patch& patch, const std::vector<Patch>& all,
 
 std::vector<PatchSearch::Reached> PatchSearch::reached_by(const Patch& patch) {
   std::vector<Reached> stations;
+  stations.reserve(2);
   const Length end = project_->beam.length();
   Length flange;
   for (const Side side : {Side::before, Side::behind}) {
@@ -406,6 +409,14 @@ std::vector<Borne> PatchSearch::ways_at(const Patch& patch, const PatchBasis& st
   Borne of;
   PatchBasis& basis = of.basis = start;
   std::vector<Borne> ways;
+  // Of the ways without a diaphragm the one that is used most.
+  double least = std::numeric_limits<double>::infinity();
+  const auto look = [&] {
+    const double factor = factor_of(basis);
+    if (!ways.empty() && !(factor < least)) return;
+    least = factor;
+    ways.assign(1, of);
+  };
   for (const std::size_t k : {0U, 1U}) {
     basis.share = std::abs(shares[k]);
     of.plate = webs[k];
@@ -426,7 +437,7 @@ std::vector<Borne> PatchSearch::ways_at(const Patch& patch, const PatchBasis& st
         bear_by_reduced_stresses(plate, web, patch.force.value() < 0.0, basis);
       else
         bear_by_effective_widths(web, basis);
-      ways.push_back(of);
+      look();
     }
     if (!patch.hangs.value_or(false)) continue;
     PatchedWeb hung = web_of(judged, webs[k], flanges_of(patch).back(), patch);
@@ -434,7 +445,7 @@ std::vector<Borne> PatchSearch::ways_at(const Patch& patch, const PatchBasis& st
     hung.pulled = true;
     for (const PatchedWeb& web : in_every_way(hung, patch)) {
       bear_by_effective_widths(web, basis);
-      ways.push_back(of);
+      look();
     }
   }
   return ways;
@@ -505,7 +516,9 @@ std::vector<PatchedWeb> PatchSearch::in_every_way(PatchedWeb web, const Patch& p
   if (diaphragm_at(Length{}) == nullptr) from = std::max(Length{}, from);
   if (diaphragm_at(end) == nullptr) to = std::min(end, to);
   web.stiff_length = std::max(Length{}, Length(to - from));
-  std::vector<PatchedWeb> ways{web};
+  std::vector<PatchedWeb> ways;
+  ways.reserve(2);
+  ways.push_back(web);
   if (const auto to_end = distance_to_end(patch)) {
     // From 2/3 h_w on k_F is that of a force far from the end; a long bearing at the end has its
     // one hinge all the same.

@@ -351,16 +351,18 @@ class Estimating {
     if (!result_.lateral) return;
     const LoadHistory& history = run.loads;
     const auto loads_of = [&](std::size_t i) { return history.loads_at(history.time_of(i)); };
-    const auto turning_of = [&](const BeamLoads& loads) {
-      return holds_of(*project_, run.motion->supports(loads)).turning.at;
+    const auto turning_of = [&](const std::vector<double>& supports) {
+      return holds_of(*project_, supports).turning.at;
     };
     constexpr double nodes_apart = 1.05;  // the envelope has no node where forces act
-    const std::vector<double> at = turning_of(loads_of(0));
+    const std::vector<double> supports = run.motion->supports(loads_of(0));
+    const std::vector<double> at = turning_of(supports);
     lateral_.screen(at);
     std::vector<bool> alike(history.instants(), true);
     for (std::size_t i = 0; i < history.instants(); ++i) {
       const BeamLoads loads = loads_of(i);
-      alike[i] = turning_of(loads) == at;
+      const std::vector<double> now = run.motion->supports(loads);
+      alike[i] = now == supports || turning_of(now) == at;
       if (alike[i]) lateral_.widen(history.diagram(i), loads);
     }
     const double bound = nodes_apart * factor * lateral_.bound();

@@ -143,12 +143,14 @@ std::vector<StationHistory::Passage> StationHistory::find_passages() const {
   std::vector<Passage> found;
   if (loads_->is_recorded()) return found;  // their places never change
   const std::size_t n = loads_->instants();
+  const auto borders_at = [&](std::size_t instant) {
+    return borders_before(loads_->kept_diagram(instant), station_);
+  };
+  std::size_t to = borders_at(closed() ? n - 1 : 0);
   for (std::size_t i = closed() ? 0 : 1; i < n; ++i) {
-    const std::size_t previous = i > 0 ? i - 1 : n - 1;
-    if (loads_->begins_piece(i)) continue;
-    const std::size_t from = borders_before(loads_->kept_diagram(previous), station_);
-    const std::size_t to = borders_before(loads_->kept_diagram(i), station_);
-    if (from == to) continue;
+    const std::size_t previous = i > 0 ? i - 1 : n - 1, from = to;
+    to = borders_at(i);
+    if (from == to || loads_->begins_piece(i)) continue;
     const Time begin = loads_->time_of(previous) - (i > 0 ? Time{} : loads_->period());
     const std::size_t first = found.size();
     for (std::size_t border = std::min(from, to); border < std::max(from, to); ++border) {

@@ -148,34 +148,34 @@ StationSamples::StationSamples(const Project& project,
   room_.effect.direct.resize(project.situations.size());
   room_.effect.shear.resize(project.situations.size());
   if (whole_ != nullptr) unit_cuts_ = unit_cuts_of(histories);
-  std::array<bool, cut_force::count> acts{};
-  const auto each = [](const CutForces& cut) {
-    return std::array<double, cut_force::count>{cut.N.value(), cut.V_y.value(), cut.V_z.value(),
-                                                cut.T.value(), cut.M_y.value(), cut.M_z.value()};
-  };
-  for (const SituationHistory& at : histories) {
-    for (const CutForces& cut : at.history.samples()) {
-      const auto values = each(cut);
-      for (std::size_t k = 0; k < values.size(); ++k) acts[k] = acts[k] || values[k] != 0.0;
-    }
-  }
-  for (std::size_t k = 0; k < acts.size(); ++k) {
-    if (acts[k]) acting_.push_back(k);
+  constexpr std::array all{cut_force::N, cut_force::V_y, cut_force::V_z,
+                           cut_force::T, cut_force::M_y, cut_force::M_z};
+  for (const cut_force::Index which : all) {
+    const bool acts =
+        std::any_of(histories.begin(), histories.end(), [&](const SituationHistory& at) {
+          const std::vector<CutForces>& samples = at.history.samples();
+          return std::any_of(samples.begin(), samples.end(),
+                             [&](const CutForces& cut) { return value_of(cut, which) != 0.0; });
+        });
+    if (acts) acting_.push_back(which);
   }
   for (const SituationHistory& at : histories) {
     Run run{index_of(project, *at.situation), at.situation->load_factor, {}, {}};
     SampledInstants& instants = run.instants;
     instants.closed = at.history.closed();
     instants.period = at.history.period().value();
-    run.cuts.resize(acting_.size());
-    for (std::vector<double>& cut : run.cuts) cut.reserve(at.history.samples().size());
+    const std::vector<StationHistory::Passage>& passages = at.history.passages();
+    const std::size_t size = at.history.samples().size() + 2 * passages.size();
+    run.cuts.assign(acting_.size(), std::vector<double>(size));
+    instants.times.reserve(size);
+    instants.begins.reserve(size);
     const auto add = [&](Time time, const CutForces& cut, bool begins) {
-      const auto values = each(cut);
-      for (std::size_t j = 0; j < acting_.size(); ++j) run.cuts[j].push_back(values[acting_[j]]);
+      for (std::size_t j = 0; j < acting_.size(); ++j)
+        run.cuts[j][instants.times.size()] =
+            value_of(cut, static_cast<cut_force::Index>(acting_[j]));
       instants.times.push_back(time.value());
       instants.begins.push_back(begins);
     };
-    const std::vector<StationHistory::Passage>& passages = at.history.passages();
     auto passage = passages.begin();
     for (std::size_t i = 0; i < at.history.samples().size(); ++i) {
       for (; passage != passages.end() && passage->instant == i; ++passage) {

@@ -8,6 +8,7 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/verification/deflection.hpp"
 #include "boxbeam/verification/distortion_checks.hpp"
+#include "boxbeam/verification/drawn_histories.hpp"
 #include "boxbeam/verification/hole_gates.hpp"
 #include "boxbeam/verification/member_checks.hpp"
 #include "boxbeam/verification/model_gates.hpp"
@@ -152,6 +153,7 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
       check_deflection(project, runs, model.counts_second_order));
   require_numbers(beam.stations, checks, model);
   sort_worst_first(checks);
+  find_drawn_histories(project, runs, checks);
   sort_worst_first(beam.beside);
   std::vector<Gate> gates =
       all_gates(std::move(beam.gates), std::move(neighbours.gates), model_gates_of(project, model));

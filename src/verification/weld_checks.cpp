@@ -12,7 +12,6 @@
 #include "boxbeam/project/plate_detail.hpp"
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/strength/weld_throat.hpp"
-#include "boxbeam/verification/drawn_samples.hpp"
 #include "boxbeam/verification/station_samples.hpp"
 #include "weld_losses.hpp"
 
@@ -179,14 +178,6 @@ std::optional<CheckResult> check_line(const Project& project, const WeldInput& w
   basis.stress_at_time = stress_at(point.influence, basis.cut_at_time);
   const double normal = basis.stress_at_time.normal.value();
   basis.highest = basis.lowest = {largest.time, normal, basis.running};
-  const std::vector<CutForces>& samples = worst->history.samples();
-  const auto stress_of = [&](std::size_t i) {
-    return stress_at(point.influence, samples[i]).normal.value();
-  };
-  for (const std::size_t i : drawn_samples(samples.size(), {stress_of})) {
-    basis.times.push_back(worst->history.time_of(i).value());
-    basis.history.push_back(stress_of(i));
-  }
   // The first condition of equation 4.1, of equal legs the harder one.
   constexpr NoDerivation plainly;
   basis.weld = {*tensile, point.joined.material->beta_w, project.strength.gamma_M2};
@@ -216,15 +207,19 @@ const std::vector<Criterion> fatigue_criteria{Criterion::fatigue, Criterion::she
 std::vector<CheckResult> check_points(const Project& project, const WeldInput& weld,
                                       const WeldFace& face, const std::vector<StressPoint>& points,
                                       Part part, const std::vector<Criterion>& by) {
-  const bool of_line = part == Part::line;
+  CriterionSet asked({});
+  bool throat = false;  // all places of a line have the same strength
+  for (const Criterion criterion : by) {
+    if (part == Part::line && criterion == Criterion::weld)
+      throat = true;
+    else
+      asked.add(criterion);
+  }
   std::vector<Utilisations> uses;
+  uses.reserve(points.size());
   for (const StressPoint& point : points) {
-    Utilisations& use = uses.emplace_back(
-        of_line ? face.samples.judge(point, {Criterion::fatigue, Criterion::shear_fatigue,
-                                             Criterion::combined_fatigue})
-                : face.samples.judge(point));
-    // All places have the same strength.
-    if (of_line)
+    Utilisations& use = uses.emplace_back(face.samples.judge(point, asked));
+    if (throat)
       use.of(Criterion::weld) =
           face.samples.largest_use([&](const CutForces& cut) { return equivalent_of(point, cut); });
   }

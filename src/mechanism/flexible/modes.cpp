@@ -37,8 +37,12 @@ constexpr double least_mode = 1e-12;
 constexpr double no_strain = 1e-8;
 /// Largest residual |q - (omega^2 - shift) (K - shift M)^-1 M q| of a mode, by its mass.
 constexpr double accepted = 1e-6;
-/// Part of omega^2, and of the shift, by which the count of frequencies looks beyond the last mode.
-constexpr double beyond = 1e-6;
+/// Part of omega^2, and of the shift, by which the count of frequencies looks beyond the last mode:
+/// far enough for a matrix that is clearly regular.
+constexpr double beyond = 1e-5;
+/// So many directions more than modes are begun with: theta falls with the fourth power of the
+/// number of a beam's mode, so that a few steps find the first ones.
+constexpr Index least_space = 8;
 /// Runs that look for modes of a repeated frequency, each finds at least one.
 constexpr int most_runs = 100;
 
@@ -358,7 +362,7 @@ Found lowest_modes(const Problem& problem, Index count, bool patient = true) {
   Index missing = count;
   const Index size = problem.coordinates.size();
   for (int run = 0; run < runs; ++run) {
-    Index space = std::min(size, std::max<Index>(2 * missing + 1, 20));
+    Index space = std::min(size, std::max(2 * missing, missing + least_space) + 1);
     while (!add_lanczos_modes(problem, missing, space, work, found)) {
       if (!patient) fail("they do not converge at once");
       if (space == size || space > 16 * (missing + 8)) fail("they do not converge; ask for fewer");
