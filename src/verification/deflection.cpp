@@ -45,7 +45,7 @@ Flexibility flexibility_at(const FlexibilityPiece& piece, double s) {
 }
 
 /// A stretch of a piece without a jump of cut forces inside: its flexibility where it is asked for.
-struct Part {
+struct DeflectedPart {
   double from = 0.0, to = 0.0;
   Flexibility at_from, at_to;
   std::array<Flexibility, nodes> at;  ///< by `gauss`
@@ -59,7 +59,7 @@ class DividedBeam {
 
   const DeflectionModel& model() const { return *model_; }
 
-  const std::vector<Part>& under(const CutForceDiagram& diagram) {
+  const std::vector<DeflectedPart>& under(const CutForceDiagram& diagram) {
     std::vector<double> jumps;
     jumps.reserve(diagram.pieces.size());
     for (const CutForcePiece& cut : diagram.pieces) jumps.push_back(cut.start.value());
@@ -95,8 +95,8 @@ class DividedBeam {
     return borders;
   }
 
-  static Part part_of(const FlexibilityPiece& piece, double from, double to) {
-    Part part{from, to, flexibility_at(piece, from), flexibility_at(piece, to), {}};
+  static DeflectedPart part_of(const FlexibilityPiece& piece, double from, double to) {
+    DeflectedPart part{from, to, flexibility_at(piece, from), flexibility_at(piece, to), {}};
     for (std::size_t i = 0; i < nodes; ++i)
       part.at[i] = flexibility_at(piece, from + 0.5 * (to - from) * (1.0 + gauss[i][0]));
     return part;
@@ -104,7 +104,7 @@ class DividedBeam {
 
   const DeflectionModel* model_;
   std::vector<double> jumps_;
-  std::vector<Part> parts_;
+  std::vector<DeflectedPart> parts_;
 };
 
 /// Integrates the bent axis along the beam, from no deflection and no turn at its start.
@@ -114,11 +114,11 @@ class Integration {
       : model_(&model), shift_(shift) {}
 
   /// Precondition: the diagram has pieces, from the start of the beam to its end.
-  void run(const std::vector<Part>& parts, const CutForceDiagram& diagram) {
+  void run(const std::vector<DeflectedPart>& parts, const CutForceDiagram& diagram) {
     line_.stretches.reserve(parts.size());
     rotations_.reserve(parts.size());
     std::size_t piece = 0;
-    for (const Part& part : parts) {
+    for (const DeflectedPart& part : parts) {
       const double middle = 0.5 * (part.from + part.to);
       while (piece + 1 < diagram.pieces.size() && diagram.pieces[piece + 1].start.value() <= middle)
         ++piece;
@@ -165,7 +165,7 @@ class Integration {
     return of;
   }
 
-  void add(const Part& part, const CutForcePiece& cut) {
+  void add(const DeflectedPart& part, const CutForcePiece& cut) {
     const auto [from, to] = std::pair(part.from, part.to);
     const double half = 0.5 * (to - from);
     // int kappa, int (to - s) kappa, int gamma
