@@ -184,15 +184,28 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
     refuse_vibration(why + otherwise);
 
   const spatial::StatesAround states(chain, {begin_, period_, span.closed, span.instants});
+  // What acts stays from one break to the next.
+  double from = begin_;
+  std::vector<bool> acting;
+  for (std::size_t i = 0; i <= span.breaks.size(); ++i) {
+    const double until = i < span.breaks.size() ? span.breaks[i].value() : begin_ + period_;
+    if (!(until > from)) continue;
+    std::vector<bool> here = acting_springs(chain.mechanism(), states.at(0.5 * (from + until)));
+    if (!acting.empty() && here != acting)
+      refuse_vibration(
+          "a stop or a cable begins or ends to act, and the modes of the beam change at once" +
+              otherwise,
+          from);
+    acting = std::move(here);
+    from = until;
+  }
   const auto diagram_at = [&](double time) { return cut_forces_of(rigid_(si<Time>(time))); };
   Eigen::MatrixXd reference;
   std::size_t count = 0;
-  std::vector<bool> acting;
   /// Modes beyond those asked for, one of which may be alike.
   constexpr std::size_t more = 3;
   {
     const spatial::State state = states.at(begin_);
-    acting = acting_springs(chain.mechanism(), state);
     ModesInMotion first = stopped.modes_in_motion(state, diagram_at(begin_), modes + more);
     count = whole_groups(first.modes, modes);
     if (count == 0) refuse_vibration("without mass nothing vibrates; use --model rigid", begin_);
@@ -201,11 +214,6 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
   const auto k = static_cast<Eigen::Index>(count);
   const auto modes_at = [&](double time, const CutForceDiagram& diagram) {
     const spatial::State state = states.at(time);
-    if (!span.closed && acting_springs(chain.mechanism(), state) != acting)
-      refuse_vibration(
-          "a stop or a cable begins or ends to act, and the modes of the beam change at once" +
-              otherwise,
-          time);
     ModesInMotion at = stopped.modes_in_motion(state, diagram, count);
     if (at.modes.size() < count)
       refuse_vibration(fmt::format("the beam has {} modes here and {} at the begin of its motion",
