@@ -95,9 +95,8 @@ class StressedScene {
     stress_ = sum.of_size(rows_.size, rows_.size);
   }
 
-  std::optional<BentScene> bent(double factor) const {
+  std::optional<BentScene> bent(double factor, KeptTies& last) const {
     VectorXd norms;
-    KeptTies last;
     const RigidTies rigidly(equations_of(matrices_.held, matrices_.unit, norms), last);
     const auto reduced = [&](const Eigen::SparseMatrix<double>& of) {
       return rigidly.reduced(Eigen::SparseMatrix<double>(matrices_.unit.asDiagonal() * of *
@@ -333,8 +332,8 @@ class StressedScene {
 }  // namespace
 
 std::optional<BentScene> bent_scene_of(const VibratingScene& scene, const SceneStress& stress,
-                                       double factor) {
-  return StressedScene(scene, stress).bent(factor);
+                                       double factor, KeptTies& last) {
+  return StressedScene(scene, stress).bent(factor, last);
 }
 
 }  // namespace boxbeam::frame
