@@ -74,10 +74,14 @@ std::string escape_of(char32_t code) {
 
 std::string visible(std::string_view text, std::string_view kept) {
   const auto is_plain = [](char c) { return c >= ' ' && c <= '~'; };
-  if (std::all_of(text.begin(), text.end(), is_plain)) return std::string(text);
   std::string out;
   out.reserve(text.size());
-  for (std::size_t at = 0; at < text.size();) {
+  for (std::size_t at = 0;;) {
+    const auto* const from = text.data() + at;
+    const auto* const plain = std::find_if_not(from, text.data() + text.size(), is_plain);
+    out.append(from, plain);
+    at = static_cast<std::size_t>(plain - text.data());
+    if (at == text.size()) return out;
     const CodePoint point = code_point_at(text, at);
     const std::string_view bytes = text.substr(at, point.length);
     if (is_hidden(point.code) && kept.find(bytes) == std::string_view::npos) {
@@ -87,7 +91,6 @@ std::string visible(std::string_view text, std::string_view kept) {
     }
     at += point.length;
   }
-  return out;
 }
 
 }  // namespace boxbeam

@@ -125,13 +125,13 @@ BentInSpace::BentInSpace(const Project& project, const spatial::Chain& chain, in
 }
 
 std::optional<frame::BentScene> BentInSpace::at(const spatial::State& state,
-                                                const CutForceDiagram& rigid, double factor) const {
+                                                const CutForceDiagram& rigid, double factor) {
   frame::SceneStress stress =
       StoppedStress(*chain_, state, stopped_.placements().front(), stopped_.members()).stress;
   const frame::VibratingScene scene = stopped_.scene_in(state, rigid);
   stress.whole = whole_;
   stress.whole.resize(scene.beams.size(), true);
-  return frame::bent_scene_of(scene, stress, factor);
+  return frame::bent_scene_of(scene, stress, factor, ties_);
 }
 
 std::string obstacle_to_bending_in_space(const Project& project, const spatial::Chain& chain) {
@@ -148,7 +148,7 @@ LoadsAt bent_statically_in_space(const Project& project, const spatial::Chain& c
       ": no elastic loads exist; use --model rigid to see those of rigid bodies";
   if (const std::string why = obstacle_to_bending_in_space(project, chain); !why.empty())
     refuse_vibration(why + otherwise);
-  auto of = std::make_shared<const BentInSpace>(project, chain, parts);
+  auto of = std::make_shared<BentInSpace>(project, chain, parts);
   const auto found = [of, otherwise, states = std::move(states),
                       rigid = std::move(rigid)](Time time) {
     BeamLoads loads = rigid(time);

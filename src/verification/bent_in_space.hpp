@@ -23,12 +23,13 @@ class BentInSpace {
   /// `rigid`: the verified beam's cut forces then; all that acts counts `factor` times in the
   /// stiffness. Nothing where it is free to move.
   std::optional<frame::BentScene> at(const spatial::State& state, const CutForceDiagram& rigid,
-                                     double factor) const;
+                                     double factor);
 
  private:
   const spatial::Chain* chain_;
   StoppedVibration stopped_;
   std::vector<bool> whole_;
+  frame::KeptTies ties_;  ///< of the last posture
 };
 
 /// Why second order of the mechanism is not known: forces move it, a joint slides along an elastic

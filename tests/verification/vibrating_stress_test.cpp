@@ -3,9 +3,11 @@
 #include "boxbeam/verification/vibrating_stress.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "catch.hpp"
 #include "support/property.hpp"
+#include "support/random_frame.hpp"
 
 namespace vibrating_stress_test {
 

@@ -83,9 +83,9 @@ std::vector<Place> pushed_by(const SceneStress& stress) {
 /// The posture of a scene under what acts in it.
 class StressedScene {
  public:
-  StressedScene(const VibratingScene& scene, const SceneStress& stress)
+  StressedScene(const VibratingScene& scene, const SceneStress& stress, KeptTies& last)
       : scene_(&scene),
-        held_(scene, pushed_by(stress), last_),
+        held_(scene, pushed_by(stress), last),
         strained_(VectorXd::Zero(held_.rows().size)),
         elastic_(held_.elastic_ties()),
         whole_(stress.whole.front()) {
@@ -316,7 +316,6 @@ class StressedScene {
   }
 
   const VibratingScene* scene_;
-  KeptTies last_;
   HeldScene held_;
   std::vector<std::vector<BornPiece>> born_;  ///< of each beam
   VectorXd strained_;
@@ -328,8 +327,8 @@ class StressedScene {
 }  // namespace
 
 std::optional<BentScene> bent_scene_of(const VibratingScene& scene, const SceneStress& stress,
-                                       double factor) {
-  return StressedScene(scene, stress).bent(factor);
+                                       double factor, KeptTies& last) {
+  return StressedScene(scene, stress, last).bent(factor);
 }
 
 }  // namespace boxbeam::frame

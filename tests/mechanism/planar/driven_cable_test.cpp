@@ -17,7 +17,10 @@ constexpr double radius = 0.5, distance = 2.0, rate = 3.0;
 Mechanism crank_with(const Spring& spring, double start = 0.0) {
   Mechanism mechanism;
   mechanism.gravity = {0.0, 0.0};
-  mechanism.bodies.push_back({.name = "crank", .mass = 7.0, .inertia = 0.4});
+  Body crank;
+  crank.mass = 7.0;
+  crank.inertia = 0.4;
+  mechanism.bodies.push_back(crank);
   mechanism.joints.push_back({"O", Pin{{0, {0.0, 0.0}}, {ground, {0.0, 0.0}}}});
   AppliedForce force{"cable", spring};
   mechanism.forces.push_back(force);

@@ -54,10 +54,11 @@ struct BentScene {
 /// with shear. Of beams that are not `whole` N alone counts. Left out: bending before (K is that of
 /// the straight beam), shortening, warping, N r^2 theta_x'^2 (Wagner), that a guide's force turns
 /// with the guide, and a hinge's couple with the hinge while it turns in it. Nothing where
-/// something is free to move. `scene.beams`: with their cut forces. Sources: Argyris, Computer
-/// Methods in Applied Mechanics and Engineering 32 (1982); Simo, Vu-Quoc, ibid. 58 (1986), strains
-/// of the beam; Przemieniecki, Theory of Matrix Structural Analysis (1968), chapter 15.
+/// something is free to move. `scene.beams`: with their cut forces; `last` as of `modes_of`.
+/// Sources: Argyris, Computer Methods in Applied Mechanics and Engineering 32 (1982); Simo,
+/// Vu-Quoc, ibid. 58 (1986), strains of the beam; Przemieniecki, Theory of Matrix Structural
+/// Analysis (1968), chapter 15.
 std::optional<BentScene> bent_scene_of(const VibratingScene& scene, const SceneStress& stress,
-                                       double factor);
+                                       double factor, KeptTies& last);
 
 }  // namespace boxbeam::frame
