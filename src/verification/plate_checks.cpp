@@ -23,24 +23,28 @@ class PlateUses {
         rule_(project.strength.effective_widths),
         plates_(&plates) {}
 
-  double normal(const CutForces& cut) const { return gamma_M0_ * corner(cut).use; }
+  double normal(const CutForces& cut) const { return normal(corner(cut)); }
+  double normal(const CornerUse& corner) const { return gamma_M0_ * corner.use; }
   static double shear(const ShearedPlate& plate, const CutForces& cut) {
     return plate.force_of(cut) / plate.resists.resistance;
   }
   WebInteraction together(const ShearedPlate& plate, const CutForces& cut) const {
-    return interaction_of(plate, plates_->plastic, corner(cut), cut, gamma_M0_);
+    return together(plate, corner(cut), cut);
+  }
+  WebInteraction together(const ShearedPlate& plate, const CornerUse& corner,
+                          const CutForces& cut) const {
+    return interaction_of(plate, plates_->plastic, corner, cut, gamma_M0_);
   }
   double reduced(const ReducedPlate& plate, const CutForces& cut) const {
     return plate.use(cut, gamma_M1_);
   }
-
- private:
   CornerUse corner(const CutForces& cut) const {
     CornerUse at_yield = plates_->box.worst_corner(cut);
     const auto below = lower_section(plates_->box, cut, rule_, at_yield.use);
     return below ? below->worst_corner(cut) : at_yield;
   }
 
+ private:
   double gamma_M0_, gamma_M1_;
   WidthRule rule_;
   const SlenderPlates* plates_;
@@ -243,14 +247,18 @@ Utilisations plate_uses_of(const Project& project, const SlenderPlates& plates,
     }
     return found;
   }
-  look(Criterion::effective_section, [&](const CutForces& cut) { return uses.normal(cut); });
+  // Of each of the cut forces, which are asked for in the same order every time.
+  std::vector<CornerUse> corners;
+  look(Criterion::effective_section,
+       [&](const CutForces& cut) { return uses.normal(corners.emplace_back(uses.corner(cut))); });
   for (const ShearedPlate& plate : plates.sheared) {
     if (plate.may_buckle) {
       look(Criterion::shear_buckling,
            [&](const CutForces& cut) { return PlateUses::shear(plate, cut); });
     }
+    auto at = corners.cbegin();
     look(Criterion::interaction,
-         [&](const CutForces& cut) { return uses.together(plate, cut).use; });
+         [&](const CutForces& cut) { return uses.together(plate, *at++, cut).use; });
   }
   return found;
 }

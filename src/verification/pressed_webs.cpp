@@ -114,6 +114,8 @@ void PressedWebs::add(const Patch& patch, std::optional<std::size_t> side, Insta
   source.before = std::max(source.before, pressing.before);
   source.behind = std::max(source.behind, pressing.behind);
   for (const PressedWeb& weld : pressing.welds) reach(weld);
+  instant.from = std::min(instant.from, pressing.s - pressing.before);
+  instant.to = std::max(instant.to, pressing.s + pressing.behind);
   instant.forces.push_back(std::move(pressing));
 }
 
@@ -217,14 +219,22 @@ void PressedWebs::add_passages(const Place& place, const std::vector<bool>& acti
 
 PressedWebs::Series PressedWebs::series_at(const Place& place, const Run& run) const {
   const std::vector<bool> acting = acting_on(place);
+  const double near = at_one_place * project_->beam.length().value();
   Series series;
   series.times.reserve(run.instants.size());
   series.values.reserve(run.instants.size());
   for (std::size_t i = 0; i < run.instants.size(); ++i) {
     const Instant& instant = run.instants[i];
-    if (instant.goes_on) add_passages(place, acting, run.instants[i - 1], instant, series);
+    // At most instants all is far from the place.
+    if (instant.goes_on) {
+      const Instant& before = run.instants[i - 1];
+      if (place.s >= std::min(before.from, instant.from) - near &&
+          place.s <= std::max(before.to, instant.to) + near)
+        add_passages(place, acting, before, instant, series);
+    }
+    const bool far = place.s < instant.from || place.s > instant.to;
     series.times.push_back(instant.time.value());
-    series.values.push_back(stress_at(place, acting, instant.forces));
+    series.values.push_back(far ? 0.0 : stress_at(place, acting, instant.forces));
   }
   return series;
 }
@@ -427,6 +437,8 @@ std::optional<CheckResult> PressedWebs::check_at(const Place& place, Turns turns
 template <class Take>
 void PressedWebs::look(Place place, const std::vector<double>& places, bool any_unsaid,
                        std::vector<Used>& used, const Take& take) const {
+  const std::vector<bool> acting = acting_on(place);
+  if (std::find(acting.begin(), acting.end(), true) == acting.end()) return;
   const std::vector<bool> ways = any_unsaid ? std::vector{false, true} : std::vector{false};
   std::map<std::pair<bool, bool>, CheckResult> worst;
   for (const double s : places) {

@@ -87,6 +87,7 @@ class PressedWebs {
     Time time;
     bool goes_on = false;  ///< from the one before
     std::vector<Pressing> forces;
+    double from = 1e300, to = -1e300;  ///< between which all they reach lies [m]
   };
   struct Run {
     std::size_t situation = 0;

@@ -20,7 +20,9 @@ TEST_CASE("no place is worse than what modes are said to miss", "[vibration]") {
   test::holds([] {
     const test::Dice dice;
     const auto random = [&](Index rows, Index columns, double size) -> MatrixXd {
-      return MatrixXd::NullaryExpr(rows, columns, [&] { return dice.between(-size, size); });
+      MatrixXd of(rows, columns);
+      for (double& value : of.reshaped()) value = dice.between(-size, size);
+      return of;
     };
     const Index modes = 1 + dice.upto(5), times = 2 + dice.upto(40), places = 1 + dice.upto(60);
     MatrixXd parts = random(times, modes, 1.0);
