@@ -12,7 +12,6 @@ constexpr std::array sensor_words{"a_x",     "a_y",     "a_z",     "omega_x", "o
 constexpr std::array sensor_units{"m/s^2", "rad/s", "rad/s^2"};
 constexpr std::array path_words{"x", "z", "angle"};
 constexpr std::array path_units{"m", "m", "rad"};
-constexpr std::array cut_words{"N", "V_y", "V_z", "T", "M_y", "M_z"};
 
 constexpr WantedDimension angular_acceleration{
     {0, 0, -2, 1}, "an angular acceleration", "\"0.5 rad/s^2\""};

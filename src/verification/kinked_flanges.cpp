@@ -6,10 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "boxbeam/project/plate_material.hpp"
-#include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/section/section_properties.hpp"
-#include "boxbeam/strength/effective_path.hpp"
 #include "flat_plates.hpp"
 #include "patch_notes.hpp"
 #include "patch_search.hpp"
