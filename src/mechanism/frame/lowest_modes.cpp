@@ -32,9 +32,11 @@ class IndependentMotions {
   const MatrixXd& motions() const { return motions_; }
   auto inertia_from(Index first) const { return inertia_.rightCols(count() - first); }
 
-  /// What is new in these motions, but for this size of it; of each of them the parts that the new
-  /// ones are, a column each. Orthogonal to round-off: Gram and Schmidt, twice.
-  MatrixXd add(const MatrixXd& motions, const MatrixXd& forces, double nothing) {
+  /// What is new in these motions, but for round-off; of each of them the parts that the new ones
+  /// are, a column each. Orthogonal to round-off: Gram and Schmidt, twice.
+  MatrixXd add(const MatrixXd& motions, const MatrixXd& forces) {
+    // By elastic energy a solution is known to the root of the condition times machine precision.
+    constexpr double round_off = 1e-10;
     const Index before = count();
     for (MatrixXd* const all : {&motions_, &forces_})
       all->conservativeResize(Eigen::NoChange, before + motions.cols());
@@ -42,6 +44,7 @@ class IndependentMotions {
     Index now = before;
     for (Index j = 0; j < motions.cols(); ++j) {
       VectorXd motion = motions.col(j), force = forces.col(j);
+      const double whole = std::sqrt(std::max(0.0, motion.dot(force)));
       for (int twice = 0; twice < 2; ++twice) {
         const VectorXd same = forces_.leftCols(now).transpose() * motion;
         motion -= motions_.leftCols(now) * same;
@@ -49,7 +52,7 @@ class IndependentMotions {
         parts.col(j).head(now - before) += same.tail(now - before);
       }
       const double size = std::sqrt(std::max(0.0, motion.dot(force)));
-      if (!(size > nothing)) continue;
+      if (!(size > round_off * whole) || now == motions_.rows()) continue;
       parts(now - before, j) = size;
       motions_.col(now) = motion / size;
       forces_.col(now) = force / size;
@@ -72,12 +75,11 @@ class IndependentMotions {
 
 LowestModes lowest_modes_of(const ModeOperators& of, Index count, const VectorXd& scale) {
   constexpr Index more = 2;
-  constexpr double close = 1e-11, no_mass = 1e-12, round_off = 1e-14;
+  constexpr double close = 1e-11, no_mass = 1e-12;
   IndependentMotions basis(scale.size());
   MatrixXd forces = of.inertia_of(motions_of_no_order(count + more, scale)),
            motions = of.moved_by(forces);
-  double nothing = round_off * std::sqrt(motions.cwiseProduct(forces).colwise().sum().maxCoeff());
-  MatrixXd parts = basis.add(motions, forces, nothing), by_ritz(0, 0);
+  MatrixXd parts = basis.add(motions, forces), by_ritz(0, 0);
   while (true) {
     const Index before = by_ritz.cols(), now = basis.count();
     if (now == before) break;
@@ -89,8 +91,7 @@ LowestModes lowest_modes_of(const ModeOperators& of, Index count, const VectorXd
     by_ritz.rightCols(now - before) = beside;
     by_ritz.bottomRows(now - before) = beside.transpose();
     const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(by_ritz);
-    nothing = round_off * solver.eigenvalues()[now - 1];
-    parts = basis.add(motions, forces, nothing);
+    parts = basis.add(motions, forces);
     bool found = now >= count;
     for (Index k = now; found && k-- > std::max<Index>(0, now - count);) {
       const double mu = solver.eigenvalues()[k];
