@@ -47,8 +47,9 @@ struct CheckBasis {
   CutForces cut_at_highest, cut_at_lowest;
   CutForces cut_at_time;  ///< at the check's own instant
   PointStress stress_at_time;
-  /// The stress over one period of the situation in which it is worst: instants [s], values [Pa].
-  std::size_t running = 0;  ///< index of that situation
+  std::size_t running = 0;  ///< index of the situation in which the stress is worst
+  /// The stress over one period of it, of the checks that are drawn (`drawn_over_time`): instants
+  /// [s], values [Pa].
   std::vector<double> times, history;
   WeldStrength weld;  ///< of a throat
   // Fatigue only:
