@@ -63,7 +63,10 @@ void check(const VectorXd& mu, Index count, Index expected) {
 TEST_CASE("the lowest modes are those of all modes", "[frame][modes]") {
   // As of beams, as 1/n^4 and, stiffer, as 1/n^2.
   VectorXd mu(60);
-  for (Index n = 0; n < 60; ++n) mu[n] = n < 30 ? std::pow(n + 1.0, -4) : 1e-7 / (n + 1.0);
+  for (Index n = 0; n < 60; ++n) {
+    const auto number = static_cast<double>(n + 1);
+    mu[n] = n < 30 ? std::pow(number, -4) : 1e-7 / number;
+  }
   for (const Index count : {1, 3, 6, 12}) check(mu, count, count);
   // All there are.
   check(mu.head(5), 5, 5);
@@ -72,7 +75,8 @@ TEST_CASE("the lowest modes are those of all modes", "[frame][modes]") {
 
 TEST_CASE("modes of one frequency are all found", "[frame][modes]") {
   VectorXd mu(40);
-  for (Index n = 0; n < 40; ++n) mu[n] = n < 12 ? 1.0 : n < 26 ? 0.98 : 0.5 / (n + 1.0);
+  for (Index n = 0; n < 40; ++n)
+    mu[n] = n < 12 ? 1.0 : n < 26 ? 0.98 : 0.5 / static_cast<double>(n + 1);
   for (const Index count : {1, 4, 13, 20}) check(mu, count, count);
 }
 
