@@ -214,7 +214,7 @@ MUTATIONS = [
           "shear deformation of an elastic link", "structure_test response_test elastic_beam_test"),
          ("bending-coupling", "return lever / stretch.EI(x); });", "return -lever / stretch.EI(x); });",
           "coupling of turning and shifting in a spring element", "structure_test response_test")),
-    *_in("src/mechanism/flexible", "dynamic_stiffness.cpp",
+    *_in("src/mechanism/flexible", "gathered_links.cpp",
          ("from-other", "S.pp += o * (o * S.ww + 2.0 * S.wp);", "S.pp += o * (o * S.ww + S.wp);",
           "stiffness carried to the next element", "dynamic_stiffness_test")),
     *_in("src/mechanism/flexible", "exact_part.cpp",
