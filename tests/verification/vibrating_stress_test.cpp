@@ -3,6 +3,7 @@
 #include "boxbeam/verification/vibrating_stress.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "catch.hpp"
 #include "support/property.hpp"
