@@ -32,31 +32,41 @@ class IndependentMotions {
   const MatrixXd& motions() const { return motions_; }
   auto inertia_from(Index first) const { return inertia_.rightCols(count() - first); }
 
-  /// What is new in these motions, but for round-off; of each of them the parts that the new ones
-  /// are, a column each. Orthogonal to round-off: Gram and Schmidt, twice.
-  MatrixXd add(const MatrixXd& motions, const MatrixXd& forces) {
-    // By elastic energy a solution is known to the root of the condition times machine precision.
-    constexpr double round_off = 1e-10;
+  /// What is new in these motions; of each of them the parts that the new ones are, a column each.
+  /// What is left of one after Gram and Schmidt, twice, is little: its motion is solved for anew.
+  MatrixXd add(const MatrixXd& motions, const MatrixXd& forces, const ModeOperators& of) {
+    constexpr double little = 1e-3;
+    constexpr int attempts = 4;
     const Index before = count();
     for (MatrixXd* const all : {&motions_, &forces_})
       all->conservativeResize(Eigen::NoChange, before + motions.cols());
     MatrixXd parts = MatrixXd::Zero(motions.cols(), motions.cols());
     Index now = before;
-    for (Index j = 0; j < motions.cols(); ++j) {
+    for (Index j = 0; j < motions.cols() && now < motions_.rows(); ++j) {
       VectorXd motion = motions.col(j), force = forces.col(j);
-      const double whole = std::sqrt(std::max(0.0, motion.dot(force)));
-      for (int twice = 0; twice < 2; ++twice) {
-        const VectorXd same = forces_.leftCols(now).transpose() * motion;
-        motion -= motions_.leftCols(now) * same;
-        force -= forces_.leftCols(now) * same;
-        parts.col(j).head(now - before) += same.tail(now - before);
+      double share = 1.0;
+      for (int attempt = 0; attempt < attempts; ++attempt) {
+        const double whole = std::sqrt(std::max(0.0, motion.dot(force)));
+        for (int twice = 0; twice < 2; ++twice) {
+          const VectorXd same = forces_.leftCols(now).transpose() * motion;
+          motion -= motions_.leftCols(now) * same;
+          force -= forces_.leftCols(now) * same;
+          parts.col(j).head(now - before) += share * same.tail(now - before);
+        }
+        const double size = std::sqrt(std::max(0.0, motion.dot(force)));
+        if (size > little * whole) {
+          parts(now - before, j) = share * size;
+          motions_.col(now) = motion / size;
+          forces_.col(now) = force / size;
+          ++now;
+          break;
+        }
+        const double left = force.norm();
+        if (!(left > 0.0)) break;
+        share *= left;
+        force /= left;
+        motion = of.moved_by(force);
       }
-      const double size = std::sqrt(std::max(0.0, motion.dot(force)));
-      if (!(size > round_off * whole) || now == motions_.rows()) continue;
-      parts(now - before, j) = size;
-      motions_.col(now) = motion / size;
-      forces_.col(now) = force / size;
-      ++now;
     }
     for (MatrixXd* const all : {&motions_, &forces_}) all->conservativeResize(Eigen::NoChange, now);
     return parts.topRows(now - before);
@@ -79,7 +89,7 @@ LowestModes lowest_modes_of(const ModeOperators& of, Index count, const VectorXd
   IndependentMotions basis(scale.size());
   MatrixXd forces = of.inertia_of(motions_of_no_order(count + more, scale)),
            motions = of.moved_by(forces);
-  MatrixXd parts = basis.add(motions, forces), by_ritz(0, 0);
+  MatrixXd parts = basis.add(motions, forces, of), by_ritz(0, 0);
   while (true) {
     const Index before = by_ritz.cols(), now = basis.count();
     if (now == before) break;
@@ -91,7 +101,7 @@ LowestModes lowest_modes_of(const ModeOperators& of, Index count, const VectorXd
     by_ritz.rightCols(now - before) = beside;
     by_ritz.bottomRows(now - before) = beside.transpose();
     const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(by_ritz);
-    parts = basis.add(motions, forces);
+    parts = basis.add(motions, forces, of);
     bool found = now >= count;
     for (Index k = now; found && k-- > std::max<Index>(0, now - count);) {
       const double mu = solver.eigenvalues()[k];

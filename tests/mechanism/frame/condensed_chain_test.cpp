@@ -98,7 +98,8 @@ TEST_CASE("a chain is refused or left without stiffness where the whole one buck
     const std::size_t count = 2 + random() % 6;
     std::vector<Matrix12> pieces = some_pieces(count, 0.0, random);
     for (Matrix12& piece : pieces)
-      piece -= 0.02 * static_cast<double>(random() % 60) * Matrix12::Identity();
+      piece -= (random() % 2 == 0 ? 0.0 : 0.02 * static_cast<double>(random() % 60)) *
+               Matrix12::Identity();
     const std::vector<bool> kept = some_kept(count, random);
     const auto least = [](const MatrixXd& of) {
       return Eigen::SelfAdjointEigenSolver<MatrixXd>(of).eigenvalues()[0];
@@ -109,7 +110,7 @@ TEST_CASE("a chain is refused or left without stiffness where the whole one buck
     (stands ? standing : chain ? left : between) += 1;
   }
   CAPTURE(standing, between, left);
-  CHECK(std::min({standing, between, left}) > 10);
+  CHECK(std::min({standing, between, left}) > 4);
 }
 
 }  // namespace condensed_chain_test
