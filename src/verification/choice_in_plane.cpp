@@ -151,7 +151,7 @@ bool bending_is_enough(const VibrationEstimate& estimate, const Climb& climb, Mo
   by_bending.basis = "vibration left out";
   if (by_bending.error <= choice.tolerance) {
     if (by_bending.error > verified_above * choice.tolerance && !climb.unseen(0)) {
-      by_bending.found = climb.found_by(bent) + estimate.left_out;
+      by_bending.found = missed_beside_mode(climb.found_by(bent), estimate);
     }
     if (by_bending.found.value_or(0.0) <= choice.tolerance) {
       choice.chosen = bent;
@@ -189,9 +189,10 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
   std::string found;
   if (enough && by_rigid.error > verified_above * choice.tolerance &&
       project.model.demand == ModelDemand::automatic && !unseen(0)) {
-    const double against_mode = tried.error_found({}) + estimate.left_out;
+    const double against_mode = missed_beside_mode(tried.error_found({}), estimate);
     choice.weighed.back().found = against_mode;
-    found = fmt::format(", found {} against one mode in every posture", percent_text(against_mode));
+    found = fmt::format(", found {} with one mode in every posture and what that misses",
+                        percent_text(against_mode));
     enough = against_mode <= choice.tolerance;
   }
   if (project.model.demand == ModelDemand::rigid ||

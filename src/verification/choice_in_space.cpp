@@ -122,11 +122,11 @@ bool modes_are_needless(const Project& project, const VibrationEstimate& estimat
   bool enough = true;
   std::string found_once;
   if (missed > verified_above * choice.tolerance && has_modes && !climb.unseen(0)) {
-    const double against_mode = climb.found_by({}) + estimate.left_out;
+    const double against_mode = missed_beside_mode(climb.found_by({}), estimate);
     if (refused.empty()) {
       choice.weighed.back().found = against_mode;
-      found_once =
-          fmt::format(", found {} against one mode in every posture", percent_text(against_mode));
+      found_once = fmt::format(", found {} with one mode in every posture and what that misses",
+                               percent_text(against_mode));
       choice.reason += found_once;
       enough = against_mode <= choice.tolerance;
     }
@@ -154,7 +154,8 @@ ModelChoice choose_in_space(const Project& project, const std::deque<SituationRu
   const SecondOrderEstimate& pressed = choice.second_order;
   const std::optional<WeighedInSpace> weighed = weigh_in_space(project, rigid, obstacle, choice);
   if (!weighed) return choice;
-  const auto& [estimate, against] = *weighed;
+  const VibrationEstimate& estimate = weighed->estimate;
+  const std::string& against = weighed->against;
   const double missed = estimate.without_modes.front();
   // Elsewhere it is weighed where checks are used.
   const double of_bending = pressed.whole ? pressed.change.value_or(0.0) : 0.0;

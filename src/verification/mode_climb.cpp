@@ -9,6 +9,11 @@
 
 namespace boxbeam {
 
+double missed_beside_mode(double found, const VibrationEstimate& estimate) {
+  const std::vector<double>& missed = estimate.without_modes;
+  return found + (missed.size() > 1 ? missed[1] : estimate.left_out);
+}
+
 std::string missed_text(const VibrationEstimate& estimate, const ModelChoice& choice) {
   return fmt::format(
       "vibration is estimated to change the governing stress by {}, {}; tolerance {}",

@@ -17,6 +17,10 @@ namespace boxbeam {
 /// modes of every posture.
 constexpr double verified_above = 0.7;
 
+/// What bodies without vibration miss: what was `found` against one mode in every posture, and what
+/// is estimated to be missed with that mode.
+double missed_beside_mode(double found, const VibrationEstimate& estimate);
+
 /// What vibration is estimated to add to rigid bodies, in words with the tolerance.
 std::string missed_text(const VibrationEstimate& estimate, const ModelChoice& choice);
 
