@@ -731,7 +731,7 @@ namespace {
 /// Four-bars in a row, so many: the first crank is driven and is the beam.
 std::string four_bars(int count) {
   const std::string rod =
-      "mass = \"10 kg\"\nuniform_rod = [\"O\", \"A\"]\n"
+      "mass = \"300 kg\"\nuniform_rod = [\"O\", \"A\"]\n"
       "points = { O = [\"0 m\", \"0 m\", \"0 m\"], A = [\"1 m\", \"0 m\", \"0 m\"] }\n";
   std::string text = header({0.0, 0.0, -9.81}) + sections + R"(
 [drivers.motor]
@@ -789,7 +789,7 @@ TEST_CASE("the order of ties that is kept from posture to posture changes no ben
     const frame::BentScene found = bent_by(kept), anew = bent_by(once);
     REQUIRE_FALSE(anew.critical);
     REQUIRE_FALSE(found.critical);
-    CHECK(anew.turn > 1e-8);
+    CHECK(anew.turn > 1e-6);
     CHECK(found.turn == Approx(anew.turn).epsilon(1e-8));
     const double largest = anew.motion.cwiseAbs().maxCoeff();
     CHECK((found.motion - anew.motion).cwiseAbs().maxCoeff() < 1e-8 * largest);
