@@ -97,14 +97,14 @@ void TransientResponse::go_on(const EquationsAt& equations, const std::vector<do
 UncoupledResponse uncoupled_response(const std::function<Eigen::VectorXd(double time)>& force,
                                      const Eigen::VectorXd& damping,
                                      const Eigen::VectorXd& stiffness,
-                                     const std::vector<double>& borders, ModalState start,
+                                     const std::vector<double>& borders, const ModalState& start,
                                      double longest_step) {
   const GaussMethod& gauss = gauss_method();
   const std::vector<ResponseStep> steps = steps_between(borders, longest_step);
   const auto rows = static_cast<Eigen::Index>(steps.size()) + 1;
   const Eigen::Index k = damping.size();
   UncoupledResponse response{{borders.front()}, {rows, k}, {rows, k}};
-  auto& [eta, speed] = start;
+  Eigen::VectorXd eta = start.eta, speed = start.speed;
   response.eta.row(0) = eta.transpose();
   response.speed.row(0) = speed.transpose();
   // What the forces of a step's stages, less those of its beginning, add to each mode in it.

@@ -69,7 +69,7 @@ struct UncoupledResponse {
 UncoupledResponse uncoupled_response(const std::function<Eigen::VectorXd(double time)>& force,
                                      const Eigen::VectorXd& damping,
                                      const Eigen::VectorXd& stiffness,
-                                     const std::vector<double>& borders, ModalState start,
+                                     const std::vector<double>& borders, const ModalState& start,
                                      double longest_step);
 
 /// The state of rest under constant equations: K eta = p.
