@@ -159,12 +159,6 @@ ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t
         "motions that drivers fix; use --model rigid to have the loads of rigid bodies all the "
         "same");
   }
-  if (!motion.changes.empty()) {
-    refuse_vibration(
-        "a stop or a cable begins or ends to act, and the modes of the beam change at once; use "
-        "--model rigid to have the loads of rigid bodies all the same",
-        motion.changes.front());
-  }
   const planar::State& first = motion.states.front();
   reference_ =
       modes_in_posture(posture_at(first, rigid_.loads(si<Time>(first.time)), first.time), count_)

@@ -97,7 +97,8 @@ class StationSamples {
   /// The largest value of a cut force, or with sign -1 of its negative [N or N m].
   double largest_cut_force(cut_force::Index which, double sign) const;
 
-  /// The largest use by the cut forces, load factors counted.
+  /// The largest use by the cut forces, load factors counted. Asks for the use of every instant, in
+  /// the same order every time.
   double largest_use(const CutForceFunction& use) const;
 
  private:
