@@ -46,13 +46,6 @@ VibrationInSpace worst_estimate_in_space(const Project& project,
   return *worst;
 }
 
-bool forces_move(const std::deque<SituationRun>& runs) {
-  return std::any_of(runs.begin(), runs.end(), [](const SituationRun& run) {
-    const std::vector<spatial::Joint>& joints = chain_of(run).mechanism().joints;
-    return std::any_of(joints.begin(), joints.end(), spatial::is_forced);
-  });
-}
-
 /// Why the beam of a case in space has no modes that hold over its motion; "" where it has.
 std::string obstacle_to_modes_in_space(const Project& project,
                                        const std::deque<SituationRun>& rigid) {
@@ -82,7 +75,7 @@ std::optional<WeighedInSpace> weigh_in_space(const Project& project,
                                              const std::deque<SituationRun>& rigid,
                                              const std::string& obstacle, ModelChoice& choice) {
   const SecondOrderEstimate& second = choice.second_order;
-  if (forces_move(rigid) || second.in_plane.part >= 1.0) {
+  if (second.in_plane.part >= 1.0) {
     choose_unvibrated(project, obstacle.empty() ? "the beam buckles" : obstacle, choice);
     return std::nullopt;
   }

@@ -103,6 +103,22 @@ Length length_of(const std::vector<LineLoad>& lines) {
   return lines.back().start + lines.back().length;
 }
 
+/// At which of the borders, but for the ends, others act behind than before; between two of them
+/// the same act.
+std::vector<double> changes_between(
+    const std::vector<double>& borders,
+    const std::function<std::vector<bool>(double time)>& acting_at) {
+  std::vector<double> changes;
+  std::vector<bool> acting;
+  for (std::size_t i = 1; i < borders.size(); ++i) {
+    if (!(borders[i] > borders[i - 1])) continue;
+    std::vector<bool> here = acting_at(0.5 * (borders[i - 1] + borders[i]));
+    if (!acting.empty() && here != acting) changes.push_back(borders[i - 1]);
+    acting = std::move(here);
+  }
+  return changes;
+}
+
 /// Which of the springs act in a state.
 std::vector<bool> acting_springs(const spatial::Mechanism& mechanism, const spatial::State& state) {
   std::vector<bool> acting;
@@ -173,45 +189,45 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
     : rigid_(std::move(rigid)), begin_(span.begin.value()), period_(span.period.value()) {
   const std::string otherwise =
       "; use --model rigid to have the loads of rigid bodies all the same";
-  if (!span.closed && chain.forced() != nullptr)
-    refuse_vibration(
-        "forces decide the motion, and the beam's vibration is only computed in motions that "
-        "drivers fix" +
-        otherwise);
   StoppedVibration stopped(project, chain, parts);
   if (const std::string why = obstacle_to_modes(chain.mechanism(), stopped.placements());
       !why.empty())
     refuse_vibration(why + otherwise);
 
   const spatial::StatesAround states(chain, {begin_, period_, span.closed, span.instants});
-  // What acts stays from one break to the next.
-  double from = begin_;
-  std::vector<bool> acting;
-  for (std::size_t i = 0; i <= span.breaks.size(); ++i) {
-    const double until = i < span.breaks.size() ? span.breaks[i].value() : begin_ + period_;
-    if (!(until > from)) continue;
-    std::vector<bool> here = acting_springs(chain.mechanism(), states.at(0.5 * (from + until)));
-    if (!acting.empty() && here != acting)
-      refuse_vibration(
-          "a stop or a cable begins or ends to act, and the modes of the beam change at once" +
-              otherwise,
-          from);
-    acting = std::move(here);
-    from = until;
+  std::optional<OpenMotion> once;
+  if (!span.closed) once = open_motion_of(chain, span);
+  std::vector<double> borders{begin_};
+  if (once) {
+    borders = once->borders;
+  } else {
+    for (const Time& at : span.breaks) borders.push_back(at.value());
+    borders.push_back(begin_ + period_);
   }
+  const std::vector<double> changes = changes_between(
+      borders, [&](double time) { return acting_springs(chain.mechanism(), states.at(time)); });
+  if (!once && !changes.empty())
+    refuse_vibration(
+        "a stop or a cable begins or ends to act in a motion that repeats, and the modes of the "
+        "beam change at once" +
+            otherwise,
+        changes.front());
   const auto diagram_at = [&](double time) { return cut_forces_of(rigid_(si<Time>(time))); };
   Eigen::MatrixXd reference;
   std::size_t count = 0;
-  /// Modes beyond those asked for, one of which may be alike.
-  constexpr std::size_t more = 3;
-  {
-    const spatial::State state = states.at(begin_);
-    ModesInMotion first = stopped.modes_in_motion(state, diagram_at(begin_), modes + more);
-    count = whole_groups(first.modes, modes);
-    if (count == 0) refuse_vibration("without mass nothing vibrates; use --model rigid", begin_);
+  /// The modes that are followed from here on.
+  const auto begin_at = [&](double time) {
+    /// Modes beyond those asked for, one of which may be alike.
+    constexpr std::size_t more = 3;
+    const std::size_t asked = stopped.freedoms() + modes;
+    ModesInMotion first = stopped.modes_in_motion(states.at(time), diagram_at(time), asked + more);
+    count = whole_groups(first.modes, asked);
+    if (count == 0) refuse_vibration("without mass nothing vibrates; use --model rigid", time);
+    first.modes.resize(count);
     reference = first.shapes.leftCols(static_cast<Eigen::Index>(count));
-  }
-  const auto k = static_cast<Eigen::Index>(count);
+    return first;
+  };
+  begin_at(begin_);
   const auto modes_at = [&](double time, const CutForceDiagram& diagram) {
     const spatial::State state = states.at(time);
     ModesInMotion at = stopped.modes_in_motion(state, diagram, count);
@@ -228,6 +244,7 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
     Posture posture;
     ModalPosture& modal = posture.modal;
     modal.turn = turn_between(at.shapes, reference, time);
+    const auto k = static_cast<Eigen::Index>(count);
     modal.squares.resize(k);
     Eigen::MatrixXd numbers;
     for (Eigen::Index j = 0; j < k; ++j) {
@@ -250,16 +267,27 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
     solve_periodic(posture_at, static_cast<Eigen::Index>(span.instants) / stride);
     return;
   }
-  OpenMotion motion = open_motion_of(chain, span);
-  const double behind = motion.behind();
-  solve_once(posture_at, std::move(motion), [&]() -> RestingModes {
+  const auto resting = [&]() -> RestingModes {
+    const double behind = once->behind();
     const ModesInMotion at = modes_at(behind, diagram_at(behind));
-    Eigen::VectorXd frequencies(k);
-    for (Eigen::Index j = 0; j < k; ++j)
+    Eigen::VectorXd frequencies(static_cast<Eigen::Index>(count));
+    for (Eigen::Index j = 0; j < frequencies.size(); ++j)
       frequencies[j] = at.modes[static_cast<std::size_t>(j)].frequency;
     return {posture_at(behind).modal, std::move(frequencies),
             largest_stresses_in_space(at.modes, project.beam)};
-  });
+  };
+  const auto turned_at = [&](double change) -> Eigen::MatrixXd {
+    // So near that nothing has moved, and so far that only round-off is nearer.
+    const auto border = std::lower_bound(borders.begin(), borders.end(), change);
+    const double beside = 1e-6 * std::min(change - *(border - 1), *(border + 1) - change);
+    const ModesInMotion ahead = modes_at(change - beside, diagram_at(change - beside));
+    const Eigen::MatrixXd turn = turn_between(ahead.shapes, reference, change);
+    const ModesInMotion from_here = begin_at(change + beside);
+    const frame::VibratingScene scene =
+        stopped.scene_in(states.at(change + beside), diagram_at(change + beside));
+    return frame::masses_between(scene, from_here.modes, ahead.modes) * turn;
+  };
+  solve_once(posture_at, std::move(*once), {changes, turned_at}, resting);
 }
 
 void ElasticMotionInSpace::solve_periodic(const PostureAt& posture_at, Eigen::Index instants) {
@@ -283,6 +311,7 @@ void ElasticMotionInSpace::solve_periodic(const PostureAt& posture_at, Eigen::In
 }
 
 void ElasticMotionInSpace::solve_once(const PostureAt& posture_at, OpenMotion motion,
+                                      Changes changes,
                                       const std::function<RestingModes()>& resting) {
   Eigen::Index k = 0;
   PassedOnce passed;
@@ -291,13 +320,16 @@ void ElasticMotionInSpace::solve_once(const PostureAt& posture_at, OpenMotion mo
     const ModalPosture& modal = at.modal;
     k = modal.squares.size();
     const Eigen::MatrixXd& turn = modal.turn;
-    const LoadsOfModes beside{
-        turn.transpose() * modal.squares.cwiseInverse().asDiagonal() * modal.damping * turn,
-        turn.transpose() * modal.force.cwiseQuotient(modal.squares), std::move(at.loads)};
+    const Eigen::VectorXd flexibility = flexibilities_of(modal.squares);
+    const LoadsOfModes beside{turn.transpose() * flexibility.asDiagonal() * modal.damping * turn,
+                              turn.transpose() * modal.force.cwiseProduct(flexibility),
+                              std::move(at.loads)};
     return PassedPosture{std::move(at.modal), beside.packed()};
   };
   passed.accuracy = [&](const Eigen::VectorXd& largest) { return allowed_of(largest, k); };
   passed.resting = resting;
+  passed.changes = std::move(changes.at);
+  passed.turned_at = std::move(changes.turned);
   once_ = std::make_shared<const ModalTransient>(std::move(motion), passed);
   lowest_ = once_->lowest_frequency();
 }
@@ -309,7 +341,10 @@ Eigen::VectorXd ElasticMotionInSpace::allowed_of(const Eigen::VectorXd& largest,
                                                  Eigen::Index k) const {
   constexpr double part = 1e-4, hardly = 1e-2;
   const Eigen::VectorXd stiffness = largest.segment(k * k, k * k).reshaped(k, k).diagonal();
-  const Eigen::VectorXd omega = stiffness.cwiseSqrt(), root = omega.cwiseSqrt();
+  // What moves without force is to be right beside the others.
+  constexpr double slow = 1e-6;
+  const Eigen::VectorXd omega = stiffness.cwiseMax(slow * stiffness.maxCoeff()).cwiseSqrt(),
+                        root = omega.cwiseSqrt();
   const auto valued = [&](const Eigen::VectorXd& of) -> Eigen::VectorXd {
     return part * of.cwiseMax(hardly * of.maxCoeff());
   };
@@ -318,8 +353,11 @@ Eigen::VectorXd ElasticMotionInSpace::allowed_of(const Eigen::VectorXd& largest,
   const Eigen::VectorXd arms = arms_of_numbers();
   LoadsOfModes of_beside{Eigen::MatrixXd::Constant(k, k, part * beside.viscous.maxCoeff()),
                          valued(beside.statically), Eigen::MatrixXd(k, arms.size())};
+  constexpr double no_load = 1e-9;
+  const double largest_load = (beside.loads * arms.asDiagonal()).maxCoeff();
   for (Eigen::Index j = 0; j < k; ++j) {
-    const double most = beside.loads.row(j).transpose().cwiseProduct(arms).maxCoeff();
+    double most = beside.loads.row(j).transpose().cwiseProduct(arms).maxCoeff();
+    if (most <= no_load * largest_load) most = hardly * largest_load;
     of_beside.loads.row(j) = (part * most * arms.cwiseInverse()).transpose();
   }
   const Eigen::VectorXd of_forces = valued(largest.segment(2 * k * k, k));
@@ -413,7 +451,10 @@ Eigen::VectorXd ElasticMotionInSpace::vibrating_at(double time) const {
   if (!once_) return trigonometric_at(loads_, (time - begin_) / period_);
   const ModalState state = once_->response().at(time);
   const LoadsOfModes of = LoadsOfModes::unpacked(once_->beside_at(time), state.eta.size());
-  return of.loads.transpose() * (state.eta + of.viscous * state.speed - of.statically);
+  Eigen::VectorXd numbers = Eigen::VectorXd::Zero(arms_of_numbers().size());
+  numbers.head(of.loads.cols()) =
+      of.loads.transpose() * (state.eta + of.viscous * state.speed - of.statically);
+  return numbers;
 }
 
 BeamLoads ElasticMotionInSpace::loads_at(Time time) const {

@@ -48,8 +48,8 @@ class ElasticMotionInSpace {
   /// `project` and `chain` stay for the time of the call, the names of joints longer. Throws
   /// AnalysisError where a joint slides along an elastic beam or teeth mesh with it, the stopped
   /// mechanism is free to move or buckles, a harmonic of a motion that repeats meets a natural
-  /// frequency of an undamped beam, modes change beyond recognition, or, in a motion that does not
-  /// repeat, forces decide it or a stop or a cable begins or ends to act.
+  /// frequency of an undamped beam, modes change beyond recognition, or, in a motion that repeats,
+  /// a stop or a cable begins or ends to act.
   ElasticMotionInSpace(const Project& project, const spatial::Chain& chain, const LoadSpan& span,
                        LoadsAt rigid, std::size_t modes, int parts);
 
@@ -78,7 +78,12 @@ class ElasticMotionInSpace {
   using PostureAt = std::function<Posture(double time)>;
 
   void solve_periodic(const PostureAt& posture_at, Eigen::Index instants);
-  void solve_once(const PostureAt& posture_at, OpenMotion motion,
+  /// When modes change at once, and what turns their coordinates there.
+  struct Changes {
+    std::vector<double> at;
+    std::function<Eigen::MatrixXd(double time)> turned;
+  };
+  void solve_once(const PostureAt& posture_at, OpenMotion motion, Changes changes,
                   const std::function<RestingModes()>& resting);
   Eigen::VectorXd allowed_of(const Eigen::VectorXd& largest, Eigen::Index modes) const;
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -56,6 +57,17 @@ void add_to(Polynomial<Degree>& sum, double factor, const Polynomial<Degree>& p)
 }
 
 }  // namespace
+
+double lowest_frequency_of(const Eigen::VectorXd& squares) {
+  const auto lowest =
+      std::find_if(squares.begin(), squares.end(), [](double of) { return of > 0.0; });
+  return lowest == squares.end() ? std::numeric_limits<double>::infinity()
+                                 : std::sqrt(*lowest) / full_turn;
+}
+
+Eigen::VectorXd flexibilities_of(const Eigen::VectorXd& squares) {
+  return squares.unaryExpr([](double of) { return of > 0.0 ? 1.0 / of : 0.0; });
+}
 
 void require_few_instants(std::size_t instants) {
   // In each of them the bent beam is solved; and of a wave of the loads, which sixteen of them

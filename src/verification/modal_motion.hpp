@@ -12,12 +12,18 @@ namespace boxbeam {
 
 /// Modes of a posture that is passed in motion, in the basis of the posture's own.
 struct ModalPosture {
-  Eigen::VectorXd squares;           ///< of the angular frequencies, ascending [1/s^2]
+  Eigen::VectorXd squares;           ///< of the angular frequencies, ascending, or zero [1/s^2]
   Eigen::MatrixXd damping;           ///< phi^T C phi [1/s]
   Eigen::MatrixXd of_rate, of_size;  ///< what turning adds [1/s, 1/s^2]
   Eigen::VectorXd force;             ///< generalised, under the loads of the rigid motion
   Eigen::MatrixXd turn;              ///< from the basis of the motion to this one (`turn_between`)
 };
+
+/// The lowest of modes that do not move without force [Hz].
+double lowest_frequency_of(const Eigen::VectorXd& squares);
+
+/// What a unit of force moves each mode by statically; one without stiffness not at all.
+Eigen::VectorXd flexibilities_of(const Eigen::VectorXd& squares);
 
 /// The equations of a posture in the basis of the motion.
 ModalEquations aligned(const ModalPosture& posture);

@@ -28,7 +28,18 @@ ModalEquations unpacked_from(const Eigen::VectorXd& all, Eigen::Index k) {
 ModalTransient::ModalTransient(OpenMotion motion, const PassedOnce& passed)
     : motion_(std::move(motion)) {
   constexpr double instants_to_a_piece = 8.0;
-  respond(passed, motion_.borders, instants_to_a_piece * motion_.step());
+  std::vector<double> borders;
+  auto change = passed.changes.begin();
+  for (const double border : motion_.borders) {
+    borders.push_back(border);
+    if (change == passed.changes.end() || *change != border) continue;
+    respond(passed, borders, instants_to_a_piece * motion_.step());
+    response_->turn(passed.turned_at(border));
+    turned_ = response_->states().size() - 1;
+    borders = {border};
+    ++change;
+  }
+  respond(passed, borders, instants_to_a_piece * motion_.step());
   if (!motion_.rests_behind) return;
   const double end = motion_.end(), watched = length_watched(passed.resting());
   respond(passed, {end, end + watched}, passed.vibrates_behind ? 0.5 / lowest_ : watched);
@@ -36,24 +47,28 @@ ModalTransient::ModalTransient(OpenMotion motion, const PassedOnce& passed)
 
 void ModalTransient::respond(const PassedOnce& passed, const std::vector<double>& borders,
                              double longest_piece) {
+  Eigen::Index modes = 0;
   const auto ask = [&](double time) {
     const PassedPosture at = passed.posture_at(time);
-    modes_ = at.posture.squares.size();
-    lowest_ = std::min(lowest_, std::sqrt(at.posture.squares[0]) / full_turn);
-    fastest_ = std::max(fastest_, std::sqrt(at.posture.squares.tail<1>()[0]) / full_turn);
+    const Eigen::VectorXd& squares = at.posture.squares;
+    modes = squares.size();
+    lowest_ = std::min(lowest_, lowest_frequency_of(squares));
+    fastest_ = std::max(fastest_, std::sqrt(squares[modes - 1]) / full_turn);
     return packed_with(aligned(at.posture), at.beside);
   };
   // Behind the end postures change no faster than modes do.
   const double shortest = response_ ? 0.5 / fastest_ : motion_.step();
-  const ChebyshevCurve& curve = curves_.emplace_back(
+  ChebyshevCurve made(
       ask, ChebyshevCurve::Division{borders, longest_piece, std::min(shortest, longest_piece)},
       passed.accuracy);
+  const ChebyshevCurve& curve =
+      passages_.emplace_back(Passage{borders.back(), std::move(made), modes}).curve;
   constexpr double steps_to_a_period = 20.0, steps_to_a_piece = 2.0;
   double longest_step = 1.0 / (steps_to_a_period * fastest_);
   if (borders.front() < motion_.end())
     longest_step = std::min(longest_step, curve.shortest_piece() / steps_to_a_piece);
   const auto equations = [&](double time) {
-    return unpacked_from(curve.at(time, size_of_equations(modes_)), modes_);
+    return unpacked_from(curve.at(time, size_of_equations(modes)), modes);
   };
   if (response_) {
     response_->go_on(equations, borders, longest_step);
@@ -71,15 +86,17 @@ double ModalTransient::length_watched(const RestingModes& rest) const {
   const Eigen::MatrixXd& turn = rest.posture.turn;
   const Eigen::MatrixXd& damping = rest.posture.damping;
   const Eigen::VectorXd& stress = rest.stresses;
-  Eigen::VectorXd largest = Eigen::VectorXd::Zero(modes_);
-  for (const ModalState& state : response_->states())
-    largest = largest.cwiseMax((turn * state.eta).cwiseAbs());
+  const Eigen::Index modes = stress.size();
+  Eigen::VectorXd largest = Eigen::VectorXd::Zero(modes);
+  const std::vector<ModalState>& states = response_->states();
+  for (std::size_t i = turned_; i < states.size(); ++i)
+    largest = largest.cwiseMax((turn * states[i].eta).cwiseAbs());
   const double level = gone * stress.cwiseProduct(largest).maxCoeff();
-  const ModalState& last = response_->states().back();
+  const ModalState& last = states.back();
   const Eigen::VectorXd statically = rest.posture.force.cwiseQuotient(rest.posture.squares);
   const Eigen::VectorXd beside = turn * last.eta - statically, speed = turn * last.speed;
   double dies_out = 0.0;
-  for (Eigen::Index j = 0; j < modes_; ++j) {
+  for (Eigen::Index j = 0; j < modes; ++j) {
     const double omega = full_turn * rest.frequencies[j];
     const double amplitude = stress[j] * std::hypot(beside[j], speed[j] / omega);
     if (amplitude <= level) continue;
@@ -102,11 +119,14 @@ double ModalTransient::length_watched(const RestingModes& rest) const {
 }
 
 Eigen::VectorXd ModalTransient::beside_at(double time) const {
-  const double end = motion_.end();
-  const bool behind = time > end && curves_.size() > 1;
-  const Eigen::VectorXd all = behind ? curves_.back().at(std::min(time, response_->times().back()))
-                                     : curves_.front().at(std::clamp(time, motion_.begin, end));
-  return all.tail(all.size() - size_of_equations(modes_));
+  time = std::clamp(time, motion_.begin, response_->times().back());
+  auto of = passages_.begin();
+  // At a change what is behind it, at the end of the motion what is before it.
+  while (of + 1 != passages_.end() &&
+         (time > of->until || (time == of->until && time < motion_.end())))
+    ++of;
+  const Eigen::VectorXd all = of->curve.at(time);
+  return all.tail(all.size() - size_of_equations(of->modes));
 }
 
 LoadSpan ModalTransient::span_of(const LoadSpan& rigid) const {

@@ -34,6 +34,10 @@ struct PassedOnce {
   std::function<RestingModes()> resting;
   /// Whether postures change behind an end at rest, no faster than the modes.
   bool vibrates_behind = false;
+  /// Of the borders those at which modes change at once, for others act from there on, ascending.
+  std::vector<double> changes = {};
+  /// At one of them: what turns coordinates into those behind, of which the postures then are.
+  std::function<Eigen::MatrixXd(double time)> turned_at = {};
 };
 
 /// Coordinates of modes over a motion that does not repeat, from its beginning:
@@ -42,9 +46,10 @@ struct PassedOnce {
 ///
 /// (`TransientResponse`), at rest or under way without a free vibration (`state_at_begin`); C, K, p
 /// and what is asked beside them by polynomials between borders (`ChebyshevCurve`), from pieces of
-/// eight instants on. Where the motion ends at rest the free vibration is followed until it is down
-/// to a twentieth of the largest stress that coordinates made, for three periods of the lowest mode
-/// at least where it does not die out, for one and a half in any case.
+/// eight instants on. Where modes change at once, motion and momentum go on. Where the motion ends
+/// at rest the free vibration is followed until it is down to a twentieth of the largest stress
+/// that coordinates made, for three periods of the lowest mode at least where it does not die out,
+/// for one and a half in any case.
 class ModalTransient {
  public:
   /// Asks at construction only.
@@ -66,9 +71,15 @@ class ModalTransient {
   double length_watched(const RestingModes& rest) const;
 
   OpenMotion motion_;
-  std::vector<ChebyshevCurve> curves_;  ///< of the motion, and behind it
+  /// A time in which the same modes are passed.
+  struct Passage {
+    double until = 0.0;
+    ChebyshevCurve curve;
+    Eigen::Index modes = 0;
+  };
+  std::vector<Passage> passages_;  ///< of the motion, and behind it
   std::optional<TransientResponse> response_;
-  Eigen::Index modes_ = 0;
+  std::size_t turned_ = 0;  ///< state from which on coordinates are those of the end
   double lowest_ = 1e300, fastest_ = 0.0;
 };
 

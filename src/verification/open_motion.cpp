@@ -36,8 +36,11 @@ OpenMotion open_motion_of(const planar::Mechanism& mechanism, const planar::Moti
 
 OpenMotion open_motion_of(const spatial::Chain& chain, const LoadSpan& span) {
   const double begin = span.begin.value(), length = span.period.value();
+  // What forces move begins to move at once, and nothing holds it at its end.
   const spatial::EndsAtRest rests =
-      spatial::ends_at_rest_of(chain, {begin, length, false, span.instants});
+      chain.forced() != nullptr
+          ? spatial::EndsAtRest{}
+          : spatial::ends_at_rest_of(chain, {begin, length, false, span.instants});
   std::vector<double> breaks;
   for (const Time& at : span.breaks) breaks.push_back(at.value());
   return {begin,       length,   span.instants, borders_with(begin, length, breaks),

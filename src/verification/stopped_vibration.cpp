@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "boxbeam/core/angle.hpp"
+#include "boxbeam/core/error.hpp"
 #include "boxbeam/verification/front_end.hpp"
 #include "stopped_scene.hpp"
 
@@ -54,6 +56,37 @@ Eigen::VectorXd cuts_of_scene(const frame::VibratingScene& scene) {
   for (const frame::Tie& tie : scene.ties)
     if (tie.rigid) add(*tie.rigid * frame::Vector6::Unit(tie.way()));
   return cuts;
+}
+
+/// Adds what axial forces do to the modes of a scene that is free to move. What is slower than its
+/// bodies turn moves these as a whole, whose turning the rigid motion has.
+void press_free(const frame::VibratingScene& scene, const std::vector<frame::BeamMode>& modes,
+                const std::vector<frame::Turning>& frames, frame::TurningTerms& turning) {
+  constexpr double faster = 2.0;
+  turning.of_size += frame::geometric_stiffness_of(scene, modes);
+  double turned = 0.0;
+  for (const frame::Turning& of : frames)
+    turned = std::max({turned, of.omega.squaredNorm(), of.alpha.norm()});
+  for (std::size_t j = 0; j < modes.size(); ++j) {
+    const double omega = full_turn * modes[j].frequency;
+    if (omega * omega > faster * faster * turned) continue;
+    const auto at = static_cast<Eigen::Index>(j);
+    for (Eigen::MatrixXd* const of : {&turning.of_rate, &turning.of_size}) {
+      of->row(at).setZero();
+      of->col(at).setZero();
+    }
+  }
+  Eigen::MatrixXd stiffness = 0.5 * (turning.of_size + turning.of_size.transpose());
+  for (std::size_t j = 0; j < modes.size(); ++j)
+    stiffness.diagonal()[static_cast<Eigen::Index>(j)] +=
+        std::pow(full_turn * modes[j].frequency, 2);
+  const Eigen::Index elastic = std::count_if(
+      modes.begin(), modes.end(), [](const frame::BeamMode& of) { return of.frequency > 0.0; });
+  if (elastic == 0) return;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+      stiffness.bottomRightCorner(elastic, elastic), Eigen::EigenvaluesOnly);
+  if (!(solver.eigenvalues()[0] > 0.0))
+    throw AnalysisError({"under its axial force the beam buckles", "beam", {}, {}, {}});
 }
 
 }  // namespace
@@ -130,13 +163,23 @@ frame::VibratingScene StoppedVibration::scene_in(const spatial::State& state,
   if (!beside_.empty() || !giving_.empty()) wrenches = chain_->joint_wrenches(state);
   StoppedScene stopped = stopped_scene(chain_->mechanism(), state, placements_, giving_, wrenches);
   leave_out_resting(members_, placements_.size(), stopped);
-  return {beams_in(state, rigid, wrenches), std::move(stopped.bodies), std::move(stopped.ties)};
+  return {beams_in(state, rigid, wrenches), std::move(stopped.bodies), std::move(stopped.ties),
+          freedoms()};
+}
+
+std::size_t StoppedVibration::freedoms() const {
+  const std::vector<spatial::Joint>& joints = chain_->mechanism().joints;
+  return static_cast<std::size_t>(std::count_if(joints.begin(), joints.end(), spatial::is_forced));
 }
 
 std::vector<frame::BeamMode> StoppedVibration::modes(const spatial::State& state,
                                                      const CutForceDiagram& rigid,
                                                      std::size_t count) {
-  return frame::modes_of(scene_in(state, rigid), count, ties_);
+  std::vector<frame::BeamMode> modes =
+      frame::modes_of(scene_in(state, rigid), count + freedoms(), ties_);
+  std::erase_if(modes, [](const frame::BeamMode& of) { return of.frequency == 0.0; });
+  if (modes.size() > count) modes.resize(count);
+  return modes;
 }
 
 Eigen::VectorXd StoppedVibration::rigid_cuts(const spatial::State& state,
@@ -169,6 +212,7 @@ ModesInMotion StoppedVibration::modes_in_motion(const spatial::State& state,
     roots.push_back(roots_[i]);
   }
   result.turning = frame::turning_terms_of(scene, result.modes, frames);
+  if (scene.may_move > 0) press_free(scene, result.modes, frames, result.turning);
   const Eigen::VectorXd cuts = cuts_of_scene(scene);
   const auto size = static_cast<Eigen::Index>(result.modes.size());
   result.force.resize(size);

@@ -33,7 +33,8 @@ struct ModesInMotion {
 /// Vibration of the beams of a mechanism in space, which is stopped in a posture: all beams of the
 /// case and its rods by their section elastic, joints that have a stiffness as well, other bodies,
 /// rods and drives rigid, other joints free as they are, springs elastic. Friction holds nothing.
-/// Its axial force softens or stiffens each beam and rod that is a body; what presses other bodies,
+/// Where forces move the mechanism it is free to move as far as they do (`VibratingScene`). Its
+/// axial force softens or stiffens each beam and rod that is a body; what presses other bodies,
 /// springs and rods without mass does not.
 class StoppedVibration {
  public:
@@ -43,12 +44,16 @@ class StoppedVibration {
   StoppedVibration(const Project& project, const spatial::Chain& chain, int parts,
                    bool loaded = false);
 
-  /// In the posture of a state, `rigid` the verified beam's cut forces then. Throws AnalysisError
-  /// where the stopped mechanism is free to move, or buckles.
-  std::vector<frame::BeamMode> modes(const spatial::State& state, const CutForceDiagram& rigid,
-                                     std::size_t count);
+  /// In how many ways forces move the mechanism: so many modes may have the frequency zero.
+  std::size_t freedoms() const;
 
-  /// The same modes of a posture that is passed in motion.
+  /// In the posture of a state, `rigid` the verified beam's cut forces then. Throws AnalysisError
+  /// where the stopped mechanism is free to move otherwise, or buckles.
+  std::vector<frame::BeamMode> modes(const spatial::State& state, const CutForceDiagram& rigid,
+                                     std::size_t count);  ///< none of frequency zero
+
+  /// The same modes of a posture that is passed in motion. Where forces move it, axial forces are
+  /// in what turning adds, between modes that are faster than twice the turning.
   ModesInMotion modes_in_motion(const spatial::State& state, const CutForceDiagram& rigid,
                                 std::size_t count);
 

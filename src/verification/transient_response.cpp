@@ -1,6 +1,7 @@
 #include "boxbeam/verification/transient_response.hpp"
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -94,6 +95,12 @@ void TransientResponse::go_on(const EquationsAt& equations, const std::vector<do
   }
 }
 
+void TransientResponse::turn(const Eigen::MatrixXd& by) {
+  ModalState& last = states_.back();
+  last.eta = by * last.eta;
+  last.speed = by * last.speed;
+}
+
 UncoupledResponse uncoupled_response(const std::function<Eigen::VectorXd(double time)>& force,
                                      const Eigen::VectorXd& damping,
                                      const Eigen::VectorXd& stiffness,
@@ -152,8 +159,12 @@ ModalState TransientResponse::at(double time) const {
 }
 
 ModalState resting(const ModalEquations& equations) {
-  return {equations.stiffness.partialPivLu().solve(equations.force),
-          Eigen::VectorXd::Zero(equations.force.size())};
+  // Far below what the stiffness of a mode that is counted is beside that of another.
+  constexpr double none = 1e-12;
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> stiffness;
+  stiffness.setThreshold(none);
+  stiffness.compute(equations.stiffness);
+  return {stiffness.solve(equations.force), Eigen::VectorXd::Zero(equations.force.size())};
 }
 
 ModalState moving_with(const std::array<Eigen::VectorXd, 3>& eta, double h) {

@@ -71,7 +71,7 @@ std::string obstacle_to_vibration_in_space(const std::deque<SituationRun>& rigid
 double vibration_missed_in_space(const Project& project, const ModelChoice& model);
 
 /// At instants evenly spread over a run and about the lowest first frequency. Of loads whose edges
-/// are steeper than the instants the frequencies alone. Precondition: forces move nothing.
+/// are steeper than the instants the frequencies alone.
 VibrationInSpace estimate_vibration_in_space(const Project& project, const SituationRun& run,
                                              int parts = 8);
 

@@ -43,7 +43,11 @@ class TransientResponse {
   /// Goes on from the end over further borders.
   void go_on(const EquationsAt& equations, const std::vector<double>& borders, double longest_step);
 
-  /// At a time of the span [s]; before it the start, behind it the end.
+  /// From the end on in other coordinates, `by` times those before; there may be more or fewer.
+  void turn(const Eigen::MatrixXd& by);
+
+  /// At a time of the span [s]; before it the start, behind it the end; where coordinates turn,
+  /// those behind.
   ModalState at(double time) const;
 
   /// The ends of all steps with the beginning [s], and the states there.
@@ -72,7 +76,7 @@ UncoupledResponse uncoupled_response(const std::function<Eigen::VectorXd(double 
                                      const std::vector<double>& borders, const ModalState& start,
                                      double longest_step);
 
-/// The state of rest under constant equations: K eta = p.
+/// The state of rest under constant equations: K eta = p, of what moves without force none.
 ModalState resting(const ModalEquations& equations);
 
 /// The state that goes through three values at steps of h, at the first, by the parabola.

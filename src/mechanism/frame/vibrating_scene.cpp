@@ -1,6 +1,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <tuple>
 #include <utility>
 
 #include "boxbeam/core/angle.hpp"
@@ -78,6 +80,12 @@ double axial_force_in(const PosedBeam& posed, const VibratingBeam::Piece& piece)
   return posed.rigid.at({si<Length>(0.5 * (piece.from + piece.to))}).N.value();
 }
 
+Matrix12 pressed_stiffness_of(const VibratingScene& scene, const PosedBeam& posed,
+                              const VibratingBeam::Piece& piece) {
+  if (scene.may_move > 0) return Matrix12::Zero();
+  return geometric_block(axial_force_in(posed, piece), piece.to - piece.from);
+}
+
 /// Line loads that keep the forces on a piece's ends in balance, and the cut forces under them.
 void add_inertia_of_piece(const Vector12& forces, const Vector12& by_axial_force, double from,
                           double h, BeamMode& mode) {
@@ -139,7 +147,7 @@ BeamMode mode_of_coordinates(const VibratingScene& scene, const SceneRows& rows,
       if (b == 0) {
         const double h = piece.to - piece.from;
         // What its neighbours do to its ends: elasticity, axial force and inertia together.
-        const Vector12 by_axial_force = geometric_block(axial_force_in(posed, piece), h) * ends;
+        const Vector12 by_axial_force = pressed_stiffness_of(scene, posed, piece) * ends;
         add_inertia_of_piece((piece.stiffness - omega * omega * piece.mass) * ends + by_axial_force,
                              by_axial_force, piece.from, h, mode);
       }
@@ -147,7 +155,9 @@ BeamMode mode_of_coordinates(const VibratingScene& scene, const SceneRows& rows,
         const Vector6 strain = sample.strain * ends, force = sample.cut * ends;
         mode.work.segment<6>(at) = sample.weight * strain;
         at += 6;
-        const Vector6 energy = sample.weight * force.cwiseProduct(strain) / (omega * omega);
+        const Vector6 energy =
+            omega > 0.0 ? Vector6(sample.weight * force.cwiseProduct(strain) / (omega * omega))
+                        : Vector6(Vector6::Zero());
         if (b > 0) {
           mode.energy[5] += energy.sum();
           continue;
@@ -193,9 +203,76 @@ MatrixXd inertia_of(const VibratingScene& scene, const SceneRows& rows, const Ma
   return forces;
 }
 
-/// Of a piece under its axial force.
-Matrix12 stiffness_of(const PosedBeam& posed, const VibratingBeam::Piece& piece) {
-  return piece.stiffness + geometric_block(axial_force_in(posed, piece), piece.to - piece.from);
+/// Of a piece with what is counted of its axial force.
+Matrix12 stiffness_of(const VibratingScene& scene, const PosedBeam& posed,
+                      const VibratingBeam::Piece& piece) {
+  return piece.stiffness + pressed_stiffness_of(scene, posed, piece);
+}
+
+/// The square of the frequency of a beam of the scene that bows by a parabola, the lowest.
+double square_of_bending(const VibratingScene& scene) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const PosedBeam& posed : scene.beams) {
+    // Shifts along y and z and the turns that go with them.
+    for (const auto& [shift, turn, sign] :
+         {std::tuple<Index, Index, double>{1, 5, 1.0}, {2, 4, -1.0}}) {
+      double elastic = 0.0, moved = 0.0;
+      for (const VibratingBeam::Piece& piece : posed.beam->pieces()) {
+        Vector12 ends = Vector12::Zero();
+        for (const auto& [at, s] : {std::pair<Index, double>{0, piece.from}, {6, piece.to}}) {
+          ends[at + shift] = s * s;
+          ends[at + turn] = 2.0 * sign * s;
+        }
+        elastic += ends.dot(piece.stiffness * ends);
+        moved += ends.dot(piece.mass * ends);
+      }
+      if (moved > 0.0) lowest = std::min(lowest, elastic / moved);
+    }
+  }
+  return lowest;
+}
+
+void add_masses_of_bodies(const HeldScene& held, double factor, MatrixSum& sum) {
+  each_block(
+      held.scene(), held.rows(), [](const PosedBeam&, const VibratingBeam::Piece&, Index) {},
+      [&](const RigidMass& body, Index row) {
+        const Index at = held.kept_row(row);
+        sum.add(at, at, factor * body.mass * Matrix3d::Identity());
+        sum.add(at + 3, at + 3, factor * body.inertia);
+      });
+}
+
+[[noreturn]] void refuse_to_move(const VibratingScene& scene) {
+  refuse(scene.may_move > 0 ? "it is free to move by more than what forces move, or without mass"
+                            : "with its drivers held it is free to move, or buckles");
+}
+
+/// What moves without force is not strained, but by round-off.
+void unload(BeamMode& mode) {
+  mode.work.setZero();
+  for (PointLoad& load : mode.loads.points) {
+    load.force.setZero();
+    load.moment.setZero();
+  }
+  for (LineLoad& line : mode.loads.lines) {
+    line.force = {};
+    line.couple = {};
+  }
+  for (CutForcePiece& piece : mode.cut.pieces) {
+    piece.N = {};
+    piece.T = {};
+    piece.V_y = piece.V_z = {};
+    piece.M_y = piece.M_z = {};
+  }
+}
+
+/// A column for each mode, in the axes of the scene.
+MatrixXd motions_of(const std::vector<BeamMode>& modes) {
+  if (modes.empty()) return {};
+  MatrixXd motions(modes.front().motion.size(), static_cast<Index>(modes.size()));
+  for (Index j = 0; j < motions.cols(); ++j)
+    motions.col(j) = modes[static_cast<std::size_t>(j)].motion;
+  return motions;
 }
 
 /// Forces of elasticity and of viscosity.
@@ -209,7 +286,7 @@ ForcesOfMotion forces_of(const HeldScene& held, const VectorXd& coordinates) {
       held.scene(), held.rows(),
       [&](const PosedBeam& posed, const VibratingBeam::Piece& piece, Index row) {
         const Vector12 ends = coordinates.segment<12>(row);
-        of.elastic.segment<12>(row) += stiffness_of(posed, piece) * ends;
+        of.elastic.segment<12>(row) += stiffness_of(held.scene(), posed, piece) * ends;
         of.viscous.segment<12>(row) += posed.beam->retardation() * piece.stiffness * ends;
       },
       [](const RigidMass&, Index) {});
@@ -242,7 +319,7 @@ void add_ties(const HeldScene& held, const VectorXd& coordinates, const VectorXd
   for (const Tied& tied : ties.elastic) {
     const double gap = tied.gap.of(coordinates), force = tied.tie->stiffness * gap;
     put(*tied.tie, -force);
-    mode.energy[4] += force * gap / (omega * omega);
+    if (omega > 0.0) mode.energy[4] += force * gap / (omega * omega);
   }
   const Index on_beams = mode.work.size();
   mode.work.conservativeResize(on_beams + static_cast<Index>(6 * ties.giving.size()));
@@ -270,15 +347,18 @@ std::vector<BeamMode> modes_of(const VibratingScene& scene, std::size_t count, K
   const HeldScene held(scene, {}, last);
   const SceneRows& rows = held.rows();
   if (held.free() == 0) return {};
+  // Where motions need no force, of K + shift M: its modes are the same.
+  const double shift = scene.may_move > 0 ? square_of_bending(scene) : 0.0;
   SceneStiffness stiffness;
   for (const PosedBeam& posed : scene.beams) {
     auto& pieces = stiffness.pieces.emplace_back();
     for (const VibratingBeam::Piece& piece : posed.beam->pieces())
-      pieces.push_back(stiffness_of(posed, piece));
+      pieces.push_back(stiffness_of(scene, posed, piece) + shift * piece.mass);
   }
   stiffness.beside = held.elastic_ties();
+  if (shift > 0.0) add_masses_of_bodies(held, shift, stiffness.beside);
   const auto standing = held.standing(stiffness);
-  if (!standing) refuse("with its drivers held it is free to move, or buckles");
+  if (!standing) refuse_to_move(scene);
   VectorXd unit(rows.size);
   for (Index k = 0; k < rows.size; ++k) unit[k] = unit_of_row(k, held.ties().length);
   const LowestModes found =
@@ -289,18 +369,58 @@ std::vector<BeamMode> modes_of(const VibratingScene& scene, std::size_t count, K
   const auto own = static_cast<Index>(6 * scene.beams.front().beam->nodes().size());
   std::vector<BeamMode> modes;
   for (Index k = 0; k < found.mu.size(); ++k) {
-    const double omega = 1.0 / std::sqrt(found.mu[k]);
-    const VectorXd coordinates = found.modes.col(k) * omega;
-    // Of elastic energy one half.
+    // Below it a shift leaves nothing that can be told from round-off.
+    constexpr double none = 1e-7;
+    double square = 1.0 / found.mu[k] - shift;
+    if (square <= none * shift) square = 0.0;
+    if (square == 0.0 && modes.size() >= scene.may_move) refuse_to_move(scene);
+    const double omega = std::sqrt(square);
+    const VectorXd coordinates = found.modes.col(k) / std::sqrt(found.mu[k]);
+    // Of energy one half.
     if (round_off * found.modes.col(k).cwiseQuotient(unit).squaredNorm() > 1e-3)
-      refuse("with its drivers held it is free to move");
+      refuse_to_move(scene);
     const VectorXd inertia = inertia_of(scene, rows, coordinates);
     BeamMode& mode = modes.emplace_back(mode_of_coordinates(scene, rows, coordinates, omega));
     mode.motion = in_scene_axes(scene, rows, coordinates);
     mode.own_mass = coordinates.head(own).dot(inertia.head(own));
     add_ties(held, coordinates, inertia, omega, mode);
+    if (omega == 0.0) unload(mode);
   }
   return modes;
+}
+
+MatrixXd geometric_stiffness_of(const VibratingScene& scene, const std::vector<BeamMode>& modes) {
+  const SceneRows rows = rows_of(scene);
+  const MatrixXd motions = motions_of(modes);
+  MatrixXd sum = MatrixXd::Zero(motions.cols(), motions.cols());
+  for (std::size_t b = 0; b < scene.beams.size(); ++b) {
+    const PosedBeam& posed = scene.beams[b];
+    const Matrix12 into = into_beam_axes(posed);
+    Index row = rows.beams[b];
+    for (const VibratingBeam::Piece& piece : posed.beam->pieces()) {
+      const MatrixXd ends = into * motions.middleRows<12>(row);
+      row += 6;
+      sum += ends.transpose() *
+             geometric_block(axial_force_in(posed, piece), piece.to - piece.from) * ends;
+    }
+  }
+  return sum;
+}
+
+MatrixXd masses_between(const VibratingScene& scene, const std::vector<BeamMode>& modes,
+                        const std::vector<BeamMode>& others) {
+  const SceneRows rows = rows_of(scene);
+  MatrixXd motions = motions_of(modes), moved = motions_of(others);
+  for (MatrixXd* const of : {&motions, &moved}) {
+    for (std::size_t b = 0; b < scene.beams.size(); ++b) {
+      const auto triples = static_cast<Index>(2 * scene.beams[b].beam->nodes().size());
+      for (auto column : of->colwise()) {
+        auto own = column.segment(rows.beams[b], 3 * triples).reshaped(3, triples);
+        own = (scene.beams[b].axes.transpose() * own).eval();
+      }
+    }
+  }
+  return motions.transpose() * inertia_of(scene, rows, moved);
 }
 
 TurningTerms turning_terms_of(const VibratingScene& scene, const std::vector<BeamMode>& modes,
@@ -313,8 +433,7 @@ TurningTerms turning_terms_of(const VibratingScene& scene, const std::vector<Bea
     sum.of_rate += motions.transpose() * of.of_rate * motions;
     sum.of_size += motions.transpose() * of.of_size * motions;
   };
-  MatrixXd motions(rows.size, count);
-  for (Index j = 0; j < count; ++j) motions.col(j) = modes[static_cast<std::size_t>(j)].motion;
+  const MatrixXd motions = motions_of(modes);
   for (std::size_t b = 0; b < scene.beams.size(); ++b) {
     const PosedBeam& posed = scene.beams[b];
     const Matrix12 into = into_beam_axes(posed);

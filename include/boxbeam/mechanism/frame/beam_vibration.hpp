@@ -45,7 +45,7 @@ struct Tie {
 
 /// A free vibration, of modal mass one.
 struct BeamMode {
-  double frequency = 0.0;  ///< [Hz]
+  double frequency = 0.0;  ///< [Hz]; none of what moves without force
   CutForceDiagram cut;     ///< along the first beam, per unit of the mode
   /// What acts on the first beam in it, ties and inertia, which is in balance; one point load for
   /// every name and place of a tie. Its line loads are linear on every piece, with the force and
@@ -167,6 +167,10 @@ struct VibratingScene {
   std::vector<PosedBeam> beams;
   std::vector<RigidMass> bodies = {};
   std::vector<Tie> ties = {};
+  /// So many of its motions may need no force: modes of frequency zero, which come first, strain
+  /// nothing and load nothing. Then axial forces are left out of all (`geometric_stiffness_of`):
+  /// what they do to whole bodies is only right with the turns of all that presses these.
+  std::size_t may_move = 0;
 };
 
 struct EliminatedTies;
@@ -186,6 +190,14 @@ using KeptTies = std::shared_ptr<EliminatedTies>;
 /// `last`: what is kept from one posture of a scene to the next.
 std::vector<BeamMode> modes_of(const VibratingScene& scene, std::size_t count, KeptTies& last);
 std::vector<BeamMode> modes_of(const VibratingScene& scene, std::size_t count);
+
+/// phi_i^T K_g phi_j of the axial forces of the beams.
+Eigen::MatrixXd geometric_stiffness_of(const VibratingScene& scene,
+                                       const std::vector<BeamMode>& modes);
+
+/// phi_i^T M psi_j between modes of a scene whose beams, bodies and posture are the same.
+Eigen::MatrixXd masses_between(const VibratingScene& scene, const std::vector<BeamMode>& modes,
+                               const std::vector<BeamMode>& others);
 
 /// Above it round-off is more than what a tie gives.
 inline constexpr double stiff_as_rigid = 1e4;
