@@ -1,0 +1,278 @@
+// Vibration of a beam in space whose mechanism forces move, against ordinary finite elements, a
+// double pendulum of rigid bodies and what must hold in every motion.
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "boxbeam/core/error.hpp"
+#include "catch.hpp"
+#include "support/space_arm.hpp"
+#include "support/space_elements.hpp"
+
+namespace elastic_by_forces_test {
+
+using namespace boxbeam;
+using namespace test::space_arm;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double g = 9.81;
+
+/// The arm on a hub that falls along z, on a spring below it, with a load beside its tip.
+struct Falling {
+  double hub = 300.0, load = 30.0;  ///< [kg]
+  double stiffness = 2e5;           ///< of what is below [N/m]
+  double start = 0.0, rate = 0.0;   ///< above its free length [m, m/s]
+  std::string acts = "both ways";
+  double duration = 1.0;  ///< [s]
+  Vector3d centre{0.1, 0.3, -0.2};
+  Vector3d inertia{2.0, 1.0, 1.5};
+
+  std::string text() const {
+    return fmt::format(R"(
+[bodies.hub]
+mass = "{:.15g} kg"
+points = {{ o = ["0 m", "0 m", "0 m"] }}
+[bodies.load]
+mass = "{:.15g} kg"
+centre = ["{:.15g} m", "{:.15g} m", "{:.15g} m"]
+inertia = ["{:.15g} kg m^2", "{:.15g} kg m^2", "{:.15g} kg m^2"]
+points = {{ c = ["0 m", "0 m", "0 m"] }}
+[joints.fall]
+kind = "prismatic"
+connect = ["ground", "hub.o"]
+at = ["0 m", "0 m", "0 m"]
+axis = "z"
+moved_by = "forces"
+start = "{:.15g} m"
+start_rate = "{:.15g} m/s"
+[joints.root]
+kind = "fixed"
+connect = ["hub.o", "arm.heel"]
+[joints.tip]
+kind = "fixed"
+connect = ["arm.tip", "load.c"]
+[forces.below]
+kind = "spring"
+connect = ["ground", "hub.o"]
+at = ["0 m", "0 m", "-1 m"]
+stiffness = "{:.15g} N/m"
+free_length = "1 m"
+acts = "{}"
+[motion]
+duration = "{:.15g} s"
+)",
+                       hub, load, centre.x(), centre.y(), centre.z(), inertia.x(), inertia.y(),
+                       inertia.z(), start, rate, stiffness, acts, duration);
+  }
+  Moved moved() const {
+    std::string all = arm(text(), "density = \"7850 kg/m^3\"\n");
+    const std::string weightless = "\"0 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"";
+    all.replace(all.find(weightless), weightless.size(),
+                "\"0 m/s^2\", \"0 m/s^2\", \"-9.81 m/s^2\"");
+    return Moved(all);
+  }
+};
+
+/// The same by ordinary elements: nodes from the heel on, of which the heel only falls.
+class FallingElements {
+ public:
+  FallingElements(const TaperedBeam& beam, const Falling& of)
+      : of_(of),
+        whole_(test::space_elements::assembled(beam, of.load, of.centre, of.inertia.asDiagonal())) {
+    whole_.M(2, 2) += of.hub;
+    h_ = beam.length().value() / 60.0;
+    element_ = test::space_elements::element(section_at(beam, {si<Length>(0.5 * h_)}), h_,
+                                             beam.density.value());
+    for (Index i = 0; i < whole_.M.rows(); ++i)
+      if (i == 2 || i > 5) free_.push_back(i);
+    up_ = VectorXd::Zero(whole_.M.rows());
+    for (Index i = 2; i < up_.size(); i += 6) up_[i] = 1.0;
+    mass_ = up_.dot(whole_.M * up_);
+  }
+
+  double mass() const { return mass_; }
+  const VectorXd& up() const { return up_; }
+
+  /// Frequencies and modes of modal mass one, with the spring or without it.
+  struct Modes {
+    VectorXd squares;
+    MatrixXd shapes;
+  };
+  Modes modes(bool on_spring) const {
+    MatrixXd K = whole_.K(free_, free_);
+    if (on_spring) K(0, 0) += of_.stiffness;
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(K, whole_.M(free_, free_));
+    Modes modes{solver.eigenvalues(), MatrixXd::Zero(up_.size(), K.cols())};
+    for (std::size_t i = 0; i < free_.size(); ++i)
+      modes.shapes.row(free_[i]) = solver.eigenvectors().row(static_cast<Index>(i));
+    return modes;
+  }
+  /// Forces on all nodes, mass times what it is moved by.
+  VectorXd inertia(const VectorXd& acceleration) const { return whole_.M * acceleration; }
+
+  /// The six cut forces at a node.
+  Cuts cuts_at(Index node, const VectorXd& y, const VectorXd& acceleration) const {
+    const VectorXd ends = y.segment<12>(6 * node);
+    const VectorXd moved = (acceleration + g * up_).segment<12>(6 * node);
+    return -(element_.K * ends + element_.M * moved).head<6>();
+  }
+  double station(Index node) const { return static_cast<double>(node) * h_; }
+
+ private:
+  Falling of_;
+  test::space_elements::Assembled whole_;
+  test::space_elements::Element element_;
+  double h_ = 0.0, mass_ = 0.0;
+  std::vector<Index> free_;
+  VectorXd up_;
+};
+
+}  // namespace
+
+// M y'' + K y = -M g of sixty elements, y = y_s + sum of modes, from the rigid motion z = -s + (z_0
+// + s) cos(W t) + v_0/W sin(W t), W^2 = k/m, s = m g/k, and what follows it statically.
+TEST_CASE("an arm that bounces on a spring vibrates as finite elements do", "[elastic_by_forces]") {
+  Falling falling;
+  falling.start = 0.03;
+  falling.rate = -0.4;
+  const Moved moved = falling.moved();
+  const ElasticMotionInSpace elastic = moved.by(5, 16);
+  const FallingElements elements(moved.project.beam, falling);
+  const FallingElements::Modes modes = elements.modes(true);
+  const double W = std::sqrt(falling.stiffness / elements.mass()),
+               sag = elements.mass() * g / falling.stiffness;
+  const auto rigid = [&](double t, int rate) {
+    const double a = falling.start + sag, b = falling.rate / W, phase = W * t;
+    switch (rate) {
+      case 0: return -sag + a * std::cos(phase) + b * std::sin(phase);
+      case 1: return W * (-a * std::sin(phase) + b * std::cos(phase));
+      case 2: return -W * W * (a * std::cos(phase) + b * std::sin(phase));
+      default: return -W * W * W * (-a * std::sin(phase) + b * std::cos(phase));
+    }
+  };
+  // What the rigid motion leaves: -(M up (z'' + g) + k z at the heel).
+  const VectorXd by_mass = modes.shapes.transpose() * elements.inertia(elements.up()),
+                 at_heel = falling.stiffness * modes.shapes.row(2).transpose();
+  const VectorXd
+      balance =
+          -(by_mass * (rigid(0.0, 2) + g) + at_heel * rigid(0.0, 0)).cwiseQuotient(modes.squares),
+      rate = -(by_mass * rigid(0.0, 3) + at_heel * rigid(0.0, 1)).cwiseQuotient(modes.squares);
+  const VectorXd omega = modes.squares.cwiseSqrt(),
+                 sagged = -g * by_mass.cwiseQuotient(modes.squares);
+  // Of y: by_mass is what `up` is of each mode.
+  const VectorXd from = by_mass * rigid(0.0, 0) + balance - sagged,
+                 speed = by_mass * rigid(0.0, 1) + rate;
+  double largest = 0.0, apart = 0.0, rigidly = 0.0;
+  constexpr Index node = 15;
+  for (int i = 0; i <= 400; ++i) {
+    const double t = falling.duration * i / 400.0;
+    const VectorXd phase = omega * t;
+    const VectorXd vibrating =
+        from.cwiseProduct(phase.array().cos().matrix()) +
+        speed.cwiseQuotient(omega).cwiseProduct(phase.array().sin().matrix());
+    const VectorXd y = modes.shapes * (sagged + vibrating),
+                   acceleration = -modes.shapes * modes.squares.cwiseProduct(vibrating);
+    const Cuts expected = elements.cuts_at(node, y, acceleration),
+               found = cuts_of(elastic.loads_at(si<Time>(t)), elements.station(node)),
+               stiff = cuts_of(moved.rigid().loads_at(si<Time>(t)), elements.station(node));
+    largest = std::max(largest, expected.tail<3>().norm());
+    apart = std::max(apart, (found - expected).tail<3>().norm());
+    rigidly = std::max(rigidly, (stiff - expected).tail<3>().norm());
+    CHECK(imbalance(elastic.loads_at(si<Time>(t)), 4.0) < 1e-9);
+  }
+  INFO("largest " << largest << ", apart " << apart << ", of rigid bodies " << rigidly);
+  CHECK(apart < 5e-3 * largest);
+  CHECK(rigidly > 0.1 * largest);
+}
+
+namespace {
+
+/// The elements on a stop that only pushes, by forty of their modes without it and Runge and Kutta:
+/// q'' + w^2 q = -g by mass + heel k max(0, -heel q).
+struct Bounce {
+  std::vector<VectorXd> q, acceleration;  ///< after every step
+  double step = 0.0;
+
+  Bounce(const FallingElements& elements, const FallingElements::Modes& free, const Falling& of,
+         Index steps, Index every) {
+    constexpr Index count = 40;
+    const VectorXd squares = free.squares.head(count).cwiseMax(0.0),
+                   heel = free.shapes.row(2).head(count).transpose(),
+                   by_mass =
+                       (free.shapes.transpose() * elements.inertia(elements.up())).head(count);
+    const double h = of.duration / static_cast<double>(steps);
+    step = h * static_cast<double>(every);
+    const auto acceleration_at = [&](const VectorXd& at) -> VectorXd {
+      const double pushed = of.stiffness * std::max(0.0, -heel.dot(at));
+      return -squares.cwiseProduct(at) - g * by_mass + pushed * heel;
+    };
+    VectorXd at = of.start * by_mass, speed = of.rate * by_mass;
+    for (Index i = 0; i <= steps; ++i) {
+      const VectorXd a = acceleration_at(at);
+      if (i % every == 0) {
+        q.push_back(at);
+        acceleration.push_back(a);
+      }
+      const VectorXd b = acceleration_at(at + 0.5 * h * speed),
+                     c = acceleration_at(at + 0.5 * h * speed + 0.25 * h * h * a),
+                     d = acceleration_at(at + h * speed + 0.5 * h * h * b);
+      at += h * speed + h * h / 6.0 * (a + b + c);
+      speed += h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
+    }
+  }
+};
+
+}  // namespace
+
+// Elements know how far the stop is pressed by vibration itself, and when they touch it. Modes of
+// the rigid motion leave out of that a second order: d^2/p^2 of the impulse, d by how much the heel
+// of the elastic arm is elsewhere, p how far the rigid one presses the stop.
+TEST_CASE("an arm that falls onto a stop and leaves it vibrates as finite elements do",
+          "[elastic_by_forces]") {
+  for (const double hub : {300.0, 3000.0}) {
+    Falling falling;
+    falling.hub = hub;
+    falling.stiffness = 700.0 * hub;
+    falling.start = 0.05;
+    falling.acts = "pushing";
+    falling.duration = 0.5;
+    const Moved moved = falling.moved();
+    REQUIRE(moved.chain().forced()->changes().size() >= 2);
+    const ElasticMotionInSpace elastic = moved.by(5, 16);
+    const FallingElements elements(moved.project.beam, falling);
+    const FallingElements::Modes free = elements.modes(false);
+    const Bounce bounce(elements, free, falling, 50000, 125);
+    double largest = 0.0, apart = 0.0, rigidly = 0.0, pressed = 0.0, elsewhere = 0.0;
+    constexpr Index node = 15;
+    for (std::size_t i = 0; i < bounce.q.size(); ++i) {
+      const double t = bounce.step * static_cast<double>(i);
+      const VectorXd y = free.shapes.leftCols(40) * bounce.q[i],
+                     acceleration = free.shapes.leftCols(40) * bounce.acceleration[i];
+      const double z = moved.chain().at(t).coordinates.front().value;
+      pressed = std::max(pressed, -z);
+      elsewhere = std::max(elsewhere, std::abs(y[2] - z));
+      const Cuts expected = elements.cuts_at(node, y, acceleration),
+                 found = cuts_of(elastic.loads_at(si<Time>(t)), elements.station(node)),
+                 stiff = cuts_of(moved.rigid().loads_at(si<Time>(t)), elements.station(node));
+      largest = std::max(largest, expected.tail<3>().norm());
+      apart = std::max(apart, (found - expected).tail<3>().norm());
+      rigidly = std::max(rigidly, (stiff - expected).tail<3>().norm());
+    }
+    const double second_order = std::pow(elsewhere / pressed, 2);
+    INFO("hub " << hub << ", largest " << largest << ", apart " << apart << ", of rigid bodies "
+                << rigidly << ", second order " << second_order);
+    CHECK(apart < (5e-3 + 3.0 * second_order) * largest);
+    CHECK(rigidly > 0.2 * largest);
+  }
+}
+
+}  // namespace elastic_by_forces_test
