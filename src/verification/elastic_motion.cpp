@@ -175,7 +175,7 @@ ModalPosture ElasticMotion::passed_in(const planar::State& state, const LoadedPo
   FrameTerms frame = frame_terms(at, state);
   ModalPosture posture;
   posture.squares = squares_of(at);
-  posture.damping = at.damping;
+  posture.damping = posture.of_material = at.damping;
   posture.of_rate = std::move(frame.of_rate);
   posture.of_size = std::move(frame.of_size);
   posture.force = modal_loads(at, loaded);

@@ -128,21 +128,23 @@ std::vector<bool> acting_springs(const spatial::Mechanism& mechanism, const spat
 }
 
 /// What is known of the modes in a posture beside their equations, of k modes:
-/// eta + K^-1 C eta' - K^-1 p times their loads.
+/// eta + K^-1 C eta' - K^-1 p times their loads, eta' times those by rate.
 struct LoadsOfModes {
-  Eigen::MatrixXd viscous;     ///< K^-1 C
+  Eigen::MatrixXd viscous;     ///< K^-1 C of the material
   Eigen::VectorXd statically;  ///< K^-1 p
   Eigen::MatrixXd loads;       ///< a row for each mode
+  Eigen::MatrixXd by_rate;     ///< likewise, of dampers, or of no rows
 
   Eigen::VectorXd packed() const {
-    Eigen::VectorXd all(viscous.size() + statically.size() + loads.size());
-    all << viscous.reshaped(), statically, loads.reshaped();
+    Eigen::VectorXd all(viscous.size() + statically.size() + loads.size() + by_rate.size());
+    all << viscous.reshaped(), statically, loads.reshaped(), by_rate.reshaped();
     return all;
   }
-  static LoadsOfModes unpacked(const Eigen::VectorXd& all, Eigen::Index k) {
-    const Eigen::Index numbers = all.size() / k - k - 1;
+  static LoadsOfModes unpacked(const Eigen::VectorXd& all, Eigen::Index k, bool damped) {
+    const Eigen::Index left = all.size() - k * k - k, size = damped ? left / 2 : left;
     return {all.head(k * k).reshaped(k, k), all.segment(k * k, k),
-            all.tail(k * numbers).reshaped(k, numbers)};
+            all.segment(k * k + k, size).reshaped(k, size / k),
+            damped ? Eigen::MatrixXd(all.tail(size).reshaped(k, size / k)) : Eigen::MatrixXd()};
   }
 };
 
@@ -194,6 +196,7 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
       !why.empty())
     refuse_vibration(why + otherwise);
 
+  damped_ = stopped.is_damped();
   const spatial::StatesAround states(chain, {begin_, period_, span.closed, span.instants});
   std::optional<OpenMotion> once;
   if (!span.closed) once = open_motion_of(chain, span);
@@ -257,9 +260,16 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
     }
     modal.force = std::move(at.force);
     modal.damping = std::move(at.damping);
+    modal.of_material = modal.damping;
+    Eigen::MatrixXd by_rate = Eigen::MatrixXd::Zero(damped_ ? k : 0, numbers.cols());
+    for (const frame::DampedTie& of : at.dampers) {
+      modal.of_material -= of.damping * of.gaps * of.gaps.transpose();
+      by_rate += of.damping * of.gaps * numbers_of(of.loads);
+    }
     modal.of_rate = std::move(at.turning.of_rate);
     modal.of_size = std::move(at.turning.of_size);
     posture.loads = modal.turn.transpose() * numbers;
+    if (damped_) posture.by_rate = modal.turn.transpose() * by_rate;
     return posture;
   };
   if (span.closed) {
@@ -292,13 +302,14 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
 
 void ElasticMotionInSpace::solve_periodic(const PostureAt& posture_at, Eigen::Index instants) {
   std::vector<ModalPosture> postures;
-  std::vector<Eigen::MatrixXd> mode_loads;
+  std::vector<Eigen::MatrixXd> mode_loads, by_rate;
   for (Eigen::Index i = 0; i < instants; ++i) {
     Posture at =
         posture_at(begin_ + period_ * static_cast<double>(i) / static_cast<double>(instants));
     lowest_ = std::min(lowest_, std::sqrt(at.modal.squares[0]) / full_turn);
     postures.push_back(std::move(at.modal));
     mode_loads.push_back(std::move(at.loads));
+    by_rate.push_back(std::move(at.by_rate));
   }
   ModalMotion solved = solve_modal_motion(postures, period_);
   eta_ = std::move(solved.eta);
@@ -307,6 +318,8 @@ void ElasticMotionInSpace::solve_periodic(const PostureAt& posture_at, Eigen::In
   for (Eigen::Index i = 0; i < instants; ++i) {
     const Eigen::MatrixXd& of = mode_loads[static_cast<std::size_t>(i)];
     loads_.row(i).head(of.cols()) = dynamic_.row(i) * of;
+    if (damped_)
+      loads_.row(i).head(of.cols()) += solved.speed.row(i) * by_rate[static_cast<std::size_t>(i)];
   }
 }
 
@@ -321,9 +334,10 @@ void ElasticMotionInSpace::solve_once(const PostureAt& posture_at, OpenMotion mo
     k = modal.squares.size();
     const Eigen::MatrixXd& turn = modal.turn;
     const Eigen::VectorXd flexibility = flexibilities_of(modal.squares);
-    const LoadsOfModes beside{turn.transpose() * flexibility.asDiagonal() * modal.damping * turn,
-                              turn.transpose() * modal.force.cwiseProduct(flexibility),
-                              std::move(at.loads)};
+    const LoadsOfModes beside{
+        turn.transpose() * flexibility.asDiagonal() * modal.of_material * turn,
+        turn.transpose() * modal.force.cwiseProduct(flexibility), std::move(at.loads),
+        std::move(at.by_rate)};
     return PassedPosture{std::move(at.modal), beside.packed()};
   };
   passed.accuracy = [&](const Eigen::VectorXd& largest) { return allowed_of(largest, k); };
@@ -349,17 +363,23 @@ Eigen::VectorXd ElasticMotionInSpace::allowed_of(const Eigen::VectorXd& largest,
     return part * of.cwiseMax(hardly * of.maxCoeff());
   };
   const LoadsOfModes beside =
-      LoadsOfModes::unpacked(largest.tail(largest.size() - 2 * k * k - k), k);
+      LoadsOfModes::unpacked(largest.tail(largest.size() - 2 * k * k - k), k, damped_);
   const Eigen::VectorXd arms = arms_of_numbers();
   LoadsOfModes of_beside{Eigen::MatrixXd::Constant(k, k, part * beside.viscous.maxCoeff()),
-                         valued(beside.statically), Eigen::MatrixXd(k, arms.size())};
-  constexpr double no_load = 1e-9;
-  const double largest_load = (beside.loads * arms.asDiagonal()).maxCoeff();
-  for (Eigen::Index j = 0; j < k; ++j) {
-    double most = beside.loads.row(j).transpose().cwiseProduct(arms).maxCoeff();
-    if (most <= no_load * largest_load) most = hardly * largest_load;
-    of_beside.loads.row(j) = (part * most * arms.cwiseInverse()).transpose();
-  }
+                         valued(beside.statically), Eigen::MatrixXd(k, arms.size()),
+                         Eigen::MatrixXd(damped_ ? k : 0, arms.size())};
+  // Of every row a part of the most that it does, or, where that is nothing, of all.
+  const auto of_rows = [&](const Eigen::MatrixXd& rows, Eigen::MatrixXd& errors) {
+    constexpr double no_load = 1e-9;
+    const Eigen::VectorXd most = (rows * arms.asDiagonal()).rowwise().maxCoeff();
+    for (Eigen::Index j = 0; j < errors.rows(); ++j) {
+      const bool loads = most[j] > no_load * most.maxCoeff();
+      errors.row(j) =
+          (part * (loads ? most[j] : hardly * most.maxCoeff()) * arms.cwiseInverse()).transpose();
+    }
+  };
+  of_rows(beside.loads, of_beside.loads);
+  if (damped_) of_rows(beside.by_rate, of_beside.by_rate);
   const Eigen::VectorXd of_forces = valued(largest.segment(2 * k * k, k));
   const Eigen::MatrixXd of_damping = part * root * root.transpose(),
                         of_stiffness = part * omega * omega.transpose();
@@ -450,10 +470,11 @@ LoadSpan ElasticMotionInSpace::span_of(const LoadSpan& rigid) const {
 Eigen::VectorXd ElasticMotionInSpace::vibrating_at(double time) const {
   if (!once_) return trigonometric_at(loads_, (time - begin_) / period_);
   const ModalState state = once_->response().at(time);
-  const LoadsOfModes of = LoadsOfModes::unpacked(once_->beside_at(time), state.eta.size());
+  const LoadsOfModes of = LoadsOfModes::unpacked(once_->beside_at(time), state.eta.size(), damped_);
   Eigen::VectorXd numbers = Eigen::VectorXd::Zero(arms_of_numbers().size());
   numbers.head(of.loads.cols()) =
       of.loads.transpose() * (state.eta + of.viscous * state.speed - of.statically);
+  if (damped_) numbers.head(of.by_rate.cols()) += of.by_rate.transpose() * state.speed;
   return numbers;
 }
 

@@ -30,17 +30,18 @@ namespace boxbeam {
 /// (`ModalTransient`, as `ElasticMotion`). To the loads of the rigid beam come those of the modes'
 /// inertia
 ///
-///     sum over modes of (eta + K^-1 C eta' - K^-1 p)_j times (tie forces and inertia of mode j)
+///     sum over modes of (eta + K^-1 C_m eta' - K^-1 p)_j times (tie forces and inertia of mode j)
+///     + sum over dampers of c gap' times (`DampedTie`)
 ///
-/// which are in balance. Between the instants they are trigonometric polynomials in time, in a
-/// motion that does not repeat the modes' forces polynomials on pieces (`ChebyshevCurve`), each
-/// number of them for itself, on the beam, where ties and pieces keep their places: what is in
-/// balance at the instants is so between them. Modes whose frequencies are alike come together.
-/// Left out: the change of the modes with the posture, of the order of (omega_rotation/omega_1)^2
-/// times the part of a mode's mass that is not the verified beam's; what springs beside beams take
-/// over when these bend statically; what the axial force does to a beam that bends statically, and
-/// its vibrating part.
-/// Sources: Shabana, Dynamics of Multibody Systems (2005), chapter 5; as `ElasticMotion`.
+/// C_m of the beams' material, which are in balance. Between the instants they are trigonometric
+/// polynomials in time, in a motion that does not repeat the modes' forces polynomials on pieces
+/// (`ChebyshevCurve`), each number of them for itself, on the beam, where ties and pieces keep
+/// their places: what is in balance at the instants is so between them. Modes whose frequencies are
+/// alike come together. Left out: the change of the modes with the posture, of the order of
+/// (omega_rotation/omega_1)^2 times the part of a mode's mass that is not the verified beam's; what
+/// springs beside beams take over when these bend statically; what the axial force does to a beam
+/// that bends statically, and its vibrating part. Sources: Shabana, Dynamics of Multibody Systems
+/// (2005), chapter 5; as `ElasticMotion`.
 class ElasticMotionInSpace {
  public:
   /// `rigid`: loads on the rigid beam, before and behind a span that does not repeat those of the
@@ -74,6 +75,7 @@ class ElasticMotionInSpace {
   struct Posture {
     ModalPosture modal;
     Eigen::MatrixXd loads;
+    Eigen::MatrixXd by_rate;  ///< of dampers, per rate of the modes; of no rows without them
   };
   using PostureAt = std::function<Posture(double time)>;
 
@@ -99,6 +101,7 @@ class ElasticMotionInSpace {
   double begin_, period_;
   BeamLoads places_;       ///< points and pieces where modes load the beam, without loads
   Eigen::MatrixXd loads_;  ///< of the modes, a row for each instant of a motion that repeats
+  bool damped_ = false;    ///< whether joints, springs or rods are
   Eigen::MatrixXd eta_, dynamic_;
   std::shared_ptr<const ModalTransient> once_;
   double lowest_ = 1e300;

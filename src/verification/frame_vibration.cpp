@@ -359,6 +359,7 @@ FrameResponse::FrameResponse(const Project& project, const frame::Structure& str
     for (Index i = 0; i < count; ++i)
       posture.damping(i, j) = modes_[static_cast<std::size_t>(i)].motion.dot(mode.drag);
   }
+  posture.of_material = posture.damping;
   const auto forces = [&](double time) {
     return vibrating.forces(modes_, time, begin_, begin_ + period_);
   };

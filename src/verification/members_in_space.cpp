@@ -332,6 +332,15 @@ bool gives_way(const WaysToGive& ways) {
                      [](const Give* of) { return !std::isinf(of->stiffness); });
 }
 
+bool GivingWay::is_damped() const {
+  return std::any_of(joints_.begin(), joints_.end(),
+                     [](const NamedJoint& given) {
+                       return given.of.damping > 0.0 || given.of.turning_damping > 0.0;
+                     }) ||
+         std::any_of(lines_.begin(), lines_.end(),
+                     [](const Line& line) { return line.retardation > 0.0; });
+}
+
 WaysToGive GivingWay::of(const spatial::Joint& joint) const {
   for (const NamedJoint& given : joints_) {
     const int count = movements_of(given.of.kind);

@@ -58,6 +58,7 @@ class GivingWay {
   explicit GivingWay(const Project& project);
 
   bool empty() const { return joints_.empty() && lines_.empty(); }
+  bool is_damped() const;  ///< whether any is
 
   /// Of a joint of several movements the last of them gives way.
   WaysToGive of(const spatial::Joint& joint) const;

@@ -183,8 +183,8 @@ ModalMotion solve_modal_motion(const std::vector<ModalPosture>& postures, double
     const ModalEquations equations = aligned(at);
     p.row(i) = equations.force.transpose();
     statically.row(i) = (turn.transpose() * at.force.cwiseQuotient(at.squares)).transpose();
-    viscous.emplace_back(turn.transpose() * at.squares.cwiseInverse().asDiagonal() * at.damping *
-                         turn);
+    viscous.emplace_back(turn.transpose() * at.squares.cwiseInverse().asDiagonal() *
+                         at.of_material * turn);
     for (Eigen::Index m = 0; m < n; ++m) {
       const Eigen::Index apart = (i - m + n) % n;
       system.block(i * k, m * k, k, k) =
@@ -200,12 +200,11 @@ ModalMotion solve_modal_motion(const std::vector<ModalPosture>& postures, double
   motion.eta.resize(n, k);
   for (Eigen::Index i = 0; i < n; ++i) motion.eta.row(i) = solved.segment(i * k, k).transpose();
   motion.dynamic = motion.eta - statically;
+  motion.speed = Eigen::MatrixXd::Zero(n, k);
   for (Eigen::Index i = 0; i < n; ++i) {
-    Eigen::VectorXd speed = Eigen::VectorXd::Zero(k);
-    for (Eigen::Index m = 0; m < n; ++m) {
-      speed += rate * d.first[(i - m + n) % n] * motion.eta.row(m).transpose();
-    }
-    motion.dynamic.row(i) += (viscous[static_cast<std::size_t>(i)] * speed).transpose();
+    for (Eigen::Index m = 0; m < n; ++m)
+      motion.speed.row(i) += rate * d.first[(i - m + n) % n] * motion.eta.row(m);
+    motion.dynamic.row(i) += motion.speed.row(i) * viscous[static_cast<std::size_t>(i)].transpose();
   }
   constexpr double no_limit = 1e3;
   const double size = statically.cwiseAbs().maxCoeff();

@@ -14,6 +14,7 @@ namespace boxbeam {
 struct ModalPosture {
   Eigen::VectorXd squares;           ///< of the angular frequencies, ascending, or zero [1/s^2]
   Eigen::MatrixXd damping;           ///< phi^T C phi [1/s]
+  Eigen::MatrixXd of_material;       ///< the part of it that is in the strained beams
   Eigen::MatrixXd of_rate, of_size;  ///< what turning adds [1/s, 1/s^2]
   Eigen::VectorXd force;             ///< generalised, under the loads of the rigid motion
   Eigen::MatrixXd turn;              ///< from the basis of the motion to this one (`turn_between`)
@@ -30,8 +31,8 @@ ModalEquations aligned(const ModalPosture& posture);
 
 /// The coordinates of modes over a periodic motion, a row for each of its instants [sqrt(kg) m].
 struct ModalMotion {
-  Eigen::MatrixXd eta;
-  /// eta + K^-1 C eta' - K^-1 p: with their viscous part, less their static one.
+  Eigen::MatrixXd eta, speed;
+  /// eta + K^-1 C eta' - K^-1 p: with the viscous part of the material, less their static one.
   Eigen::MatrixXd dynamic;
 };
 

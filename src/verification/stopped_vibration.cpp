@@ -167,6 +167,14 @@ frame::VibratingScene StoppedVibration::scene_in(const spatial::State& state,
           freedoms()};
 }
 
+bool StoppedVibration::is_damped() const {
+  const spatial::Mechanism& mechanism = chain_->mechanism();
+  const auto damped = [](const auto& of) { return of.damping > 0.0; };
+  return giving_.is_damped() ||
+         std::any_of(mechanism.springs.begin(), mechanism.springs.end(), damped) ||
+         std::any_of(mechanism.torsion_springs.begin(), mechanism.torsion_springs.end(), damped);
+}
+
 std::size_t StoppedVibration::freedoms() const {
   const std::vector<spatial::Joint>& joints = chain_->mechanism().joints;
   return static_cast<std::size_t>(std::count_if(joints.begin(), joints.end(), spatial::is_forced));
@@ -213,6 +221,7 @@ ModesInMotion StoppedVibration::modes_in_motion(const spatial::State& state,
   }
   result.turning = frame::turning_terms_of(scene, result.modes, frames);
   if (scene.may_move > 0) press_free(scene, result.modes, frames, result.turning);
+  result.dampers = frame::damped_ties_of(scene, result.modes, ties_);
   const Eigen::VectorXd cuts = cuts_of_scene(scene);
   const auto size = static_cast<Eigen::Index>(result.modes.size());
   result.force.resize(size);

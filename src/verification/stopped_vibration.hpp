@@ -24,6 +24,8 @@ struct ModesInMotion {
   std::vector<frame::BeamMode> modes;
   Eigen::VectorXd force;    ///< generalised, of the loads on the rigid beams
   Eigen::MatrixXd damping;  ///< phi^T C phi [1/s]
+  /// Of joints, springs and rods; the rest of the damping is that of the material.
+  std::vector<frame::DampedTie> dampers;
   frame::TurningTerms turning;
   /// Motion of the beams and of the bodies in their own axes, by roots of masses: a column per
   /// mode. Tells modes of different postures apart.
@@ -46,6 +48,9 @@ class StoppedVibration {
 
   /// In how many ways forces move the mechanism: so many modes may have the frequency zero.
   std::size_t freedoms() const;
+
+  /// Whether any joint, rod or spring has a damper.
+  bool is_damped() const;
 
   /// In the posture of a state, `rigid` the verified beam's cut forces then. Throws AnalysisError
   /// where the stopped mechanism is free to move otherwise, or buckles.

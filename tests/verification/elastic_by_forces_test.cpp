@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <functional>
 #include <numbers>
 #include <string>
@@ -33,12 +34,15 @@ struct Falling {
   double stiffness = 2e5;           ///< of what is below [N/m]
   double start = 0.0, rate = 0.0;   ///< above its free length [m, m/s]
   std::string acts = "both ways";
-  double duration = 1.0;  ///< [s]
+  double damping = 0.0, at_tip = 0.0;  ///< of the spring, and of a damper below the tip [N s/m]
+  double duration = 1.0;               ///< [s]
+  std::string driver = "";             ///< moves the hub instead of forces
   Vector3d centre{0.1, 0.3, -0.2};
   Vector3d inertia{2.0, 1.0, 1.5};
 
   std::string text() const {
-    return fmt::format(R"(
+    return fmt::format(
+        R"(
 [bodies.hub]
 mass = "{:.15g} kg"
 points = {{ o = ["0 m", "0 m", "0 m"] }}
@@ -52,9 +56,7 @@ kind = "prismatic"
 connect = ["ground", "hub.o"]
 at = ["0 m", "0 m", "0 m"]
 axis = "z"
-moved_by = "forces"
-start = "{:.15g} m"
-start_rate = "{:.15g} m/s"
+{}
 [joints.root]
 kind = "fixed"
 connect = ["hub.o", "arm.heel"]
@@ -67,12 +69,24 @@ connect = ["ground", "hub.o"]
 at = ["0 m", "0 m", "-1 m"]
 stiffness = "{:.15g} N/m"
 free_length = "1 m"
+damping = "{:.15g} N s/m"
 acts = "{}"
-[motion]
-duration = "{:.15g} s"
+[forces.tip]
+kind = "spring"
+connect = ["ground", "arm.tip"]
+at = ["4 m", "0 m", "-1 m"]
+stiffness = "1e-3 N/m"
+free_length = "1 m"
+damping = "{:.15g} N s/m"
+{}
 )",
-                       hub, load, centre.x(), centre.y(), centre.z(), inertia.x(), inertia.y(),
-                       inertia.z(), start, rate, stiffness, acts, duration);
+        hub, load, centre.x(), centre.y(), centre.z(), inertia.x(), inertia.y(), inertia.z(),
+        driver.empty() ? fmt::format("moved_by = \"forces\"\nstart = \"{:.15g} "
+                                     "m\"\nstart_rate = \"{:.15g} m/s\"",
+                                     start, rate)
+                       : "",
+        stiffness, damping, acts, at_tip,
+        driver.empty() ? fmt::format("[motion]\nduration = \"{:.15g} s\"", duration) : driver);
   }
   Moved moved() const {
     std::string all = arm(text(), "density = \"7850 kg/m^3\"\n");
@@ -117,6 +131,19 @@ class FallingElements {
       modes.shapes.row(free_[i]) = solver.eigenvectors().row(static_cast<Index>(i));
     return modes;
   }
+  /// What follows the rigid motion statically on the spring: M up times an acceleration, and forces
+  /// on heel and tip; moves no mass as a whole.
+  VectorXd moved_by(double acceleration, double at_heel, double at_tip) const {
+    MatrixXd K = whole_.K(free_, free_);
+    K(0, 0) += of_.stiffness;
+    VectorXd force = -acceleration * (whole_.M * up_);
+    force[2] += at_heel;
+    force[force.size() - 4] += at_tip;
+    VectorXd moved = VectorXd::Zero(up_.size());
+    const VectorXd found = K.ldlt().solve(force(free_));
+    for (std::size_t i = 0; i < free_.size(); ++i) moved[free_[i]] = found[static_cast<Index>(i)];
+    return moved;
+  }
   /// Forces on all nodes, mass times what it is moved by.
   VectorXd inertia(const VectorXd& acceleration) const { return whole_.M * acceleration; }
 
@@ -125,6 +152,29 @@ class FallingElements {
     const VectorXd ends = y.segment<12>(6 * node);
     const VectorXd moved = (acceleration + g * up_).segment<12>(6 * node);
     return -(element_.K * ends + element_.M * moved).head<6>();
+  }
+  /// Of a heel that moves by e^(i w t), with the damper at the tip.
+  Eigen::VectorXcd shaken(double w) const {
+    Eigen::MatrixXcd dynamic = (whole_.K - w * w * whole_.M).cast<std::complex<double>>();
+    dynamic(dynamic.rows() - 4, dynamic.cols() - 4) += std::complex<double>(0.0, w * of_.at_tip);
+    const std::vector<Index> held(free_.begin() + 1, free_.end());
+    Eigen::VectorXcd y = Eigen::VectorXcd::Zero(up_.size());
+    y[2] = 1.0;
+    const Eigen::MatrixXcd left = dynamic(held, held);
+    const Eigen::VectorXcd by_heel = dynamic.col(2)(held),
+                           moved = left.partialPivLu().solve(by_heel);
+    y(held) = -moved;
+    return y;
+  }
+  /// Under its weight, the heel held.
+  VectorXd sagged() const {
+    const std::vector<Index> held(free_.begin() + 1, free_.end());
+    VectorXd y = VectorXd::Zero(up_.size());
+    const MatrixXd left = whole_.K(held, held);
+    const VectorXd weight = -g * (whole_.M * up_), on_held = weight(held),
+                   moved = left.ldlt().solve(on_held);
+    y(held) = moved;
+    return y;
   }
   double station(Index node) const { return static_cast<double>(node) * h_; }
 
@@ -197,8 +247,9 @@ TEST_CASE("an arm that bounces on a spring vibrates as finite elements do", "[el
 
 namespace {
 
-/// The elements on a stop that only pushes, by forty of their modes without it and Runge and Kutta:
-/// q'' + w^2 q = -g by mass + heel k max(0, -heel q).
+/// The elements on a stop that only pushes, or on a spring, by forty of their modes without it and
+/// Runge and Kutta: q'' + w^2 q = -g by mass + heel f - tip c_t tip q', f = -k z - c z', z = heel
+/// q, of a stop no less than zero.
 struct Bounce {
   std::vector<VectorXd> q, acceleration;  ///< after every step
   double step = 0.0;
@@ -206,26 +257,43 @@ struct Bounce {
   Bounce(const FallingElements& elements, const FallingElements::Modes& free, const Falling& of,
          Index steps, Index every) {
     constexpr Index count = 40;
-    const VectorXd squares = free.squares.head(count).cwiseMax(0.0),
-                   heel = free.shapes.row(2).head(count).transpose(),
+    const auto row = [&](Index at) -> VectorXd {
+      return free.shapes.row(at).head(count).transpose();
+    };
+    const VectorXd squares = free.squares.head(count).cwiseMax(0.0), heel = row(2),
+                   tip = row(free.shapes.rows() - 4),
                    by_mass =
                        (free.shapes.transpose() * elements.inertia(elements.up())).head(count);
     const double h = of.duration / static_cast<double>(steps);
     step = h * static_cast<double>(every);
-    const auto acceleration_at = [&](const VectorXd& at) -> VectorXd {
-      const double pushed = of.stiffness * std::max(0.0, -heel.dot(at));
-      return -squares.cwiseProduct(at) - g * by_mass + pushed * heel;
+    const auto acceleration_at = [&](const VectorXd& at, const VectorXd& speed) -> VectorXd {
+      const double z = heel.dot(at);
+      double pushed = -of.stiffness * z - of.damping * heel.dot(speed);
+      if (of.acts == "pushing") pushed = z < 0.0 ? std::max(0.0, pushed) : 0.0;
+      return -squares.cwiseProduct(at) - g * by_mass + pushed * heel -
+             of.at_tip * tip.dot(speed) * tip;
     };
     VectorXd at = of.start * by_mass, speed = of.rate * by_mass;
+    if (of.acts == "both ways") {
+      // The rigid motion begins with z, z' and m z'' = -m g - k z - (c + c_t) z'.
+      const double m = elements.mass(), c = of.damping + of.at_tip, z = of.start, v = of.rate,
+                   a = -g - (of.stiffness * z + c * v) / m, j = -(of.stiffness * v + c * a) / m;
+      const MatrixXd weights = free.shapes.leftCols(count).transpose();
+      at += weights * elements.inertia(elements.moved_by(a + g, -of.stiffness * z - of.damping * v,
+                                                         -of.at_tip * v));
+      speed += weights * elements.inertia(elements.moved_by(j, -of.stiffness * v - of.damping * a,
+                                                            -of.at_tip * a));
+    }
     for (Index i = 0; i <= steps; ++i) {
-      const VectorXd a = acceleration_at(at);
+      const VectorXd a = acceleration_at(at, speed);
       if (i % every == 0) {
         q.push_back(at);
         acceleration.push_back(a);
       }
-      const VectorXd b = acceleration_at(at + 0.5 * h * speed),
-                     c = acceleration_at(at + 0.5 * h * speed + 0.25 * h * h * a),
-                     d = acceleration_at(at + h * speed + 0.5 * h * h * b);
+      const VectorXd b = acceleration_at(at + 0.5 * h * speed, speed + 0.5 * h * a),
+                     c = acceleration_at(at + 0.5 * h * speed + 0.25 * h * h * a,
+                                         speed + 0.5 * h * b),
+                     d = acceleration_at(at + h * speed + 0.5 * h * h * b, speed + h * c);
       at += h * speed + h * h / 6.0 * (a + b + c);
       speed += h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
     }
@@ -277,8 +345,8 @@ TEST_CASE("an arm that falls onto a stop and leaves it vibrates as finite elemen
 }
 namespace {
 
-/// A stiff arm that swings under its weight and a shaken tip with a hub at its heel, to which it is held by a joint
-/// that gives way, or by a hinge with a torsion spring.
+/// A stiff arm that swings under its weight and a shaken tip with a hub at its heel, to which it is
+/// held by a joint that gives way, or by a hinge with a torsion spring.
 struct Pendulum {
   double hub = 200.0;        ///< about the hinge [kg m^2]
   double stiffness = 1.5e5;  ///< [N m/rad]
@@ -335,6 +403,83 @@ duration = "{4:.15g} s"
 double heel_moment(const BeamLoads& loads) { return cuts_of(loads, 0.0)[4]; }
 
 }  // namespace
+
+// Below the spring's dampers bear in series with the arm, at its tip beside it.
+TEST_CASE("dampers at heel and tip act where they are", "[elastic_by_forces]") {
+  for (const auto& [below, tip] : {std::pair{4000.0, 0.0}, {0.0, 800.0}, {4000.0, 800.0}}) {
+    Falling falling;
+    falling.damping = below;
+    falling.at_tip = tip;
+    falling.rate = -0.5;
+    falling.duration = 0.8;
+    const Moved moved = falling.moved();
+    const FallingElements elements(moved.project.beam, falling);
+    const FallingElements::Modes free = elements.modes(false);
+    const Bounce bounce(elements, free, falling, 50000, 125);
+    std::vector<double> parts;
+    for (const std::size_t modes : {2, 5, 9}) {
+      const ElasticMotionInSpace elastic = moved.by(modes, 16);
+      double worst = 0.0;
+      for (const Index node : {0, 15, 45}) {
+        double largest = 0.0, apart = 0.0;
+        for (std::size_t i = 0; i < bounce.q.size(); ++i) {
+          const double t = bounce.step * static_cast<double>(i);
+          const VectorXd y = free.shapes.leftCols(40) * bounce.q[i],
+                         acceleration = free.shapes.leftCols(40) * bounce.acceleration[i];
+          const BeamLoads loads = elastic.loads_at(si<Time>(t));
+          const Cuts expected = elements.cuts_at(node, y, acceleration),
+                     found = cuts_of(loads, elements.station(node));
+          largest = std::max(largest, expected.tail<3>().norm());
+          apart = std::max(apart, (found - expected).tail<3>().norm());
+          CHECK(imbalance(loads, 4.0) < 1e-9);
+        }
+        worst = std::max(worst, apart / largest);
+      }
+      parts.push_back(worst);
+    }
+    INFO("below " << below << ", tip " << tip << ": " << parts[0] << ", " << parts[1] << ", "
+                  << parts[2]);
+    CHECK(parts[1] < 1e-2);
+    CHECK(parts[2] < 5e-3);
+  }
+}
+
+// (K + i w C - w^2 M) y = -(K + i w C - w^2 M) heel of the elements, whose heel a driver moves.
+TEST_CASE("a damper at the tip of an arm whose heel is shaken acts where it is",
+          "[elastic_by_forces]") {
+  constexpr double amplitude = 0.01, frequency = 5.0;
+  Falling falling;
+  falling.at_tip = 1500.0;
+  falling.driver = fmt::format(
+      "[drivers.fall]\njoint = \"fall\"\nkind = \"harmonic\"\nmean = \"0 m\"\namplitude = "
+      "\"{:.15g} m\"\nfrequency = \"{:.15g} Hz\"\n",
+      amplitude, frequency);
+  const Moved moved = falling.moved();
+  REQUIRE(moved.rigid().closed());
+  const ElasticMotionInSpace elastic = moved.by(5, 16);
+  const FallingElements elements(moved.project.beam, falling);
+  const double w = 2.0 * std::numbers::pi * frequency;
+  const Eigen::VectorXcd y = elements.shaken(w);
+  constexpr Index node = 15;
+  double largest = 0.0, apart = 0.0, rigidly = 0.0;
+  for (int i = 0; i < 64; ++i) {
+    const double t = i / (64.0 * frequency);
+    // A driver's sine.
+    const std::complex<double> phase = std::polar(amplitude, w * t);
+    const VectorXd at = (phase * y).imag(), acceleration = -w * w * at;
+    const Cuts expected = elements.cuts_at(node, at, acceleration) +
+                          elements.cuts_at(node, elements.sagged(), VectorXd::Zero(at.size())) -
+                          elements.cuts_at(node, 0.0 * at, 0.0 * at),
+               found = cuts_of(elastic.loads_at(si<Time>(t)), elements.station(node)),
+               stiff = cuts_of(moved.rigid().loads_at(si<Time>(t)), elements.station(node));
+    largest = std::max(largest, expected.tail<3>().norm());
+    apart = std::max(apart, (found - expected).tail<3>().norm());
+    rigidly = std::max(rigidly, (stiff - expected).tail<3>().norm());
+  }
+  INFO("largest " << largest << ", apart " << apart << ", of rigid bodies " << rigidly);
+  CHECK(apart < 5e-3 * largest);
+  CHECK(rigidly > 0.2 * largest);
+}
 
 // The same as two rigid bodies, of any turns: they begin where the joint that gives way bears the
 // moment of the rigid motion, and hub and arm together have not turned. What is left out is of the

@@ -544,7 +544,7 @@ TEST_CASE("a start in space is estimated, climbed to and looked at with what fol
   CHECK_THAT(said.front().what, Catch::Contains("at the beginning"));
 }
 
-TEST_CASE("a cable that begins to act, once or in every period, leaves the beam without modes",
+TEST_CASE("a cable that begins to act in every period leaves the beam without modes",
           "[elastic_start]") {
   const std::string stay = R"(
 [forces.stay]
@@ -555,14 +555,12 @@ stiffness = "20 kN/m"
 free_length = "1.2 m"
 acts = "pulling"
 )";
-  for (const std::string& driver : {stepping(0.3, 1.0), swinging(0.3, 0.2)}) {
-    const Moved of(arm(hinge({0, 0, 1}, driver) + stay, steel));
-    try {
-      of.by(2, 8);
-      FAIL("not refused");
-    } catch (const AnalysisError& error) {
-      CHECK_THAT(error.failure().what, Catch::Contains("begins or ends to act"));
-    }
+  const Moved of(arm(hinge({0, 0, 1}, swinging(0.3, 0.2)) + stay, steel));
+  try {
+    of.by(2, 8);
+    FAIL("not refused");
+  } catch (const AnalysisError& error) {
+    CHECK_THAT(error.failure().what, Catch::Contains("begins or ends to act"));
   }
 }
 

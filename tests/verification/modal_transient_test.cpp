@@ -29,7 +29,7 @@ struct Oscillator {
     const auto posture_at = [&](double time) -> PassedPosture {
       ModalPosture of;
       of.squares = one(omega * omega);
-      of.damping = one(2.0 * damping * omega);
+      of.damping = of.of_material = one(2.0 * damping * omega);
       of.of_rate = of.of_size = one(0.0);
       of.force = one(omega * omega * balance(time));
       of.turn = one(1.0);

@@ -191,6 +191,21 @@ using KeptTies = std::shared_ptr<EliminatedTies>;
 std::vector<BeamMode> modes_of(const VibratingScene& scene, std::size_t count, KeptTies& last);
 std::vector<BeamMode> modes_of(const VibratingScene& scene, std::size_t count);
 
+/// A damper among the ties of a scene, which draws its gap together by `damping` times the gap's
+/// rate: of modes q that is by their `gaps` times q'. What modes that are not followed do under it
+/// they do statically.
+struct DampedTie {
+  double damping = 0.0;
+  Eigen::VectorXd gaps;  ///< of the modes
+  /// What acts on the first beam for a unit of its force in balance: this force, the inertia with
+  /// which the modes bear their part of it, and ties, as of `BeamMode::loads`.
+  BeamLoads loads;
+};
+
+/// `modes`: those that are followed.
+std::vector<DampedTie> damped_ties_of(const VibratingScene& scene,
+                                      const std::vector<BeamMode>& modes, KeptTies& last);
+
 /// phi_i^T K_g phi_j of the axial forces of the beams.
 Eigen::MatrixXd geometric_stiffness_of(const VibratingScene& scene,
                                        const std::vector<BeamMode>& modes);
