@@ -1,5 +1,7 @@
 #include "bent_in_space.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -138,7 +140,15 @@ std::string obstacle_to_bending_in_space(const Project& project, const spatial::
   const spatial::Mechanism& mechanism = chain.mechanism();
   if (std::any_of(mechanism.joints.begin(), mechanism.joints.end(), spatial::is_forced))
     return "forces decide the motion";
-  return obstacle_to_modes(mechanism, elastic_placements(project, mechanism));
+  const std::vector<spatial::BeamPlacement> beams = elastic_placements(project, mechanism);
+  for (const spatial::BeamPlacement& beam : beams) {
+    const std::vector<std::string> sliding = joints_sliding_along(mechanism, beam.body);
+    if (!sliding.empty())
+      return fmt::format(
+          "joint {} slides along an elastic beam, and is held at one place as it bends",
+          sliding.front());
+  }
+  return obstacle_to_modes(mechanism, beams);
 }
 
 LoadsAt bent_statically_in_space(const Project& project, const spatial::Chain& chain,

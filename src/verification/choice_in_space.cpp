@@ -46,6 +46,11 @@ VibrationInSpace worst_estimate_in_space(const Project& project,
   return *worst;
 }
 
+bool forces_move(const std::deque<SituationRun>& runs) {
+  return std::any_of(runs.begin(), runs.end(),
+                     [](const SituationRun& run) { return chain_of(run).forced() != nullptr; });
+}
+
 /// Why the beam of a case in space has no modes that hold over its motion; "" where it has.
 std::string obstacle_to_modes_in_space(const Project& project,
                                        const std::deque<SituationRun>& rigid) {
@@ -179,7 +184,8 @@ ModelChoice choose_in_space(const Project& project, const std::deque<SituationRu
     }
   };
   const auto unseen = [&](std::size_t modes) {
-    const std::string periods = too_fast(rigid, estimate.frequencies, modes + 1);
+    const std::string periods =
+        too_fast(rigid, estimate.frequencies, modes + 1, !forces_move(rigid));
     if (!periods.empty()) refused = periods;
     return !periods.empty();
   };

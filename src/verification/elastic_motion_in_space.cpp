@@ -10,50 +10,12 @@
 #include "bent_in_space.hpp"
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/mechanism/spatial/rest.hpp"
+#include "followed_modes.hpp"
 
 namespace boxbeam {
 namespace {
 
 constexpr Eigen::Index numbers_of_piece = 8, numbers_of_point = 6;
-
-/// So many modes that none is parted from those of nearly its frequency.
-std::size_t whole_groups(const std::vector<frame::BeamMode>& modes, std::size_t asked) {
-  constexpr double alike = 0.02;
-  std::size_t count = std::min(asked, modes.size());
-  while (count < modes.size() &&
-         modes[count].frequency < (1.0 + alike) * modes[count - 1].frequency)
-    ++count;
-  return count;
-}
-
-bool slides_along(spatial::ClosingKind kind) {
-  using Kind = spatial::ClosingKind;
-  switch (kind) {
-    case Kind::prismatic:
-    case Kind::cylindrical:
-    case Kind::planar:
-    case Kind::slot:
-    case Kind::screw: return true;
-    case Kind::fixed:
-    case Kind::revolute:
-    case Kind::universal:
-    case Kind::spherical:
-    case Kind::distance:
-    case Kind::gear:
-    case Kind::rack: return false;
-  }
-  return false;
-}
-
-bool slides_along(spatial::JointKind kind) {
-  switch (kind) {
-    case spatial::JointKind::prismatic:
-    case spatial::JointKind::screw: return true;
-    case spatial::JointKind::fixed:
-    case spatial::JointKind::revolute: return false;
-  }
-  return false;
-}
 
 /// Pieces without load that end where those of either end.
 std::vector<LineLoad> pieces_of_both(const std::vector<LineLoad>& lines,
@@ -103,22 +65,6 @@ Length length_of(const std::vector<LineLoad>& lines) {
   return lines.back().start + lines.back().length;
 }
 
-/// At which of the borders, but for the ends, others act behind than before; between two of them
-/// the same act.
-std::vector<double> changes_between(
-    const std::vector<double>& borders,
-    const std::function<std::vector<bool>(double time)>& acting_at) {
-  std::vector<double> changes;
-  std::vector<bool> acting;
-  for (std::size_t i = 1; i < borders.size(); ++i) {
-    if (!(borders[i] > borders[i - 1])) continue;
-    std::vector<bool> here = acting_at(0.5 * (borders[i - 1] + borders[i]));
-    if (!acting.empty() && here != acting) changes.push_back(borders[i - 1]);
-    acting = std::move(here);
-  }
-  return changes;
-}
-
 /// Which of the springs act in a state.
 std::vector<bool> acting_springs(const spatial::Mechanism& mechanism, const spatial::State& state) {
   std::vector<bool> acting;
@@ -162,16 +108,7 @@ std::string obstacle_to_modes(const spatial::Mechanism& mechanism,
     return fmt::format("beam {}, which bends with it",
                        mechanism.bodies[static_cast<std::size_t>(body)].name);
   };
-  const auto slides = [](const std::string& name, const std::string& beam) {
-    return fmt::format("joint {} slides along {}, and modes hold it at one place", name, beam);
-  };
-  for (const spatial::Joint& joint : mechanism.joints) {
-    const std::string beam = beam_on(joint.parent);
-    if (!beam.empty() && slides_along(joint.kind)) return slides(joint.name, beam);
-  }
   for (const spatial::ClosingJoint& joint : mechanism.closing) {
-    const std::string beam = beam_on(joint.a.body);
-    if (!beam.empty() && slides_along(joint.kind)) return slides(joint.name, beam);
     if (!spatial::has_teeth(joint.kind)) continue;
     for (const spatial::Mesh::Part& part : joint.mesh.parts) {
       std::string meshed = beam_on(static_cast<int>(part.joint));
@@ -197,57 +134,20 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
     refuse_vibration(why + otherwise);
 
   damped_ = stopped.is_damped();
+  sliding_ = joints_sliding_along(chain.mechanism(), stopped.placements().front().body);
   const spatial::StatesAround states(chain, {begin_, period_, span.closed, span.instants});
-  std::optional<OpenMotion> once;
-  if (!span.closed) once = open_motion_of(chain, span);
-  std::vector<double> borders{begin_};
-  if (once) {
-    borders = once->borders;
-  } else {
-    for (const Time& at : span.breaks) borders.push_back(at.value());
-    borders.push_back(begin_ + period_);
-  }
-  const std::vector<double> changes = changes_between(
-      borders, [&](double time) { return acting_springs(chain.mechanism(), states.at(time)); });
-  if (!once && !changes.empty())
-    refuse_vibration(
-        "a stop or a cable begins or ends to act in a motion that repeats, and the modes of the "
-        "beam change at once" +
-            otherwise,
-        changes.front());
-  const auto diagram_at = [&](double time) { return cut_forces_of(rigid_(si<Time>(time))); };
-  Eigen::MatrixXd reference;
-  std::size_t count = 0;
-  /// The modes that are followed from here on.
-  const auto begin_at = [&](double time) {
-    /// Modes beyond those asked for, one of which may be alike.
-    constexpr std::size_t more = 3;
-    const std::size_t asked = stopped.freedoms() + modes;
-    ModesInMotion first = stopped.modes_in_motion(states.at(time), diagram_at(time), asked + more);
-    count = whole_groups(first.modes, asked);
-    if (count == 0) refuse_vibration("without mass nothing vibrates; use --model rigid", time);
-    first.modes.resize(count);
-    reference = first.shapes.leftCols(static_cast<Eigen::Index>(count));
-    return first;
+  const auto acting_at = [&](double time) {
+    return acting_springs(chain.mechanism(), states.at(time));
   };
-  begin_at(begin_);
-  const auto modes_at = [&](double time, const CutForceDiagram& diagram) {
-    const spatial::State state = states.at(time);
-    ModesInMotion at = stopped.modes_in_motion(state, diagram, count);
-    if (at.modes.size() < count)
-      refuse_vibration(fmt::format("the beam has {} modes here and {} at the begin of its motion",
-                                   at.modes.size(), count) +
-                           otherwise,
-                       time);
-    return at;
-  };
+  FollowedModes followed(
+      stopped, [&](double time) { return states.at(time); },
+      [&](double time) { return cut_forces_of(rigid_(si<Time>(time))); }, modes);
   const auto posture_at = [&](double time) {
-    const CutForceDiagram diagram = diagram_at(time);
-    ModesInMotion at = modes_at(time, diagram);
+    ModesInMotion at = followed.at(time);
     Posture posture;
     ModalPosture& modal = posture.modal;
-    modal.turn = turn_between(at.shapes, reference, time);
-    const auto k = static_cast<Eigen::Index>(count);
+    modal.turn = followed.turn_of(at, time);
+    const auto k = static_cast<Eigen::Index>(followed.count());
     modal.squares.resize(k);
     Eigen::MatrixXd numbers;
     for (Eigen::Index j = 0; j < k; ++j) {
@@ -273,31 +173,37 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
     return posture;
   };
   if (span.closed) {
-    const Eigen::Index stride = stride_of(span.instants, count);
+    std::vector<double> borders{begin_};
+    for (const Time& at : span.breaks) borders.push_back(at.value());
+    borders.push_back(begin_ + period_);
+    const std::vector<double> changes = changes_between(borders, acting_at);
+    if (!changes.empty())
+      refuse_vibration(
+          "a stop or a cable begins or ends to act in a motion that repeats, and the modes of the "
+          "beam change at once" +
+              otherwise,
+          changes.front());
+    followed.begin_at(begin_);
+    const Eigen::Index stride = stride_of(span.instants, followed.count());
     solve_periodic(posture_at, static_cast<Eigen::Index>(span.instants) / stride);
     return;
   }
-  const auto resting = [&]() -> RestingModes {
-    const double behind = once->behind();
-    const ModesInMotion at = modes_at(behind, diagram_at(behind));
-    Eigen::VectorXd frequencies(static_cast<Eigen::Index>(count));
+  OpenMotion motion = open_motion_of(chain, span);
+  const std::vector<double> changes = followed.changes_over(motion, acting_at);
+  followed.begin_at(begin_);
+  PassedOnce passed;
+  passed.changes = changes;
+  passed.turned_at = [&](double change) { return followed.turned_at(motion, change); };
+  passed.resting = [&]() -> RestingModes {
+    const double behind = motion.behind();
+    const ModesInMotion at = followed.at(behind);
+    Eigen::VectorXd frequencies(static_cast<Eigen::Index>(followed.count()));
     for (Eigen::Index j = 0; j < frequencies.size(); ++j)
       frequencies[j] = at.modes[static_cast<std::size_t>(j)].frequency;
     return {posture_at(behind).modal, std::move(frequencies),
             largest_stresses_in_space(at.modes, project.beam)};
   };
-  const auto turned_at = [&](double change) -> Eigen::MatrixXd {
-    // So near that nothing has moved, and so far that only round-off is nearer.
-    const auto border = std::lower_bound(borders.begin(), borders.end(), change);
-    const double beside = 1e-6 * std::min(change - *(border - 1), *(border + 1) - change);
-    const ModesInMotion ahead = modes_at(change - beside, diagram_at(change - beside));
-    const Eigen::MatrixXd turn = turn_between(ahead.shapes, reference, change);
-    const ModesInMotion from_here = begin_at(change + beside);
-    const frame::VibratingScene scene =
-        stopped.scene_in(states.at(change + beside), diagram_at(change + beside));
-    return frame::masses_between(scene, from_here.modes, ahead.modes) * turn;
-  };
-  solve_once(posture_at, std::move(*once), {changes, turned_at}, resting);
+  solve_once(posture_at, motion, std::move(passed));
 }
 
 void ElasticMotionInSpace::solve_periodic(const PostureAt& posture_at, Eigen::Index instants) {
@@ -323,11 +229,9 @@ void ElasticMotionInSpace::solve_periodic(const PostureAt& posture_at, Eigen::In
   }
 }
 
-void ElasticMotionInSpace::solve_once(const PostureAt& posture_at, OpenMotion motion,
-                                      Changes changes,
-                                      const std::function<RestingModes()>& resting) {
+void ElasticMotionInSpace::solve_once(const PostureAt& posture_at, const OpenMotion& motion,
+                                      PassedOnce passed) {
   Eigen::Index k = 0;
-  PassedOnce passed;
   passed.posture_at = [&](double time) {
     Posture at = posture_at(time);
     const ModalPosture& modal = at.modal;
@@ -341,10 +245,7 @@ void ElasticMotionInSpace::solve_once(const PostureAt& posture_at, OpenMotion mo
     return PassedPosture{std::move(at.modal), beside.packed()};
   };
   passed.accuracy = [&](const Eigen::VectorXd& largest) { return allowed_of(largest, k); };
-  passed.resting = resting;
-  passed.changes = std::move(changes.at);
-  passed.turned_at = std::move(changes.turned);
-  once_ = std::make_shared<const ModalTransient>(std::move(motion), passed);
+  once_ = std::make_shared<const ModalTransient>(motion, passed);
   lowest_ = once_->lowest_frequency();
 }
 
@@ -397,8 +298,14 @@ Eigen::RowVectorXd ElasticMotionInSpace::numbers_of(const BeamLoads& loads) {
     }
   }
   std::vector<PointLoad> points = places_.points;
-  for (const PointLoad& load : loads.points)
+  for (PointLoad load : loads.points) {
+    if (slides(load)) {
+      // From where it is to the start of the beam, which stays.
+      load.moment += Eigen::Vector3d(load.s.value(), 0.0, 0.0).cross(load.force);
+      load.s = Length();
+    }
     add_carried(load, same_point(load, length_of(places_.lines), points));
+  }
   const auto pieces = static_cast<Eigen::Index>(loads.lines.size()),
              count = static_cast<Eigen::Index>(points.size());
   Eigen::RowVectorXd numbers(numbers_of_piece * pieces + numbers_of_point * count);
@@ -421,7 +328,12 @@ Eigen::RowVectorXd ElasticMotionInSpace::numbers_of(const BeamLoads& loads) {
   return numbers;
 }
 
-BeamLoads ElasticMotionInSpace::loads_of(const Eigen::VectorXd& numbers) const {
+bool ElasticMotionInSpace::slides(const PointLoad& load) const {
+  return std::find(sliding_.begin(), sliding_.end(), load.name) != sliding_.end();
+}
+
+BeamLoads ElasticMotionInSpace::loads_of(const Eigen::VectorXd& numbers,
+                                         const BeamLoads& rigid) const {
   BeamLoads loads = places_;
   Eigen::Index at = 0;
   for (LineLoad& line : loads.lines) {
@@ -436,6 +348,13 @@ BeamLoads ElasticMotionInSpace::loads_of(const Eigen::VectorXd& numbers) const {
     load.force = numbers.segment<3>(at);
     load.moment = numbers.segment<3>(at + 3);
     at += numbers_of_point;
+    if (!slides(load)) continue;
+    const auto here = std::find_if(rigid.points.begin(), rigid.points.end(),
+                                   [&](const PointLoad& of) { return of.name == load.name; });
+    if (here == rigid.points.end()) continue;
+    load.s = here->s;
+    load.at = here->at;
+    load.moment -= Eigen::Vector3d(load.s.value(), 0.0, 0.0).cross(load.force);
   }
   return loads;
 }
@@ -480,7 +399,7 @@ Eigen::VectorXd ElasticMotionInSpace::vibrating_at(double time) const {
 
 BeamLoads ElasticMotionInSpace::loads_at(Time time) const {
   BeamLoads loads = rigid_(time);
-  add_bending(loads_of(vibrating_at(time.value())), loads);
+  add_bending(loads_of(vibrating_at(time.value()), loads), loads);
   return loads;
 }
 

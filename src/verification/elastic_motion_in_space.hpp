@@ -47,7 +47,7 @@ class ElasticMotionInSpace {
   /// `rigid`: loads on the rigid beam, before and behind a span that does not repeat those of the
   /// mechanism held there. `modes`: at least so many, where there are; `parts`: of the beam.
   /// `project` and `chain` stay for the time of the call, the names of joints longer. Throws
-  /// AnalysisError where a joint slides along an elastic beam or teeth mesh with it, the stopped
+  /// AnalysisError where teeth mesh with an elastic beam, the stopped
   /// mechanism is free to move or buckles, a harmonic of a motion that repeats meets a natural
   /// frequency of an undamped beam, modes change beyond recognition, or, in a motion that repeats,
   /// a stop or a cable begins or ends to act.
@@ -80,19 +80,17 @@ class ElasticMotionInSpace {
   using PostureAt = std::function<Posture(double time)>;
 
   void solve_periodic(const PostureAt& posture_at, Eigen::Index instants);
-  /// When modes change at once, and what turns their coordinates there.
-  struct Changes {
-    std::vector<double> at;
-    std::function<Eigen::MatrixXd(double time)> turned;
-  };
-  void solve_once(const PostureAt& posture_at, OpenMotion motion, Changes changes,
-                  const std::function<RestingModes()>& resting);
+  /// `passed`: but for postures and accuracy.
+  void solve_once(const PostureAt& posture_at, const OpenMotion& motion, PassedOnce passed);
   Eigen::VectorXd allowed_of(const Eigen::VectorXd& largest, Eigen::Index modes) const;
 
   /// The numbers of loads on the beam: coefficients of the line loads of every piece, then force
-  /// and moment of every point; new points become places.
+  /// and moment of every point, of one that slides along the beam about its start; new points
+  /// become places.
   Eigen::RowVectorXd numbers_of(const BeamLoads& loads);
-  BeamLoads loads_of(const Eigen::VectorXd& numbers) const;
+  /// `rigid`: then, where joints slide they are there.
+  BeamLoads loads_of(const Eigen::VectorXd& numbers, const BeamLoads& rigid) const;
+  bool slides(const PointLoad& load) const;
   /// What makes moments of these numbers, of their size [m, ...].
   Eigen::VectorXd arms_of_numbers() const;
   Eigen::VectorXd vibrating_at(double time) const;
@@ -102,13 +100,14 @@ class ElasticMotionInSpace {
   BeamLoads places_;       ///< points and pieces where modes load the beam, without loads
   Eigen::MatrixXd loads_;  ///< of the modes, a row for each instant of a motion that repeats
   bool damped_ = false;    ///< whether joints, springs or rods are
+  std::vector<std::string> sliding_;  ///< joints along the beam
   Eigen::MatrixXd eta_, dynamic_;
   std::shared_ptr<const ModalTransient> once_;
   double lowest_ = 1e300;
 };
 
-/// Why modes of the beams do not hold in their motion: a joint that slides along one, or teeth; ""
-/// where they do. `beams`: the elastic ones, the verified one first.
+/// Why modes of the beams do not hold in their motion: teeth; "" where they do. `beams`: the
+/// elastic ones, the verified one first.
 std::string obstacle_to_modes(const spatial::Mechanism& mechanism,
                               const std::vector<spatial::BeamPlacement>& beams);
 

@@ -36,14 +36,14 @@ std::string against_frequencies(const VibrationEstimate& estimate, const std::st
 }
 
 std::string too_fast(const std::deque<SituationRun>& rigid, const std::vector<double>& frequencies,
-                     std::size_t modes) {
+                     std::size_t modes, bool held_behind) {
   // Other postures and finer parts have somewhat faster modes.
   constexpr double elsewhere = 1.3;
   const double fastest = frequencies[std::min(modes, frequencies.size()) - 1];
   for (const SituationRun& run : rigid) {
     const double period = run.loads.period().value();
     constexpr double least_behind = 3.0;  // periods of the lowest mode
-    const double length = period + least_behind / frequencies.front();
+    const double length = period + (held_behind ? least_behind / frequencies.front() : 0.0);
     if (run.loads.closed() ||
         elsewhere * instants_to_a_period * fastest * length <= most_vibrating_instants)
       continue;

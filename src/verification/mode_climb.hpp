@@ -29,8 +29,9 @@ std::string missed_text(const VibrationEstimate& estimate, const ModelChoice& ch
 std::string against_frequencies(const VibrationEstimate& estimate, const std::string& beside = "");
 
 /// Why so many modes of motions that do not repeat cannot be looked at; "" where they can.
+/// `held_behind`: whether the mechanism vibrates on behind its motion.
 std::string too_fast(const std::deque<SituationRun>& rigid, const std::vector<double>& frequencies,
-                     std::size_t modes);
+                     std::size_t modes, bool held_behind = true);
 
 /// What a climb to ever more modes asks and says.
 struct Climb {

@@ -84,6 +84,7 @@ class StoppedTies {
   frame::Tie& tie(int a, int b, const Vector3d& at, const frame::Vector6& per) {
     frame::Tie& of = new_tie();
     of.ends = {end(a, at, -per), end(b, at, per)};
+    of.ends.front().slides = slides_;
     return of;
   }
   /// The same of the joint that is being tied, which may give way there.
@@ -129,6 +130,7 @@ class StoppedTies {
   void add_joint(std::size_t i) {
     const spatial::Joint& of = mechanism_->joints[i];
     name_ = of.name;
+    slides_ = slides_along(of.kind);
     const int a = of.parent, b = static_cast<int>(i);
     const Vector3d at = in_beam(spatial::position_of(*state_, {b, of.point}));
     const Vector3d axis = turned(of.parent, of.axis);
@@ -156,6 +158,7 @@ class StoppedTies {
     using Kind = spatial::ClosingKind;
     const spatial::ClosingJoint& of = mechanism_->closing[k];
     name_ = of.name;
+    slides_ = slides_along(of.kind);
     wrench_ = mechanism_->joints.size() + k;
     const int a = of.a.body, b = of.b.body;
     if (spatial::has_teeth(of.kind)) {
@@ -254,6 +257,7 @@ class StoppedTies {
     const spatial::Joint& joint = mechanism_->joints[static_cast<std::size_t>(spring.joint)];
     if (spatial::is_driven(joint)) return;
     name_ = spring.name;
+    slides_ = slides_along(joint.kind);
     const Vector3d at = in_beam(spatial::position_of(*state_, {spring.joint, joint.point}));
     frame::Tie& of = tie(joint.parent, spring.joint, at, couple(turned(joint.parent, joint.axis)));
     of.stiffness = spring.stiffness;
@@ -269,9 +273,69 @@ class StoppedTies {
   Matrix3d R_BW_;
   std::vector<int> member_;
   std::string_view name_;  ///< of what is being tied
+  bool slides_ = false;    ///< whether it does along its first body
 };
 
 }  // namespace
+
+bool slides_along(spatial::ClosingKind kind) {
+  using Kind = spatial::ClosingKind;
+  switch (kind) {
+    case Kind::prismatic:
+    case Kind::cylindrical:
+    case Kind::planar:
+    case Kind::slot:
+    case Kind::screw: return true;
+    case Kind::fixed:
+    case Kind::revolute:
+    case Kind::universal:
+    case Kind::spherical:
+    case Kind::distance:
+    case Kind::gear:
+    case Kind::rack: return false;
+  }
+  return false;
+}
+
+bool slides_along(spatial::JointKind kind) {
+  switch (kind) {
+    case spatial::JointKind::prismatic:
+    case spatial::JointKind::screw: return true;
+    case spatial::JointKind::fixed:
+    case spatial::JointKind::revolute: return false;
+  }
+  return false;
+}
+
+std::vector<std::string> joints_sliding_along(const spatial::Mechanism& mechanism, int body) {
+  std::vector<std::string> names;
+  for (const spatial::Joint& joint : mechanism.joints)
+    if (joint.parent == body && slides_along(joint.kind)) names.push_back(joint.name);
+  for (const spatial::ClosingJoint& joint : mechanism.closing)
+    if (joint.a.body == body && slides_along(joint.kind)) names.push_back(joint.name);
+  return names;
+}
+
+double sliding_along(const spatial::Mechanism& mechanism, const spatial::State& state,
+                     const std::vector<spatial::BeamPlacement>& beams, double length) {
+  double fastest = 0.0;
+  const auto look_at = [&](int along, const spatial::Attachment& of) {
+    if (along == spatial::ground || member_on(along, beams) == beams.end()) return;
+    const spatial::BodyMotion& body = state.bodies[static_cast<std::size_t>(along)];
+    const Vector3d there =
+        body.R_WB.transpose() * (spatial::position_of(state, of) - body.position);
+    const Vector3d passing =
+        spatial::velocity_of(state, of) - spatial::velocity_of(state, {along, there});
+    fastest = std::max(fastest, passing.norm() / length);
+  };
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const spatial::Joint& joint = mechanism.joints[i];
+    if (slides_along(joint.kind)) look_at(joint.parent, {static_cast<int>(i), joint.point});
+  }
+  for (const spatial::ClosingJoint& joint : mechanism.closing)
+    if (slides_along(joint.kind)) look_at(joint.a.body, joint.b);
+  return fastest;
+}
 
 std::vector<spatial::BeamPlacement> elastic_placements(const Project& project,
                                                        const spatial::Mechanism& mechanism) {

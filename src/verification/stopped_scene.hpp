@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "boxbeam/mechanism/frame/beam_vibration.hpp"
@@ -26,6 +27,17 @@ StoppedScene stopped_scene(const spatial::Mechanism& mechanism, const spatial::S
                            const std::vector<spatial::BeamPlacement>& members,
                            const GivingWay& giving = {},
                            const std::vector<spatial::Wrench>& wrenches = {});
+
+/// Whether the second body of a joint moves along the first.
+bool slides_along(spatial::JointKind kind);
+bool slides_along(spatial::ClosingKind kind);
+
+/// The joints that move along a body.
+std::vector<std::string> joints_sliding_along(const spatial::Mechanism& mechanism, int body);
+
+/// How fast any moves along a beam, by the length of the first [1/s].
+double sliding_along(const spatial::Mechanism& mechanism, const spatial::State& state,
+                     const std::vector<spatial::BeamPlacement>& beams, double length);
 
 /// Which bodies drivers and fixed joints that do not give way hold to the ground, none of these
 /// beams between: in a stopped mechanism they are at rest.

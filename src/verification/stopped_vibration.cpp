@@ -8,6 +8,7 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/verification/front_end.hpp"
 #include "stopped_scene.hpp"
+#include "vibration_in_space.hpp"
 
 namespace boxbeam {
 namespace {
@@ -183,10 +184,15 @@ std::size_t StoppedVibration::freedoms() const {
 std::vector<frame::BeamMode> StoppedVibration::modes(const spatial::State& state,
                                                      const CutForceDiagram& rigid,
                                                      std::size_t count) {
+  const std::size_t moved = freedoms();
   std::vector<frame::BeamMode> modes =
-      frame::modes_of(scene_in(state, rigid), count + freedoms(), ties_);
-  std::erase_if(modes, [](const frame::BeamMode& of) { return of.frequency == 0.0; });
-  if (modes.size() > count) modes.resize(count);
+      frame::modes_of(scene_in(state, rigid), count + moved, ties_);
+  // Those of whole bodies on their springs strain the beams least.
+  for (std::size_t k = 0; k < moved && !modes.empty(); ++k)
+    modes.erase(std::min_element(modes.begin(), modes.end(),
+                                 [](const frame::BeamMode& a, const frame::BeamMode& b) {
+                                   return strained_part_of(a) < strained_part_of(b);
+                                 }));
   return modes;
 }
 

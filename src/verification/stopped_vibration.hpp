@@ -53,9 +53,11 @@ class StoppedVibration {
   bool is_damped() const;
 
   /// In the posture of a state, `rigid` the verified beam's cut forces then. Throws AnalysisError
-  /// where the stopped mechanism is free to move otherwise, or buckles.
+  /// where the stopped mechanism is free to move otherwise, or buckles. Where forces move it those
+  /// modes that strain beams: as many as there are freedoms move whole bodies, which the rigid
+  /// motion knows.
   std::vector<frame::BeamMode> modes(const spatial::State& state, const CutForceDiagram& rigid,
-                                     std::size_t count);  ///< none of frequency zero
+                                     std::size_t count);
 
   /// The same modes of a posture that is passed in motion. Where forces move it, axial forces are
   /// in what turning adds, between modes that are faster than twice the turning.

@@ -249,6 +249,10 @@ Eigen::VectorXd largest_stresses_in_space(const std::vector<frame::BeamMode>& mo
   return largest;
 }
 
+double strained_part_of(const frame::BeamMode& mode) {
+  return mode.energy[0] + mode.energy[1] + mode.energy[2] + mode.energy[3] + mode.energy[5];
+}
+
 std::string shape_of(const frame::BeamMode& mode) {
   constexpr const char* words[] = {"stretching",
                                    "bending about y",
@@ -288,7 +292,8 @@ VibrationInSpace estimate_vibration_in_space(const Project& project, const Situa
   estimate.without_modes = {0.0};
   if (!of_loads.loaded()) return result;
   const double begin = run.loads.begin().value(), period = run.loads.period().value();
-  double fastest = 0.0, beside = 0.0;  // of the first mode's mass what is not the beam's
+  double fastest = 0.0, sliding = 0.0;
+  double beside = 0.0;  // of the first mode's mass what is not the beam's
   /// The first frequency in a posture, which is weighed; infinite without mass.
   const auto look_at = [&](double time) {
     const spatial::State state = chain.at(time);
@@ -299,6 +304,8 @@ VibrationInSpace estimate_vibration_in_space(const Project& project, const Situa
       fastest = std::max(fastest, state.bodies[static_cast<std::size_t>(beam.body)].omega.norm());
     const std::vector<double> missed =
         of_loads.estimates() ? of_loads.missed_by(modes) : std::vector<double>{};
+    sliding = std::max(sliding, sliding_along(chain.mechanism(), state, stopped.placements(),
+                                              project.beam.length().value()));
     if (estimate.without_modes.size() < missed.size())
       estimate.without_modes.resize(missed.size(), 0.0);
     for (std::size_t k = 0; k < missed.size(); ++k)
@@ -345,9 +352,10 @@ VibrationInSpace estimate_vibration_in_space(const Project& project, const Situa
     return result;
   }
   if (estimate.frequencies.empty() || !of_loads.estimates()) return result;
-  const double turning = std::pow(fastest / (full_turn * estimate.frequencies.front()), 2);
-  // Bodies beside the beam turn with axes of their own, against which modes change.
-  const double coupled = turning * beside;
+  const double lowest = full_turn * estimate.frequencies.front();
+  const double turning = std::pow(fastest / lowest, 2);
+  // Bodies beside the beam turn with axes of their own, and slide, against which modes change.
+  const double coupled = turning * beside + std::pow(sliding / lowest, 2);
   for (std::size_t k = 1; k < estimate.without_modes.size(); ++k)
     estimate.without_modes[k] += coupled;
   estimate.without_modes.front() += turning;

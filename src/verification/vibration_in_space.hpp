@@ -15,6 +15,9 @@ namespace boxbeam {
 /// "torsion", "stretching", "springs and joints beside the beam", "other beams and rods".
 std::string shape_of(const frame::BeamMode& mode);
 
+/// The part of a mode's elastic energy that is in beams.
+double strained_part_of(const frame::BeamMode& mode);
+
 /// `estimate_vibration` of a beam in space: the modes of its stopped mechanism, stresses of N, M_y
 /// and M_z at the corners of the sections' extent and sqrt(3) times that of T in walls of even
 /// thickness, T/sqrt(I_T A) of closed profiles, of others T sqrt(3/(I_T A)).

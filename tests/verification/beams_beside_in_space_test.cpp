@@ -814,29 +814,6 @@ TEST_CASE("an arm in two beams may vibrate where the whole arm may", "[beams_bes
   CHECK(apart > 0);
 }
 
-TEST_CASE("what slides along another elastic beam is an obstacle to modes", "[beams_beside]") {
-  const std::string text = arm(true, hinge({0.0, 0.0, 1.0}, 0.3, 1.2) + R"(
-[bodies.trolley]
-mass = "80 kg"
-points = { c = ["0 m", "0 m", "0 m"] }
-[joints.trolley]
-kind = "prismatic"
-connect = ["outer.A", "trolley.c"]
-axis = "x"
-[drivers.travelling]
-joint = "trolley"
-kind = "harmonic"
-mean = "1 m"
-amplitude = "0.8 m"
-frequency = "1.2 Hz"
-)");
-  const Moved of = moved(text);
-  CHECK_THAT(obstacle_to_modes(of.chain().mechanism(),
-                               elastic_placements(of.project, of.chain().mechanism())),
-             Catch::Contains("trolley slides along beam outer, which bends with it"));
-  CHECK_THROWS_AS(of.by(2, 8), AnalysisError);
-}
-
 // What is found of one beam is found of all: bad input of another one is answered at once.
 TEST_CASE("a joint beyond the end of another beam is refused with its place", "[beams_beside]") {
   std::string text = arm(true, hinge({0.0, 0.0, 1.0}, 0.3, 1.2) + load_at("outer.B"));

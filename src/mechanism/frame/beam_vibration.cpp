@@ -166,6 +166,7 @@ void VibratingBeam::add_piece(double from, double to, const FlexibilityProfile& 
     piece.mass +=
         point.on.weight * motion.transpose() * inertia_at(masses[segment], x, rotary_) * motion;
     Sample& sample = piece.samples.emplace_back();
+    sample.at = (s - from) / (to - from);
     sample.weight = point.on.weight;
     sample.cut = carry_along(to - s).transpose() * at_end;
     sample.strain = profile.at(point.of_profile, s) * sample.cut;
@@ -192,6 +193,39 @@ VibratingBeam::Leaning VibratingBeam::Sample::leaning() const {
   of.col(1) = (-motion.row(4) + strain.row(cut_force::V_z)).transpose();
   of.rightCols<3>() = motion.bottomRows<3>().transpose();
   return of;
+}
+
+Eigen::Matrix<double, 6, 12> VibratingBeam::Piece::motion_at(double s) const {
+  // A line between the ends, and what bows beside it, u (1 - u) times a cubic.
+  constexpr Index bows = 4;
+  const auto line = [](double u) {
+    Matrix6x12 of;
+    of << (1.0 - u) * Matrix6::Identity(), u * Matrix6::Identity();
+    return of;
+  };
+  const auto powers = [](double u) {
+    Eigen::Matrix<double, 1, bows> of(1.0, u, u * u, u * u * u);
+    return Eigen::Matrix<double, 1, bows>(u * (1.0 - u) * of);
+  };
+  const auto count = static_cast<Index>(samples.size());
+  Eigen::MatrixXd shapes(count, bows), values(count, 72);
+  for (Index i = 0; i < count; ++i) {
+    const Sample& sample = samples[static_cast<std::size_t>(i)];
+    const double u = sample.at;
+    shapes.row(i) = powers(u);
+    const Matrix6x12 beside = sample.motion - line(u);
+    values.row(i) = beside.reshaped().transpose();
+  }
+  const Eigen::MatrixXd cubic = shapes.colPivHouseholderQr().solve(values);
+  const double u = (s - from) / (to - from);
+  Matrix6x12 motion = line(u);
+  motion.reshaped() += (powers(u) * cubic).transpose();
+  return motion;
+}
+
+std::size_t VibratingBeam::piece_at(double s) const {
+  const auto behind = std::upper_bound(nodes_.begin() + 1, nodes_.end() - 1, s);
+  return static_cast<std::size_t>(behind - nodes_.begin() - 1);
 }
 
 std::size_t VibratingBeam::node_of(double s) const {

@@ -197,6 +197,12 @@ void add_loads_on_first(const HeldScene& held, const MovedScene& of, const Vecto
     add_tie_load(held, *ties.held[t].tie, sizes[static_cast<Index>(t)], loads);
   for (const Tied& tied : ties.elastic)
     add_tie_load(held, *tied.tie, -tied.tie->stiffness * tied.gap.of(of.moved), loads);
+  // Between nodes cut forces jump where a tie stands.
+  const bool any_slides = std::any_of(scene.ties.begin(), scene.ties.end(), [](const Tie& tie) {
+    return std::any_of(tie.ends.begin(), tie.ends.end(),
+                       [](const Tie::End& end) { return end.slides && end.at.member == 0; });
+  });
+  if (any_slides) cut = cut_forces_of(loads);
 }
 
 double shift_of(const VibratingScene& scene) {

@@ -51,8 +51,8 @@ struct MovedScene {
   Eigen::VectorXd moved, accelerations, applied;
 };
 
-/// Adds what acts on the first beam in it, but for what is applied: line loads and cut forces of
-/// every piece, and the forces of ties. `elastic`: as of `forces_of`.
+/// What acts on the first beam in it, but for what is applied, is added to nothing: line loads and
+/// cut forces of every piece, and the forces of ties. `elastic`: as of `forces_of`.
 void add_loads_on_first(const HeldScene& held, const MovedScene& of, const Eigen::VectorXd& elastic,
                         BeamLoads& loads, CutForceDiagram& cut);
 

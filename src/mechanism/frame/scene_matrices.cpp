@@ -23,6 +23,23 @@ double stiffest_entry_of(const VibratingBeam& beam, double length) {
   return largest;
 }
 
+/// Of an end that may stand anywhere along its beam.
+void add_between_nodes(const VibratingScene& scene, const SceneRows& rows, const Tie::End& end,
+                       Gap& gap) {
+  const auto member = static_cast<std::size_t>(end.at.member);
+  const PosedBeam& posed = scene.beams[member];
+  const Eigen::Vector3d along = posed.axes.col(0);
+  const double s = std::clamp(along.dot(end.at.p - posed.start), 0.0, posed.beam->length());
+  const std::size_t piece = posed.beam->piece_at(s);
+  const Vector6 there = carry(end.at.p - posed.start - s * along).transpose() * end.per;
+  Vector6 per;
+  per << posed.axes.transpose() * there.head<3>(), posed.axes.transpose() * there.tail<3>();
+  const Eigen::Vector<double, 12> ends = posed.beam->pieces()[piece].motion_at(s).transpose() * per;
+  const Index row = rows.beams[member] + static_cast<Index>(6 * piece);
+  gap.add(row, ends.head<6>());
+  gap.add(row + 6, ends.tail<6>());
+}
+
 }  // namespace
 
 SceneRows rows_of(const VibratingScene& scene) {
@@ -68,6 +85,10 @@ SceneTies ties_of(const VibratingScene& scene, const SceneRows& rows) {
     Gap gap;
     for (const Tie::End& end : tie.ends) {
       if (end.at.member == ground) continue;
+      if (end.slides && static_cast<std::size_t>(end.at.member) < scene.beams.size()) {
+        add_between_nodes(scene, rows, end, gap);
+        continue;
+      }
       const Followed by = followed_by(scene, rows, end.at);
       const Vector6 there = carry(end.at.p - by.from).transpose() * end.per;
       Vector6 per;

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "open_motion.hpp"
+#include "stopped_vibration.hpp"
+
+namespace boxbeam {
+
+/// Modes of the beams of a mechanism in space, followed through its postures: as many in each, in
+/// the basis nearest to that where they begin (`turn_between`).
+class FollowedModes {
+ public:
+  using StateAt = std::function<spatial::State(double time)>;
+  using CutsAt = std::function<CutForceDiagram(double time)>;
+
+  /// `modes`: at least so many beside those of frequency zero, where there are. `stopped` stays.
+  FollowedModes(StoppedVibration& stopped, StateAt state_at, CutsAt cuts_at, std::size_t modes);
+
+  /// Begins with those of the posture at a time, which are returned. Throws AnalysisError where
+  /// there are none.
+  ModesInMotion begin_at(double time);
+  /// Those of another posture. Throws AnalysisError where there are fewer.
+  ModesInMotion at(double time);
+  /// From the basis they began in to their own. Throws AnalysisError where they are not recognised.
+  Eigen::MatrixXd turn_of(const ModesInMotion& modes, double time) const;
+  std::size_t count() const { return count_; }
+
+  /// Borders between, at which the modes are to begin anew: those at which `acting_at` changes, and
+  /// others, which are added to the motion, before modes are hard to recognise.
+  std::vector<double> changes_over(OpenMotion& motion,
+                                   const std::function<std::vector<bool>(double time)>& acting_at);
+
+  /// Begins anew at a border; what turns coordinates of the modes before into those behind: their
+  /// motion and their momentum go on.
+  Eigen::MatrixXd turned_at(const OpenMotion& motion, double border);
+
+ private:
+  StoppedVibration* stopped_;
+  StateAt state_at_;
+  CutsAt cuts_at_;
+  std::size_t modes_, count_ = 0;
+  Eigen::MatrixXd reference_;
+};
+
+/// At which of the borders, but for the ends, others act behind than before; between two of them
+/// the same act.
+std::vector<double> changes_between(const std::vector<double>& borders,
+                                    const std::function<std::vector<bool>(double time)>& acting_at);
+
+}  // namespace boxbeam
