@@ -11,59 +11,10 @@
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/mechanism/spatial/rest.hpp"
 #include "followed_modes.hpp"
+#include "vibrating_contacts.hpp"
 
 namespace boxbeam {
 namespace {
-
-constexpr Eigen::Index numbers_of_piece = 8, numbers_of_point = 6;
-
-/// Pieces without load that end where those of either end.
-std::vector<LineLoad> pieces_of_both(const std::vector<LineLoad>& lines,
-                                     const std::vector<LineLoad>& others) {
-  std::vector<LineLoad> finer;
-  std::vector<Length> ends;
-  for (const std::vector<LineLoad>* of : {&lines, &others})
-    for (const LineLoad& line : *of) ends.push_back(line.start + line.length);
-  std::sort(ends.begin(), ends.end());
-  constexpr double round_off = 1e-12;
-  const Length close = round_off * ends.back();
-  Length from;
-  for (const Length& end : ends) {
-    if (end - from <= close) continue;
-    LineLoad& piece = finer.emplace_back();
-    piece.start = from;
-    piece.length = end - from;
-    from = end;
-  }
-  return finer;
-}
-
-/// The load of the same name and place, a millionth of the beam apart at most, for one without name
-/// any there; else a new one there.
-PointLoad& same_point(const PointLoad& load, Length beam, std::vector<PointLoad>& points) {
-  const Length close = 1e-6 * beam;
-  const auto same = std::find_if(points.begin(), points.end(), [&](const PointLoad& of) {
-    const Length apart = of.s > load.s ? of.s - load.s : load.s - of.s;
-    return (load.name.empty() || of.name == load.name) && apart <= close;
-  });
-  if (same != points.end()) return *same;
-  PointLoad& added = points.emplace_back();
-  added.s = load.s;
-  added.at = load.at;
-  added.name = load.name;
-  return added;
-}
-
-/// Adds a load to one that may stand a little apart.
-void add_carried(const PointLoad& load, PointLoad& sum) {
-  const Eigen::Vector3d arm((load.s - sum.s).value(), 0.0, 0.0);
-  sum.force += load.force;
-  sum.moment += load.moment + arm.cross(load.force);
-}
-
-Length length_of(const std::vector<LineLoad>& lines) {
-  return lines.back().start + lines.back().length;
-}
 
 /// Which of the springs act in a state.
 std::vector<bool> acting_springs(const spatial::Mechanism& mechanism, const spatial::State& state) {
@@ -80,17 +31,31 @@ struct LoadsOfModes {
   Eigen::VectorXd statically;  ///< K^-1 p
   Eigen::MatrixXd loads;       ///< a row for each mode
   Eigen::MatrixXd by_rate;     ///< likewise, of dampers, or of no rows
+  Eigen::MatrixXd gaps;        ///< likewise
+
+  /// The largest gap, or what is none beside the motion of a mode.
+  double largest_gap() const {
+    constexpr double none = 1e-6;
+    return gaps.size() > 0 ? std::max(none, gaps.maxCoeff()) : none;
+  }
 
   Eigen::VectorXd packed() const {
-    Eigen::VectorXd all(viscous.size() + statically.size() + loads.size() + by_rate.size());
-    all << viscous.reshaped(), statically, loads.reshaped(), by_rate.reshaped();
+    Eigen::VectorXd all(viscous.size() + statically.size() + loads.size() + by_rate.size() +
+                        gaps.size());
+    all << viscous.reshaped(), statically, loads.reshaped(), by_rate.reshaped(), gaps.reshaped();
     return all;
   }
-  static LoadsOfModes unpacked(const Eigen::VectorXd& all, Eigen::Index k, bool damped) {
-    const Eigen::Index left = all.size() - k * k - k, size = damped ? left / 2 : left;
-    return {all.head(k * k).reshaped(k, k), all.segment(k * k, k),
-            all.segment(k * k + k, size).reshaped(k, size / k),
-            damped ? Eigen::MatrixXd(all.tail(size).reshaped(k, size / k)) : Eigen::MatrixXd()};
+  static LoadsOfModes unpacked(const Eigen::VectorXd& all, Eigen::Index k, bool damped,
+                               Eigen::Index contacts) {
+    const Eigen::Index left = all.size() - k * k - k - k * contacts,
+                       size = damped ? left / 2 : left;
+    const auto rows_from = [&](Eigen::Index at, Eigen::Index count) -> Eigen::MatrixXd {
+      return all.segment(at, count).reshaped(k, count / k);
+    };
+    const Eigen::Index first = k * k + k;
+    return {rows_from(0, k * k), all.segment(k * k, k), rows_from(first, size),
+            damped ? rows_from(first + size, size) : Eigen::MatrixXd(),
+            rows_from(first + left, k * contacts)};
   }
 };
 
@@ -134,7 +99,9 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
     refuse_vibration(why + otherwise);
 
   damped_ = stopped.is_damped();
-  sliding_ = joints_sliding_along(chain.mechanism(), stopped.placements().front().body);
+  contacts_ = static_cast<Eigen::Index>(contacts_of(chain.mechanism()).size());
+  numbers_ =
+      LoadNumbers(joints_sliding_along(chain.mechanism(), stopped.placements().front().body));
   const spatial::StatesAround states(chain, {begin_, period_, span.closed, span.instants});
   const auto acting_at = [&](double time) {
     return acting_springs(chain.mechanism(), states.at(time));
@@ -153,7 +120,7 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
     for (Eigen::Index j = 0; j < k; ++j) {
       const frame::BeamMode& mode = at.modes[static_cast<std::size_t>(j)];
       modal.squares[j] = std::pow(full_turn * mode.frequency, 2);
-      const Eigen::RowVectorXd of = numbers_of(mode.loads);
+      const Eigen::RowVectorXd of = numbers_.of(mode.loads);
       // What begins to act later stands behind the others.
       if (j == 0) numbers.resize(k, of.size());
       numbers.row(j) = of;
@@ -164,12 +131,13 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
     Eigen::MatrixXd by_rate = Eigen::MatrixXd::Zero(damped_ ? k : 0, numbers.cols());
     for (const frame::DampedTie& of : at.dampers) {
       modal.of_material -= of.damping * of.gaps * of.gaps.transpose();
-      by_rate += of.damping * of.gaps * numbers_of(of.loads);
+      by_rate += of.damping * of.gaps * numbers_.of(of.loads);
     }
     modal.of_rate = std::move(at.turning.of_rate);
     modal.of_size = std::move(at.turning.of_size);
     posture.loads = modal.turn.transpose() * numbers;
     if (damped_) posture.by_rate = modal.turn.transpose() * by_rate;
+    posture.gaps = modal.turn.transpose() * at.gaps.transpose();
     return posture;
   };
   if (span.closed) {
@@ -204,6 +172,9 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
             largest_stresses_in_space(at.modes, project.beam)};
   };
   solve_once(posture_at, motion, std::move(passed));
+  check_contacts(chain, states, once_->response(), [&](double time, Eigen::Index k) {
+    return LoadsOfModes::unpacked(once_->beside_at(time), k, damped_, contacts_).gaps;
+  });
 }
 
 void ElasticMotionInSpace::solve_periodic(const PostureAt& posture_at, Eigen::Index instants) {
@@ -220,7 +191,7 @@ void ElasticMotionInSpace::solve_periodic(const PostureAt& posture_at, Eigen::In
   ModalMotion solved = solve_modal_motion(postures, period_);
   eta_ = std::move(solved.eta);
   dynamic_ = std::move(solved.dynamic);
-  loads_ = Eigen::MatrixXd::Zero(instants, arms_of_numbers().size());
+  loads_ = Eigen::MatrixXd::Zero(instants, numbers_.arms().size());
   for (Eigen::Index i = 0; i < instants; ++i) {
     const Eigen::MatrixXd& of = mode_loads[static_cast<std::size_t>(i)];
     loads_.row(i).head(of.cols()) = dynamic_.row(i) * of;
@@ -241,7 +212,7 @@ void ElasticMotionInSpace::solve_once(const PostureAt& posture_at, const OpenMot
     const LoadsOfModes beside{
         turn.transpose() * flexibility.asDiagonal() * modal.of_material * turn,
         turn.transpose() * modal.force.cwiseProduct(flexibility), std::move(at.loads),
-        std::move(at.by_rate)};
+        std::move(at.by_rate), std::move(at.gaps)};
     return PassedPosture{std::move(at.modal), beside.packed()};
   };
   passed.accuracy = [&](const Eigen::VectorXd& largest) { return allowed_of(largest, k); };
@@ -264,11 +235,12 @@ Eigen::VectorXd ElasticMotionInSpace::allowed_of(const Eigen::VectorXd& largest,
     return part * of.cwiseMax(hardly * of.maxCoeff());
   };
   const LoadsOfModes beside =
-      LoadsOfModes::unpacked(largest.tail(largest.size() - 2 * k * k - k), k, damped_);
-  const Eigen::VectorXd arms = arms_of_numbers();
+      LoadsOfModes::unpacked(largest.tail(largest.size() - 2 * k * k - k), k, damped_, contacts_);
+  const Eigen::VectorXd arms = numbers_.arms();
   LoadsOfModes of_beside{Eigen::MatrixXd::Constant(k, k, part * beside.viscous.maxCoeff()),
                          valued(beside.statically), Eigen::MatrixXd(k, arms.size()),
-                         Eigen::MatrixXd(damped_ ? k : 0, arms.size())};
+                         Eigen::MatrixXd(damped_ ? k : 0, arms.size()),
+                         Eigen::MatrixXd::Constant(k, contacts_, part * beside.largest_gap())};
   // Of every row a part of the most that it does, or, where that is nothing, of all.
   const auto of_rows = [&](const Eigen::MatrixXd& rows, Eigen::MatrixXd& errors) {
     constexpr double no_load = 1e-9;
@@ -289,94 +261,6 @@ Eigen::VectorXd ElasticMotionInSpace::allowed_of(const Eigen::VectorXd& largest,
   return allowed;
 }
 
-Eigen::RowVectorXd ElasticMotionInSpace::numbers_of(const BeamLoads& loads) {
-  if (places_.lines.empty()) {
-    for (const LineLoad& line : loads.lines) {
-      LineLoad& piece = places_.lines.emplace_back();
-      piece.start = line.start;
-      piece.length = line.length;
-    }
-  }
-  std::vector<PointLoad> points = places_.points;
-  for (PointLoad load : loads.points) {
-    if (slides(load)) {
-      // From where it is to the start of the beam, which stays.
-      load.moment += Eigen::Vector3d(load.s.value(), 0.0, 0.0).cross(load.force);
-      load.s = Length();
-    }
-    add_carried(load, same_point(load, length_of(places_.lines), points));
-  }
-  const auto pieces = static_cast<Eigen::Index>(loads.lines.size()),
-             count = static_cast<Eigen::Index>(points.size());
-  Eigen::RowVectorXd numbers(numbers_of_piece * pieces + numbers_of_point * count);
-  Eigen::Index at = 0;
-  for (const LineLoad& line : loads.lines) {
-    const auto& [x, y, z] = line.force;
-    const auto& [about_x, about_y, about_z] = line.couple;
-    for (const double number :
-         {x.c[0], y.c[0], y.c[1], z.c[0], z.c[1], about_x.c[0], about_y.c[0], about_z.c[0]})
-      numbers[at++] = number;
-  }
-  for (PointLoad& load : points) {
-    numbers.segment<3>(at) = load.force.transpose();
-    numbers.segment<3>(at + 3) = load.moment.transpose();
-    at += numbers_of_point;
-    load.force.setZero();
-    load.moment.setZero();
-  }
-  places_.points = std::move(points);
-  return numbers;
-}
-
-bool ElasticMotionInSpace::slides(const PointLoad& load) const {
-  return std::find(sliding_.begin(), sliding_.end(), load.name) != sliding_.end();
-}
-
-BeamLoads ElasticMotionInSpace::loads_of(const Eigen::VectorXd& numbers,
-                                         const BeamLoads& rigid) const {
-  BeamLoads loads = places_;
-  Eigen::Index at = 0;
-  for (LineLoad& line : loads.lines) {
-    line.force[0] = {{numbers[at]}};
-    line.force[1] = {{numbers[at + 1], numbers[at + 2]}};
-    line.force[2] = {{numbers[at + 3], numbers[at + 4]}};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      line.couple[axis] = {{numbers[at + 5 + static_cast<Eigen::Index>(axis)]}};
-    at += numbers_of_piece;
-  }
-  for (PointLoad& load : loads.points) {
-    load.force = numbers.segment<3>(at);
-    load.moment = numbers.segment<3>(at + 3);
-    at += numbers_of_point;
-    if (!slides(load)) continue;
-    const auto here = std::find_if(rigid.points.begin(), rigid.points.end(),
-                                   [&](const PointLoad& of) { return of.name == load.name; });
-    if (here == rigid.points.end()) continue;
-    load.s = here->s;
-    load.at = here->at;
-    load.moment -= Eigen::Vector3d(load.s.value(), 0.0, 0.0).cross(load.force);
-  }
-  return loads;
-}
-
-Eigen::VectorXd ElasticMotionInSpace::arms_of_numbers() const {
-  const double length = length_of(places_.lines).value();
-  const auto pieces = static_cast<Eigen::Index>(places_.lines.size()),
-             points = static_cast<Eigen::Index>(places_.points.size());
-  Eigen::VectorXd arms(numbers_of_piece * pieces + numbers_of_point * points);
-  Eigen::Index at = 0;
-  for (const LineLoad& line : places_.lines) {
-    const double h = line.length.value(), force = h * length;
-    for (const double arm : {force, force, force * h, force, force * h, h, h, h}) arms[at++] = arm;
-  }
-  for (Eigen::Index i = 0; i < points; ++i) {
-    arms.segment<3>(at).setConstant(length);
-    arms.segment<3>(at + 3).setOnes();
-    at += numbers_of_point;
-  }
-  return arms;
-}
-
 const TransientResponse* ElasticMotionInSpace::transient() const {
   return once_ ? &once_->response() : nullptr;
 }
@@ -389,8 +273,9 @@ LoadSpan ElasticMotionInSpace::span_of(const LoadSpan& rigid) const {
 Eigen::VectorXd ElasticMotionInSpace::vibrating_at(double time) const {
   if (!once_) return trigonometric_at(loads_, (time - begin_) / period_);
   const ModalState state = once_->response().at(time);
-  const LoadsOfModes of = LoadsOfModes::unpacked(once_->beside_at(time), state.eta.size(), damped_);
-  Eigen::VectorXd numbers = Eigen::VectorXd::Zero(arms_of_numbers().size());
+  const LoadsOfModes of =
+      LoadsOfModes::unpacked(once_->beside_at(time), state.eta.size(), damped_, contacts_);
+  Eigen::VectorXd numbers = Eigen::VectorXd::Zero(numbers_.arms().size());
   numbers.head(of.loads.cols()) =
       of.loads.transpose() * (state.eta + of.viscous * state.speed - of.statically);
   if (damped_) numbers.head(of.by_rate.cols()) += of.by_rate.transpose() * state.speed;
@@ -399,19 +284,8 @@ Eigen::VectorXd ElasticMotionInSpace::vibrating_at(double time) const {
 
 BeamLoads ElasticMotionInSpace::loads_at(Time time) const {
   BeamLoads loads = rigid_(time);
-  add_bending(loads_of(vibrating_at(time.value()), loads), loads);
+  add_bending(numbers_.loads_of(vibrating_at(time.value()), loads), loads);
   return loads;
-}
-
-void add_bending(const BeamLoads& bending, BeamLoads& loads) {
-  const Length beam = length_of(bending.lines);
-  for (const PointLoad& load : bending.points) {
-    if (load.force.isZero(0.0) && load.moment.isZero(0.0)) continue;
-    add_carried(load, same_point(load, beam, loads.points));
-  }
-  const std::vector<LineLoad> pieces = pieces_of_both(loads.lines, bending.lines);
-  loads.lines = on_stretches_of(loads.lines, pieces);
-  add_lines(loads.lines, 1.0, on_stretches_of(bending.lines, pieces));
 }
 
 LoadHistory elastic_loads_in_space(const Project& project, const spatial::Chain& chain,

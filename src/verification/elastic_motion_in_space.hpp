@@ -8,6 +8,7 @@
 
 #include "boxbeam/verification/load_history.hpp"
 #include "boxbeam/verification/model_choice.hpp"
+#include "load_numbers.hpp"
 #include "modal_transient.hpp"
 #include "vibration_in_space.hpp"
 
@@ -49,8 +50,8 @@ class ElasticMotionInSpace {
   /// `project` and `chain` stay for the time of the call, the names of joints longer. Throws
   /// AnalysisError where teeth mesh with an elastic beam, the stopped
   /// mechanism is free to move or buckles, a harmonic of a motion that repeats meets a natural
-  /// frequency of an undamped beam, modes change beyond recognition, or, in a motion that repeats,
-  /// a stop or a cable begins or ends to act.
+  /// frequency of an undamped beam, modes change beyond recognition, a stop or a cable begins or
+  /// ends to act in a motion that repeats, or vibration itself lets one act.
   ElasticMotionInSpace(const Project& project, const spatial::Chain& chain, const LoadSpan& span,
                        LoadsAt rigid, std::size_t modes, int parts);
 
@@ -76,6 +77,7 @@ class ElasticMotionInSpace {
     ModalPosture modal;
     Eigen::MatrixXd loads;
     Eigen::MatrixXd by_rate;  ///< of dampers, per rate of the modes; of no rows without them
+    Eigen::MatrixXd gaps;     ///< of springs that act from a length on, a row for each mode
   };
   using PostureAt = std::function<Posture(double time)>;
 
@@ -84,23 +86,14 @@ class ElasticMotionInSpace {
   void solve_once(const PostureAt& posture_at, const OpenMotion& motion, PassedOnce passed);
   Eigen::VectorXd allowed_of(const Eigen::VectorXd& largest, Eigen::Index modes) const;
 
-  /// The numbers of loads on the beam: coefficients of the line loads of every piece, then force
-  /// and moment of every point, of one that slides along the beam about its start; new points
-  /// become places.
-  Eigen::RowVectorXd numbers_of(const BeamLoads& loads);
-  /// `rigid`: then, where joints slide they are there.
-  BeamLoads loads_of(const Eigen::VectorXd& numbers, const BeamLoads& rigid) const;
-  bool slides(const PointLoad& load) const;
-  /// What makes moments of these numbers, of their size [m, ...].
-  Eigen::VectorXd arms_of_numbers() const;
   Eigen::VectorXd vibrating_at(double time) const;
 
   LoadsAt rigid_;
   double begin_, period_;
-  BeamLoads places_;       ///< points and pieces where modes load the beam, without loads
-  Eigen::MatrixXd loads_;  ///< of the modes, a row for each instant of a motion that repeats
-  bool damped_ = false;    ///< whether joints, springs or rods are
-  std::vector<std::string> sliding_;  ///< joints along the beam
+  LoadNumbers numbers_;
+  Eigen::MatrixXd loads_;      ///< of the modes, a row for each instant of a motion that repeats
+  bool damped_ = false;        ///< whether joints, springs or rods are
+  Eigen::Index contacts_ = 0;  ///< springs that act from a length on
   Eigen::MatrixXd eta_, dynamic_;
   std::shared_ptr<const ModalTransient> once_;
   double lowest_ = 1e300;
@@ -110,9 +103,6 @@ class ElasticMotionInSpace {
 /// elastic ones, the verified one first.
 std::string obstacle_to_modes(const spatial::Mechanism& mechanism,
                               const std::vector<spatial::BeamPlacement>& beams);
-
-/// Adds what bending does to a beam to its loads: without a name to what stands at the same place.
-void add_bending(const BeamLoads& bending, BeamLoads& loads);
 
 /// Loads on the beam of a case in space by a model of it: those of rigid bodies, bent under them,
 /// or with vibration. `span`: of the rigid bodies' loads.

@@ -50,7 +50,7 @@ class StoppedTies {
   }
 
   std::vector<frame::RigidMass> bodies;
-  std::vector<frame::Tie> ties;
+  std::vector<frame::Tie> ties, contacts;
 
  private:
   static frame::Vector6 force(const Vector3d& along) {
@@ -244,9 +244,13 @@ class StoppedTies {
   }
 
   void add_spring(const spatial::Spring& spring) {
-    if (!spatial::acts(spring, *state_)) return;
     name_ = spring.name;
     frame::Tie& of = along_line(spring.a, spring.b);
+    if (begins_at_length(law_of(spring))) contacts.push_back(of);
+    if (!spatial::acts(spring, *state_)) {
+      ties.pop_back();
+      return;
+    }
     const double length =
         (spatial::position_of(*state_, spring.b) - spatial::position_of(*state_, spring.a)).norm();
     of.stiffness = stiffness_at(law_of(spring), length);
@@ -349,7 +353,7 @@ StoppedScene stopped_scene(const spatial::Mechanism& mechanism, const spatial::S
                            const std::vector<spatial::BeamPlacement>& members,
                            const GivingWay& giving, const std::vector<spatial::Wrench>& wrenches) {
   StoppedTies of(mechanism, state, members, giving, wrenches);
-  return {std::move(of.bodies), std::move(of.ties)};
+  return {std::move(of.bodies), std::move(of.ties), std::move(of.contacts)};
 }
 
 std::vector<bool> resting_bodies(const spatial::Mechanism& mechanism,
@@ -392,10 +396,11 @@ void leave_out_resting(const std::vector<int>& members, std::size_t beams, Stopp
     member.push_back(of);
   }
   scene.bodies = std::move(moving);
-  for (frame::Tie& tie : scene.ties) {
-    for (frame::Tie::End& end : tie.ends)
-      if (end.at.member >= count)
-        end.at.member = member[static_cast<std::size_t>(end.at.member - count)];
+  for (std::vector<frame::Tie>* const all : {&scene.ties, &scene.contacts}) {
+    for (frame::Tie& tie : *all)
+      for (frame::Tie::End& end : tie.ends)
+        if (end.at.member >= count)
+          end.at.member = member[static_cast<std::size_t>(end.at.member - count)];
   }
   std::erase_if(scene.ties, [](const frame::Tie& tie) {
     return std::all_of(tie.ends.begin(), tie.ends.end(),

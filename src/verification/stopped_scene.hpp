@@ -21,6 +21,9 @@ std::vector<spatial::BeamPlacement> elastic_placements(const Project& project,
 struct StoppedScene {
   std::vector<frame::RigidMass> bodies;  ///< in the order of the mechanism, without the members'
   std::vector<frame::Tie> ties;
+  /// Along springs that act from a length on, whether they do then or not, in their order: their
+  /// gap is by how much they are longer.
+  std::vector<frame::Tie> contacts;
 };
 /// `wrenches`: `spatial::Chain::joint_wrenches` then, where something gives way.
 StoppedScene stopped_scene(const spatial::Mechanism& mechanism, const spatial::State& state,

@@ -158,14 +158,20 @@ std::vector<frame::PosedBeam> StoppedVibration::beams_in(
   return posed;
 }
 
-frame::VibratingScene StoppedVibration::scene_in(const spatial::State& state,
-                                                 const CutForceDiagram& rigid) const {
+StoppedVibration::SceneWithContacts StoppedVibration::contacts_in(
+    const spatial::State& state, const CutForceDiagram& rigid) const {
   std::vector<spatial::Wrench> wrenches;
   if (!beside_.empty() || !giving_.empty()) wrenches = chain_->joint_wrenches(state);
   StoppedScene stopped = stopped_scene(chain_->mechanism(), state, placements_, giving_, wrenches);
   leave_out_resting(members_, placements_.size(), stopped);
-  return {beams_in(state, rigid, wrenches), std::move(stopped.bodies), std::move(stopped.ties),
-          freedoms()};
+  return {{beams_in(state, rigid, wrenches), std::move(stopped.bodies), std::move(stopped.ties),
+           freedoms()},
+          std::move(stopped.contacts)};
+}
+
+frame::VibratingScene StoppedVibration::scene_in(const spatial::State& state,
+                                                 const CutForceDiagram& rigid) const {
+  return contacts_in(state, rigid).scene;
 }
 
 bool StoppedVibration::is_damped() const {
@@ -204,9 +210,10 @@ Eigen::VectorXd StoppedVibration::rigid_cuts(const spatial::State& state,
 ModesInMotion StoppedVibration::modes_in_motion(const spatial::State& state,
                                                 const CutForceDiagram& rigid, std::size_t count) {
   const spatial::Mechanism& mechanism = chain_->mechanism();
-  const frame::VibratingScene scene = scene_in(state, rigid);
+  const auto [scene, contacts] = contacts_in(state, rigid);
   ModesInMotion result;
   result.modes = frame::modes_of(scene, count, ties_);
+  result.gaps = frame::gaps_of(scene, result.modes, contacts);
   const spatial::BeamPlacement& first = placements_.front();
   const Matrix3d R_WB = state.bodies[static_cast<std::size_t>(first.body)].R_WB * first.axes;
   const auto turning_of = [&](std::size_t body) {

@@ -24,6 +24,7 @@ struct ModesInMotion {
   std::vector<frame::BeamMode> modes;
   Eigen::VectorXd force;    ///< generalised, of the loads on the rigid beams
   Eigen::MatrixXd damping;  ///< phi^T C phi [1/s]
+  Eigen::MatrixXd gaps;     ///< of springs that act from a length on, a row for each [m]
   /// Of joints, springs and rods; the rest of the damping is that of the material.
   std::vector<frame::DampedTie> dampers;
   frame::TurningTerms turning;
@@ -75,6 +76,12 @@ class StoppedVibration {
   frame::VibratingScene scene_in(const spatial::State& state, const CutForceDiagram& rigid) const;
 
  private:
+  /// The scene, and ties along springs that act from a length on.
+  struct SceneWithContacts {
+    frame::VibratingScene scene;
+    std::vector<frame::Tie> contacts;
+  };
+  SceneWithContacts contacts_in(const spatial::State& state, const CutForceDiagram& rigid) const;
   std::vector<frame::PosedBeam> beams_in(const spatial::State& state, const CutForceDiagram& rigid,
                                          const std::vector<spatial::Wrench>& wrenches) const;
 

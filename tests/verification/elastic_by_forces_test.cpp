@@ -404,6 +404,26 @@ double heel_moment(const BeamLoads& loads) { return cuts_of(loads, 0.0)[4]; }
 
 }  // namespace
 
+TEST_CASE("vibration that lets go of a stop by itself is refused with its place and time",
+          "[elastic_by_forces]") {
+  Falling falling;
+  falling.hub = 20.0;
+  falling.load = 120.0;
+  falling.start = 0.05;
+  falling.stiffness = 5e6;
+  falling.acts = "pushing";
+  falling.duration = 0.4;
+  const Moved moved = falling.moved();
+  try {
+    moved.by(3, 8);
+    FAIL("not refused");
+  } catch (const AnalysisError& error) {
+    CHECK_THAT(error.failure().what,
+               Catch::Contains("vibration itself") && Catch::Contains("below"));
+    CHECK(error.failure().time.has_value());
+  }
+}
+
 // Below the spring's dampers bear in series with the arm, at its tip beside it.
 TEST_CASE("dampers at heel and tip act where they are", "[elastic_by_forces]") {
   for (const auto& [below, tip] : {std::pair{4000.0, 0.0}, {0.0, 800.0}, {4000.0, 800.0}}) {

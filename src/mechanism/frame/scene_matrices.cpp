@@ -74,6 +74,23 @@ Eigen::VectorXd in_scene_axes(const VibratingScene& scene, const SceneRows& rows
   return coordinates;
 }
 
+Gap gap_of(const VibratingScene& scene, const SceneRows& rows, const Tie& tie) {
+  Gap gap;
+  for (const Tie::End& end : tie.ends) {
+    if (end.at.member == ground) continue;
+    if (end.slides && static_cast<std::size_t>(end.at.member) < scene.beams.size()) {
+      add_between_nodes(scene, rows, end, gap);
+      continue;
+    }
+    const Followed by = followed_by(scene, rows, end.at);
+    const Vector6 there = carry(end.at.p - by.from).transpose() * end.per;
+    Vector6 per;
+    per << by.axes.transpose() * there.head<3>(), by.axes.transpose() * there.tail<3>();
+    gap.add(by.row, per);
+  }
+  return gap;
+}
+
 SceneTies ties_of(const VibratingScene& scene, const SceneRows& rows) {
   SceneTies all;
   double stiffest = 0.0;
@@ -82,19 +99,7 @@ SceneTies ties_of(const VibratingScene& scene, const SceneRows& rows) {
   for (const PosedBeam& posed : scene.beams)
     stiffest = std::max(stiffest, stiffest_entry_of(*posed.beam, all.length));
   for (const Tie& tie : scene.ties) {
-    Gap gap;
-    for (const Tie::End& end : tie.ends) {
-      if (end.at.member == ground) continue;
-      if (end.slides && static_cast<std::size_t>(end.at.member) < scene.beams.size()) {
-        add_between_nodes(scene, rows, end, gap);
-        continue;
-      }
-      const Followed by = followed_by(scene, rows, end.at);
-      const Vector6 there = carry(end.at.p - by.from).transpose() * end.per;
-      Vector6 per;
-      per << by.axes.transpose() * there.head<3>(), by.axes.transpose() * there.tail<3>();
-      gap.add(by.row, per);
-    }
+    Gap gap = gap_of(scene, rows, tie);
     if (tie.rigid) all.giving.push_back({&tie, gap});
     const double unit = tie.way() == 0 ? all.length * all.length : 1.0;
     auto& kind = tie.stiffness * unit > stiff_as_rigid * stiffest ? all.held : all.elastic;

@@ -69,6 +69,8 @@ Followed followed_by(const VibratingScene& scene, const SceneRows& rows, const P
 Eigen::VectorXd in_scene_axes(const VibratingScene& scene, const SceneRows& rows,
                               Eigen::VectorXd coordinates);
 
+Gap gap_of(const VibratingScene& scene, const SceneRows& rows, const Tie& tie);
+
 /// A tie with what its force does to the coordinates.
 struct Tied {
   const Tie* tie;

@@ -231,6 +231,19 @@ std::vector<DampedTie> damped_ties_of(const VibratingScene& scene,
   return all;
 }
 
+MatrixXd gaps_of(const VibratingScene& scene, const std::vector<BeamMode>& modes,
+                 const std::vector<Tie>& ties) {
+  const SceneRows rows = rows_of(scene);
+  const MatrixXd motions = in_beam_axes(scene, rows, motions_of(modes));
+  MatrixXd gaps(static_cast<Index>(ties.size()), motions.cols());
+  for (std::size_t t = 0; t < ties.size(); ++t) {
+    const Gap gap = gap_of(scene, rows, ties[t]);
+    for (Index j = 0; j < motions.cols(); ++j)
+      gaps(static_cast<Index>(t), j) = gap.of(motions.col(j));
+  }
+  return gaps;
+}
+
 MatrixXd geometric_stiffness_of(const VibratingScene& scene, const std::vector<BeamMode>& modes) {
   const SceneRows rows = rows_of(scene);
   const MatrixXd motions = motions_of(modes);
