@@ -172,9 +172,10 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
             largest_stresses_in_space(at.modes, project.beam)};
   };
   solve_once(posture_at, motion, std::move(passed));
-  check_contacts(chain, states, once_->response(), [&](double time, Eigen::Index k) {
+  const auto gaps_at = [&](double time, Eigen::Index k) {
     return LoadsOfModes::unpacked(once_->beside_at(time), k, damped_, contacts_).gaps;
-  });
+  };
+  check_contacts(chain, states, once_->response(), gaps_at, project.model.tolerance);
 }
 
 void ElasticMotionInSpace::solve_periodic(const PostureAt& posture_at, Eigen::Index instants) {

@@ -17,8 +17,7 @@ std::vector<const spatial::Spring*> contacts_of(const spatial::Mechanism& mechan
 }
 
 void check_contacts(const spatial::Chain& chain, const spatial::StatesAround& states,
-                    const TransientResponse& response, const GapsAt& gaps_at) {
-  constexpr double part = 0.1;
+                    const TransientResponse& response, const GapsAt& gaps_at, double tolerance) {
   const std::vector<const spatial::Spring*> contacts = contacts_of(chain.mechanism());
   if (contacts.empty()) return;
   const auto count = static_cast<Eigen::Index>(response.times().size());
@@ -44,13 +43,15 @@ void check_contacts(const spatial::Chain& chain, const spatial::StatesAround& st
     const LineLaw law = law_of(*contacts[static_cast<std::size_t>(c)]);
     return law.stiffness * std::pow(beyond, law.impact ? law.impact->exponent : 1.0);
   };
+  const Eigen::VectorXd pressed = rigid.colwise().maxCoeff().cwiseMax(0.0).transpose();
   double largest = 0.0;
-  for (Eigen::Index c = 0; c < columns; ++c)
-    largest = std::max(largest, force_of(c, std::max(0.0, rigid.col(c).maxCoeff())));
+  for (Eigen::Index c = 0; c < columns; ++c) largest = std::max(largest, force_of(c, pressed[c]));
   for (Eigen::Index c = 0; c < columns; ++c) {
     for (Eigen::Index i = 0; i < count; ++i) {
-      const double before = rigid(i, c), now = before + vibrating(i, c);
-      if ((before > 0.0) == (now > 0.0) || force_of(c, std::abs(now)) <= part * largest) continue;
+      const double before = rigid(i, c), now = before + vibrating(i, c), beyond = std::abs(now);
+      if ((before > 0.0) == (now > 0.0)) continue;
+      const double share = beyond < pressed[c] ? beyond / pressed[c] : 1.0;
+      if (share * force_of(c, beyond) <= tolerance * largest) continue;
       refuse_vibration(
           fmt::format("vibration itself {} {}, by {:.3g} mm, which the modes of the rigid motion's "
                       "contacts do not follow",

@@ -15,10 +15,11 @@ std::vector<const spatial::Spring*> contacts_of(const spatial::Mechanism& mechan
 /// By how much so many modes make each of these longer, a row for each mode.
 using GapsAt = std::function<Eigen::MatrixXd(double time, Eigen::Index modes)>;
 
-/// Throws AnalysisError where vibration beside the rigid motion itself opens or closes one of them
-/// by so much that it would bear more than a tenth of the largest force in any: modes act as
-/// contacts do in the rigid motion, and leave that out.
+/// Throws AnalysisError where vibration beside the rigid motion itself opens or closes one of them,
+/// and that does more than `tolerance` of the largest force in any: modes act as contacts do in the
+/// rigid motion. What stands open or closed wrongly by d bears k d for d/p of the time, p how far
+/// the rigid motion presses it.
 void check_contacts(const spatial::Chain& chain, const spatial::StatesAround& states,
-                    const TransientResponse& response, const GapsAt& gaps_at);
+                    const TransientResponse& response, const GapsAt& gaps_at, double tolerance);
 
 }  // namespace boxbeam
