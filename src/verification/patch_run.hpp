@@ -45,7 +45,7 @@ class PatchRun {
  public:
   PatchRun(const Project& project, PatchSearch& search, const SituationRun& run,
            std::map<BorneKey, WorstPatch>& worst, OnPaths& on_paths, PatchNotes& notes,
-           PatchedHoles& holes, PressedWebs* pressed)
+           PatchedHoles& holes, PressingForces* pressed)
       : project_(&project),
         search_(&search),
         run_(&run),
@@ -84,7 +84,7 @@ class PatchRun {
   OnPaths* on_paths_;
   PatchNotes* notes_;
   PatchedHoles* holes_;
-  PressedWebs* pressed_;  ///< nothing where no cycles are counted
+  PressingForces* pressed_;  ///< nothing where no cycles are counted
 };
 
 }  // namespace boxbeam
