@@ -14,42 +14,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-std::vector<const frame::Wheels*> wheels_in(const frame::Structure& structure) {
-  std::vector<const frame::Wheels*> all;
-  for (std::size_t k = 0; k < structure.cases.size(); ++k) {
-    if (structure.factors[k] == 0.0) continue;
-    for (const frame::Action& action : structure.cases[k].actions) {
-      if (const auto* wheels = std::get_if<frame::Wheels>(&action.kind)) all.push_back(wheels);
-    }
-  }
-  return all;
-}
-
-/// When a wheel passes a place at which the frame answers otherwise: nodes, ends and borders.
-std::vector<Time> passages_of(const frame::Structure& structure) {
-  std::vector<Time> times;
-  for (const frame::Wheels* of : wheels_in(structure)) {
-    const frame::Member& member = structure.members[static_cast<std::size_t>(of->member)];
-    std::vector<double> places{0.0};
-    for (const Segment& segment : member.beam.segments) places.push_back(segment.end().value());
-    for (const frame::Joint& joint : structure.joints) {
-      for (const frame::Place* at : {&joint.a, &joint.b}) {
-        if (at->member == of->member) places.push_back(at->p.x());
-      }
-    }
-    for (const frame::Wheels::Wheel& wheel : of->wheels) {
-      for (const double place : places) {
-        const double time = (place + wheel.behind - of->from) / of->speed;
-        if (time > 0.0 && time < of->duration()) times.push_back(si<Time>(time));
-      }
-    }
-  }
-  std::sort(times.begin(), times.end());
-  const auto close = [](Time a, Time b) { return b - a < 1e-9 * second; };
-  times.erase(std::unique(times.begin(), times.end(), close), times.end());
-  return times;
-}
-
 /// Members as lines with their points, supports as grounds.
 PostureFigure figure_of(const Project& project, const frame::Structure& structure, Time time,
                         const std::string& why) {
@@ -269,18 +233,6 @@ class FrameFrontEnd : public FrontEnd {
 };
 
 }  // namespace
-
-std::optional<TimeSpan> time_of_loads(const frame::Structure& structure) {
-  std::optional<TimeSpan> time;
-  const std::vector<DriverUse> functions = functions_of(structure);
-  if (!functions.empty()) time = time_span_of(functions, structure.duration);
-  for (const frame::Wheels* wheels : wheels_in(structure)) {
-    if (!time) time.emplace();
-    time->length = std::max(time->length, wheels->duration());
-    time->closed = false;
-  }
-  return time;
-}
 
 std::unique_ptr<const FrontEnd> front_end_for(const frame::Structure&, const Project& project) {
   return std::make_unique<FrameFrontEnd>(project);

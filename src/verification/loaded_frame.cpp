@@ -8,17 +8,6 @@
 namespace boxbeam {
 namespace {
 
-/// What changes over time of a frame's loads, or what stays.
-frame::Structure with_actions(const frame::Structure& structure, bool that_change) {
-  frame::Structure of = structure;
-  for (frame::LoadCase& in : of.cases) {
-    std::erase_if(in.actions, [&](const frame::Action& action) {
-      return changes_over_time(action) != that_change;
-    });
-  }
-  return of;
-}
-
 /// Adds loads at the same places; what one joint does there in both is one load.
 BeamLoads sum_of(const BeamLoads& standing, const BeamLoads& moving) {
   BeamLoads sum = standing;
@@ -69,8 +58,8 @@ LoadedFrame::LoadedFrame(const frame::Structure& of) : structure(of), statics_(s
   changes_ = time.has_value();
   time_ = time.value_or(TimeSpan{});
   // Loads name their actions, which must stay.
-  lasting_ = with_actions(structure, false);
-  moving_ = with_actions(structure, true);
+  lasting_ = acting_part_of(structure, false);
+  moving_ = acting_part_of(structure, true);
   standing_ = statics_.solve(acting_at(lasting_, 0.0));
 }
 

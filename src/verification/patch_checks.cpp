@@ -144,22 +144,6 @@ Gate gate_of(const Project& project, const WorstPatch& worst) {
   return gate;
 }
 
-Gate gate_of(const Project& project, const std::string& name, bool open, bool blocks,
-             const PathForce& of) {
-  const std::string what =
-      fmt::format("at s = {} m \"{}\", {:.4g} kN, comes into walls of a path",
-                  to_text(Station{of.s, Side::both}), name, 1e-3 * of.size.value());
-  return section_gate_at(
-      project, {of.s, Side::both},
-      open ? what + ": what they bear of it is not judged (EN 1993-1-5, clause 6): " + of.why +
-                 "; [[beam.diaphragms]] say what takes it"
-           : what +
-                 " where a diaphragm is taken to bear it, which is not judged (EN 1993-1-5, "
-                 "9.4): " +
-                 of.why,
-      blocks);
-}
-
 /// Whether flats lie along a plate of the section of a station.
 bool has_flats(const Project& project, Length s) {
   const Section section = section_at(project.beam, {s, Side::both});
@@ -175,37 +159,6 @@ void note_unsaid(const Project& project, const WorstPatch& worst,
       project.strength.required * basis.load_factor * basis.share * basis.force);
   if (!most || (most->throat && (!throat || *throat > *most->throat)))
     most = UnsaidWelds{worst.patch.s, worst.patch.name, throat};
-}
-
-void add_gates(const Project& project, const OnPaths& of, PatchChecks& found) {
-  std::vector<Gate>& gates = found.gates;
-  const std::pair<const std::tuple<std::string, bool, bool>, PathForce>* said = nullptr;
-  for (const auto& named : of.forces) {
-    const auto& [name, open, blocks] = named.first;
-    if (blocks || !named.second.said)
-      gates.push_back(gate_of(project, name, open, blocks, named.second));
-    else if (said == nullptr || named.second.size > said->second.size)
-      said = &named;
-  }
-  // Of those of the verdict line the largest one: it is to be read.
-  if (said != nullptr) {
-    const PathForce& force = said->second;
-    found.not_judged.push_back(
-        {Criterion::patch_loading,
-         fmt::format("walls of a path at s = {} m", to_text(Station{force.s, Side::both})),
-         fmt::format("how its diaphragm leads \"{}\", {:.4g} kN, into them is not checked{}: {}",
-                     std::get<0>(said->first), 1e-3 * force.size.value(),
-                     project.fatigue.asked ? ", nor in fatigue" : "", force.why)});
-  }
-  if (of.torque.torque > Moment{}) {
-    const Station at{of.torque.s, Side::both};
-    gates.push_back(section_gate_at(
-        project, at,
-        fmt::format("at s = {} m a torque of {:.4g} kN m comes into a path around "
-                    "cells: how it distorts it is not judged; [[beam.diaphragms]] say "
-                    "what keeps it in shape, or write it as kind = \"box\"",
-                    to_text(at), 1e-3 * of.torque.torque.value())));
-  }
 }
 
 /// What is taken for granted of diaphragms that bear forces.
@@ -295,7 +248,7 @@ class LookedAtPatches {
 void LookedAtPatches::add_to(PatchChecks& found, bool walls_said) {
   if (!notes_) return;
   const Project& project = *project_;
-  add_gates(project, on_paths_, found);
+  on_paths_.add_to(found, project);
   // A use this small is none, as stress is (`no_stress_at`).
   constexpr double no_use = 1e-6;
   std::set<std::string> sideways, slotted;

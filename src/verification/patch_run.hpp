@@ -38,6 +38,9 @@ struct OnPaths {
   /// By the name of the force, whether a diaphragm is missing, and whether it blocks.
   std::map<std::tuple<std::string, bool, bool>, PathForce> forces;
   PatchSearch::PathTorque torque;
+
+  /// Gates, and what is only said in the verdict line.
+  void add_to(PatchChecks& found, const Project& project) const;
 };
 
 /// Looks at the patches of one run, at its instants and between them, and keeps the worst.
