@@ -34,7 +34,8 @@ std::size_t repetitions_for(const std::function<void()>& work, double batch) {
 std::vector<Timing> times_of(const std::vector<std::function<void()>>& alternatives,
                              const Effort& effort) {
   std::vector<std::size_t> times;
-  for (const auto& work : alternatives) times.push_back(repetitions_for(work, effort.batch()));
+  for (const auto& work : alternatives)
+    times.push_back(effort.once ? 1 : repetitions_for(work, effort.batch()));
   std::vector<std::vector<double>> measured(alternatives.size());
   for (int turn = 0; turn < effort.repetitions(); ++turn) {
     for (std::size_t i = 0; i < alternatives.size(); ++i) {

@@ -10,8 +10,9 @@ namespace boxbeam::charts {
 /// How much time experiments may take. Errors of the settings that both have are the same.
 struct Effort {
   bool quick = false;  ///< fewer settings, shorter measurements
+  bool once = false;   ///< each is done but once: errors and operations are known, times hardly
 
-  int repetitions() const { return quick ? 5 : 9; }
+  int repetitions() const { return once ? 1 : quick ? 5 : 9; }
   double batch() const { return quick ? 5e-4 : 1e-2; }  ///< least time of one measurement [s]
 };
 

@@ -49,18 +49,14 @@ std::string instant_trouble(const std::string& text) {
 Entry verify_entry(CLI::App& app) {
   const auto options = std::make_shared<VerifyOptions>();
   CLI::App& command = *app.add_subcommand("verify", "verify a case and write its report");
-  command
-      .add_option("--out,-o", options->out,
-                  "folder of the report (default: reports/NAME of the case)")
-      ->type_name("DIR");
+  add_value(command, "--out,-o", options->out, "DIR",
+            "folder of the report (default: reports/NAME of the case)");
   add_choice(
       command, "--level", options->level, {"summary", "governing", "full"},
       "how much the report says (default: governing, all that the governing checks rest on)");
-  command
-      .add_option("--export", options->export_to,
-                  "also write tables, a case of loads, beam.vtk and beam.inp (CalculiX) for other "
-                  "programs into this folder")
-      ->type_name("DIR");
+  add_value(command, "--export", options->export_to, "DIR",
+            "also write tables, a case of loads, beam.vtk and beam.inp (CalculiX) for other "
+            "programs into this folder");
   command.add_flag(
       "--sensitivities", options->sensitivities,
       "also say by how much the governing factors change with every input of the case; "
@@ -83,12 +79,10 @@ Entry explain_entry(CLI::App& app) {
   const auto options = std::make_shared<ExplainOptions>();
   CLI::App& command =
       *app.add_subcommand("explain", "show how a check comes about, formula by formula");
-  command
-      .add_option("CHECK", options->check,
-                  "id of the check as the report shows it; or its beginning (fatigue, fatigue/4.2) "
-                  "for the worst of these, governing for the worst of all, list for all ids")
-      ->required()
-      ->type_name("ID");
+  add_value(command, "CHECK", options->check, "ID",
+            "id of the check as the report shows it; or its beginning (fatigue, fatigue/4.2) "
+            "for the worst of these, governing for the worst of all, list for all ids")
+      ->required();
   add_verified_case(command, options->of_case);
   return {&command,
           {"boxbeam explain fatigue rig.toml", "boxbeam explain list rig.toml"},
@@ -100,14 +94,11 @@ Entry compare_entry(CLI::App& app) {
   CLI::App& command = *app.add_subcommand(
       "compare", "compare published or hand-calculated values with those of the program");
   add_verified_case(command, options->of_case);
-  command
-      .add_option("PUBLISHED", options->published,
-                  "table: result, published, tolerance, reason, source")
-      ->required()
-      ->type_name("FILE.csv");
+  add_value(command, "PUBLISHED", options->published, "FILE.csv",
+            "table: result, published, tolerance, reason, source")
+      ->required();
   add_json(command, options->json, "comparison", "the text");
-  command.add_option("--html", options->html, "also write it as HTML to this file")
-      ->type_name("FILE");
+  add_value(command, "--html", options->html, "FILE", "also write it as HTML to this file");
   return {&command,
           {"boxbeam compare published.toml thesis.csv --dynamics newton-chain"},
           [options] { return run_compare(*options); }};
@@ -137,21 +128,15 @@ Entry motion_entry(CLI::App& app) {
       ->check(instant_trouble);
   command.add_flag("--assemblies", options->assemblies,
                    "list all ways to assemble the mechanism at the first --at (default 0)");
-  command
-      .add_option("--axes", options->axes,
-                  "in space: give vectors in the axes of this body, and see the scene of --gltf "
-                  "from it (default: world)")
-      ->type_name("BODY");
-  command
-      .add_option("--gltf", options->gltf,
-                  "also write the whole motion as an animated scene (glTF 2.0) to this file, which "
-                  "viewers show")
-      ->type_name("FILE");
-  command
-      .add_option("--csv", options->csv,
-                  "also write the instants as comma-separated values to this file, a row each: "
-                  "bodies, coordinates of joints, reactions")
-      ->type_name("FILE");
+  add_value(command, "--axes", options->axes, "BODY",
+            "in space: give vectors in the axes of this body, and see the scene of --gltf "
+            "from it (default: world)");
+  add_value(command, "--gltf", options->gltf, "FILE",
+            "also write the whole motion as an animated scene (glTF 2.0) to this file, which "
+            "viewers show");
+  add_value(command, "--csv", options->csv, "FILE",
+            "also write the instants as comma-separated values to this file, a row each: "
+            "bodies, coordinates of joints, reactions");
   add_json(command, options->json, "motion", "the tables");
   return {&command,
           {"boxbeam motion rig.toml --at 1.071", "boxbeam motion rig.toml --gltf rig.gltf"},
@@ -162,19 +147,14 @@ Entry section_entry(CLI::App& app) {
   const auto options = std::make_shared<SectionOptions>();
   CLI::App& command =
       *app.add_subcommand("section", "properties of sections and slenderness of their plates");
-  command
-      .add_option("PROFILE", options->profiles,
-                  "\"RHS 200x100x8\", \"SHS 100x5\", \"CHS 168.3x8\", \"box 400x600 flange 50 web "
-                  "50\" (width x height), or FILE.toml:SECTION")
-      ->required()
-      ->type_name("TEXT");
-  command.add_option("--steel", options->steel, "for the plates (default: S355)")
-      ->type_name("NAME");
-  command
-      .add_option("--forces", options->forces,
-                  "cut forces under which the plates of boxes, tubes and paths are judged, "
-                  "\"N = -600 kN, M_y = 1500 kN m\"; of N, V_y, V_z, T, M_y, M_z")
-      ->type_name("TEXT");
+  add_value(command, "PROFILE", options->profiles, "TEXT",
+            "\"RHS 200x100x8\", \"SHS 100x5\", \"CHS 168.3x8\", \"box 400x600 flange 50 web "
+            "50\" (width x height), or FILE.toml:SECTION")
+      ->required();
+  add_value(command, "--steel", options->steel, "NAME", "for the plates (default: S355)");
+  add_value(command, "--forces", options->forces, "TEXT",
+            "cut forces under which the plates of boxes, tubes and paths are judged, "
+            "\"N = -600 kN, M_y = 1500 kN m\"; of N, V_y, V_z, T, M_y, M_z");
   add_json(command, options->json, "properties", "the text");
   return {&command,
           {"boxbeam section \"RHS 200x100x8\"",
@@ -186,51 +166,34 @@ Entry fatigue_entry(CLI::App& app) {
   const auto options = std::make_shared<FatigueOptions>();
   CLI::App& command =
       *app.add_subcommand("fatigue", "cycles, damage and life of a stress history by itself");
-  command
-      .add_option("HISTORY", options->history,
-                  "table of stresses (first line: \"sigma [MPa]\", also \"time [s]\" before and "
-                  "\"tau [MPa]\" behind), or - for standard input")
-      ->required()
-      ->type_name("FILE.csv");
-  command
-      .add_option("--detail", options->detail,
-                  "what resists: a category (100), a row of the tables (8.2/6) or a curve of "
-                  "another code (\"DNV-RP-C203 air:D\")")
-      ->required()
-      ->type_name("DETAIL");
-  command
-      .add_option("--shear-detail", options->shear_detail,
-                  "likewise for the shear stress of a second column: 100 or 80")
-      ->type_name("DETAIL");
-  command
-      .add_option(
-          "--thickness", options->thickness,
-          "of the plate: for the size effect of the row or the code, the line of a row, and "
-          "the yield strength of --steel")
-      ->type_name("LENGTH");
-  command
-      .add_option("--steel", options->steel,
-                  "the plate's steel, for the limit of a range, 1.5 f_y (EN 1993-1-9, 8(1))")
-      ->type_name("STEEL");
-  command.add_option("--yield", options->yield, "its yield strength instead: \"355 MPa\"")
-      ->type_name("STRESS");
+  add_value(command, "HISTORY", options->history, "FILE.csv",
+            "table of stresses (first line: \"sigma [MPa]\", also \"time [s]\" before and "
+            "\"tau [MPa]\" behind), or - for standard input")
+      ->required();
+  add_value(command, "--detail", options->detail, "DETAIL",
+            "what resists: a category (100), a row of the tables (8.2/6) or a curve of "
+            "another code (\"DNV-RP-C203 air:D\")")
+      ->required();
+  add_value(command, "--shear-detail", options->shear_detail, "DETAIL",
+            "likewise for the shear stress of a second column: 100 or 80");
+  add_value(command, "--thickness", options->thickness, "LENGTH",
+            "of the plate: for the size effect of the row or the code, the line of a row, and "
+            "the yield strength of --steel");
+  add_value(command, "--steel", options->steel, "STEEL",
+            "the plate's steel, for the limit of a range, 1.5 f_y (EN 1993-1-9, 8(1))");
+  add_value(command, "--yield", options->yield, "STRESS",
+            "its yield strength instead: \"355 MPa\"");
   add_choice(command, "--count", options->count, {"astm", "4-point", "periodic"},
              "how cycles are counted (default: astm); periodic: one period of a repeating history");
   add_choice(command, "--residue", options->residue, {"half-cycles", "repeated", "discard"},
              "what becomes of open cycles of 4-point (default: half-cycles)");
-  command
-      .add_option("--raw", options->raw,
-                  "the history is raw little-endian doubles in this unit: --raw MPa")
-      ->type_name("UNIT");
-  command
-      .add_option("--repetitions", options->repetitions,
-                  "of the history in the wanted life (default: 1)")
-      ->check(range_trouble(1e-9, 1e15, "1e5"))
-      ->type_name("NUMBER");
+  add_value(command, "--raw", options->raw, "UNIT",
+            "the history is raw little-endian doubles in this unit: --raw MPa");
+  add_value(command, "--repetitions", options->repetitions, "NUMBER",
+            "of the history in the wanted life (default: 1)")
+      ->check(range_trouble(1e-9, 1e15, "1e5"));
   const auto factor = [&](const char* name, double& value, const char* says) {
-    command.add_option(name, value, says)
-        ->check(range_trouble(0.01, 100.0, "1.35"))
-        ->type_name("NUMBER");
+    add_value(command, name, value, "NUMBER", says)->check(range_trouble(0.01, 100.0, "1.35"));
   };
   factor("--gamma-Ff", options->gamma_Ff, "partial factor on the ranges (default: 1)");
   factor("--gamma-Mf", options->gamma_Mf, "partial factor on the curve (default: 1)");
@@ -255,13 +218,11 @@ Entry chart_entry(CLI::App& app) {
   // Where there are no charts, that is what is to be said of any topic.
   if (words.size() > 1) topic->check(CLI::IsMember(words));
   CLI::Option* const of_case =
-      command
-          .add_option("--case", options->of_case.file,
-                      "on this case (default: the sledge rig and the drill truck)")
-          ->type_name("FILE.toml");
+      add_value(command, "--case", options->of_case.file, "FILE.toml",
+                "on this case (default: the sledge rig and the drill truck)");
   add_set(command, options->of_case)->needs(of_case);
-  command.add_option("--out,-o", options->out, "folder of the charts (default: reports/accuracy)")
-      ->type_name("DIR");
+  add_value(command, "--out,-o", options->out, "DIR",
+            "folder of the charts (default: reports/accuracy)");
   command.add_flag("--quick", options->quick, "fewer settings, shorter measurements");
   command.add_flag("--no-pdf", options->no_pdf, "write no chart.pdf");
   return {&command,
@@ -287,25 +248,17 @@ Entry init_entry(CLI::App& app) {
                   "or frame at "
                   "rest on supports, or given loads; may be left out before a FILE.toml")
       ->check(kind_or_file());
-  command
-      .add_option("FILE", options->file,
-                  "where to, which must not be there yet (default: KIND.toml); - for standard "
-                  "output")
-      ->type_name("FILE.toml");
+  add_value(command, "FILE", options->file, "FILE.toml",
+            "where to, which must not be there yet (default: KIND.toml); - for standard "
+            "output");
   CLI::Option* const urdf =
-      command
-          .add_option("--from-urdf", options->urdf,
-                      "begin a case in space with the bodies and joints of this robot (URDF)")
-          ->type_name("FILE.urdf");
-  command
-      .add_option("--from-mjcf", options->mjcf,
-                  "the same of a model of MuJoCo (MJCF), with the loops that it closes")
-      ->excludes(urdf)
-      ->type_name("FILE.xml");
-  command
-      .add_option("--beam", options->beam,
-                  "the robot's link that is the beam (default: its heaviest but the root)")
-      ->type_name("LINK");
+      add_value(command, "--from-urdf", options->urdf, "FILE.urdf",
+                "begin a case in space with the bodies and joints of this robot (URDF)");
+  add_value(command, "--from-mjcf", options->mjcf, "FILE.xml",
+            "the same of a model of MuJoCo (MJCF), with the loops that it closes")
+      ->excludes(urdf);
+  add_value(command, "--beam", options->beam, "LINK",
+            "the robot's link that is the beam (default: its heaviest but the root)");
   command.add_flag("--schema", options->schema,
                    "write the schema beside it, boxbeam-case.schema.json, by which editors of TOML "
                    "(Even Better TOML, taplo) complete and explain its keys");

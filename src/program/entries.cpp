@@ -37,11 +37,9 @@ std::function<std::string(const std::string&)> range_trouble(double low, double 
 }
 
 void add_json(CLI::App& command, std::string& file, const char* what, const char* instead) {
-  command
-      .add_option("--json", file,
-                  std::string("also write the ") + what +
-                      " as JSON to this file; - for standard output instead of " + instead)
-      ->type_name("FILE");
+  add_value(command, "--json", file, "FILE",
+            std::string("also write the ") + what +
+                " as JSON to this file; - for standard output instead of " + instead);
 }
 
 CLI::Option* add_choice(CLI::App& command, const char* name, std::string& word,
@@ -57,26 +55,22 @@ CLI::Option* add_set(CLI::App& command, CaseOptions& options) {
 }
 
 void add_case(CLI::App& command, CaseOptions& options) {
-  command.add_option("CASE", options.file, "case file")->required()->type_name("FILE.toml");
+  add_value(command, "CASE", options.file, "FILE.toml", "case file")->required();
   add_set(command, options);
 }
 
 void add_verified_case(CLI::App& command, CaseOptions& options) {
   add_case(command, options);
-  command
-      .add_option("--beam", options.beam,
-                  "one of several beams (default: verify all, else the first)")
-      ->type_name("NAME");
+  add_value(command, "--beam", options.beam, "NAME",
+            "one of several beams (default: verify all, else the first)");
   add_choice(command, "--dynamics", options.dynamics, {"rigorous", "newton-chain"},
              "where the loads on the beam come from (default: as the case says)");
   add_choice(command, "--model", options.model, {"auto", "rigid", "flexible"},
              "auto: the cheapest sufficient one (default: as the case says, else auto)");
-  command
-      .add_option("--tolerance", options.tolerance,
-                  "of --model auto, on the governing stress: 0.01 for 1 % (default: as the case "
-                  "says, else 0.01)")
-      ->check(tolerance_trouble)
-      ->type_name("FRACTION");
+  add_value(command, "--tolerance", options.tolerance, "FRACTION",
+            "of --model auto, on the governing stress: 0.01 for 1 % (default: as the case "
+            "says, else 0.01)")
+      ->check(tolerance_trouble);
 }
 
 }  // namespace boxbeam::program

@@ -26,11 +26,18 @@ std::optional<double> number_in(const std::string& text);
 std::function<std::string(const std::string&)> range_trouble(double low, double high,
                                                              const char* example);
 
+/// An option or a word of which the help says what type its value has.
+template <class Value>
+CLI::Option* add_value(CLI::App& command, const char* name, Value& value, const char* type,
+                       const std::string& says) {
+  return command.add_option(name, value, says)->type_name(type);
+}
+
 /// Options of which one value belongs to one mention.
 template <class Value>
 CLI::Option* add_repeated(CLI::App& command, const char* name, std::vector<Value>& values,
                           const char* says, const char* type) {
-  return command.add_option(name, values, says)->allow_extra_args(false)->type_name(type);
+  return add_value(command, name, values, type, says)->allow_extra_args(false);
 }
 
 void add_json(CLI::App& command, std::string& file, const char* what, const char* instead);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -15,9 +14,7 @@
 #include "boxbeam/report/files.hpp"
 #include "boxbeam/report/optimum_report.hpp"
 #include "boxbeam/report/study_document.hpp"
-#include "boxbeam/study/named_expression.hpp"
-#include "program/design_numbers.hpp"
-#include "program/design_trial.hpp"
+#include "program/best_design.hpp"
 #include "program/exit_code.hpp"
 #include "program/outputs.hpp"
 #include "program/progress.hpp"
@@ -27,173 +24,6 @@
 
 namespace boxbeam::program {
 namespace {
-
-/// Of a design all goals, and the margins of the limits.
-struct Judged {
-  std::vector<double> goals;
-  std::vector<double> margins;
-  std::string trouble;
-};
-
-/// How far a check is from its limit: 1 - use, beyond it -ln(use), which has the same slope there
-/// and does not run away.
-double margin_of(double use) {
-  constexpr double farthest = -50.0;
-  if (use <= 1.0) return 1.0 - use;
-  return std::isfinite(use) ? std::max(farthest, -std::log(use)) : farthest;
-}
-
-/// What a study is to be the best of, and the names that stand in its expressions.
-class BestDesign {
- public:
-  explicit BestDesign(const Study& study)
-      : study_(&study),
-        demand_(&*study.optimise),
-        trials_(case_of(study)),
-        numbers_(study, expressions_of(*demand_)) {
-    for (std::size_t i = 0; i < study.variables.size(); ++i) add_choice(i);
-    if (choices_.empty())
-      throw InputError(fmt::format("{}: no variable may be chosen", study.path),
-                       "write grid = { from = ..., to = ..., count = 2 } or values = [...]");
-    if (demand_->checks)
-      for (const Criterion criterion : criteria) limits_.emplace_back(to_text(criterion));
-    for (const std::string& limit : demand_->subject_to) limits_.push_back(limit);
-    if (!numbers_.asks_results()) return;
-    numbers_.require_case();
-    result_units_ = numbers_.units_in(trials_.verify({}).beams);
-  }
-
-  const Study& study() const { return *study_; }
-  const OptimiseDemand& demand() const { return *demand_; }
-  const std::vector<Choice>& choices() const { return choices_; }
-  const std::vector<std::string>& units() const { return units_; }
-  const std::vector<std::string>& limits() const { return limits_; }
-  const DesignNumbers& numbers() const { return numbers_; }
-  bool has_case() const { return !study_->case_file.empty(); }
-
-  std::string goal_unit(const std::string& goal) const {
-    const auto found = result_units_.find(goal);
-    return found == result_units_.end() || found->second == "1" ? "" : found->second;
-  }
-
-  /// All variables of a design.
-  std::vector<Setting> settings_of(const std::vector<double>& chosen) const {
-    std::vector<Setting> design(study_->variables.size());
-    for (std::size_t i = 0; i < chosen.size(); ++i) design[places_[i]].number = chosen[i];
-    take_expressions(*study_, design);
-    return design;
-  }
-
-  VerifiedDesign verified(const std::vector<Setting>& design) const {
-    return trials_.verify(overrides_of(*study_, design));
-  }
-
- private:
-  static std::vector<std::string> expressions_of(const OptimiseDemand& demand) {
-    std::vector<std::string> all = demand.minimise;
-    all.insert(all.end(), demand.subject_to.begin(), demand.subject_to.end());
-    return all;
-  }
-
-  static CaseOptions case_of(const Study& study) {
-    CaseOptions options;
-    options.file = study.case_file;
-    return options;
-  }
-
-  void add_choice(std::size_t i) {
-    const Variable& variable = study_->variables[i];
-    if (!variable.expression.empty()) return;
-    Choice choice{variable.name, 0.0, 0.0, {}};
-    if (variable.distribution) {
-      choice.from = variable.distribution->a;
-      choice.to = variable.distribution->b;
-    } else if (variable.is_grid) {
-      choice.from = std::min(variable.values.front(), variable.values.back());
-      choice.to = std::max(variable.values.front(), variable.values.back());
-    } else {
-      choice.values = variable.values;
-      std::sort(choice.values.begin(), choice.values.end());
-      choice.values.erase(std::unique(choice.values.begin(), choice.values.end()),
-                          choice.values.end());
-    }
-    if (choice.values.empty() && !(choice.from < choice.to))
-      throw InputError(
-          fmt::format("{}: the ends of variable {} are the same", study_->path, variable.name),
-          "write two that are apart");
-    choices_.push_back(std::move(choice));
-    units_.push_back(variable.unit);
-    places_.push_back(i);
-  }
-
-  const Study* study_;
-  const OptimiseDemand* demand_;
-  DesignTrials trials_;
-  std::vector<Choice> choices_;
-  std::vector<std::string> units_;
-  std::vector<std::size_t> places_;  ///< of the choices among the variables
-  std::vector<std::string> limits_;
-  DesignNumbers numbers_;  ///< in expressions
-  std::map<std::string, std::string> result_units_;
-};
-
-/// Judges designs for one thread.
-class DesignJudge {
- public:
-  explicit DesignJudge(const BestDesign& problem) : problem_(&problem) {
-    for (const std::string& goal : problem.demand().minimise)
-      goals_.emplace_back(goal, problem.numbers().names());
-    for (const std::string& limit : problem.demand().subject_to)
-      limits_.emplace_back(limit, problem.numbers().names());
-  }
-
-  Judged at(const std::vector<double>& chosen) {
-    Judged judged;
-    judged.trouble = trouble_of([&] { judge(chosen, judged); });
-    return judged;
-  }
-
- private:
-  void judge(const std::vector<double>& chosen, Judged& judged) {
-    const std::vector<Setting> design = problem_->settings_of(chosen);
-    VerifiedDesign found;
-    if (problem_->demand().checks || problem_->numbers().asks_results())
-      found = problem_->verified(design);
-    const std::vector<VerifiedBeam>& beams = found.beams;
-    if (problem_->demand().checks) add_checks(beams, judged);
-    const std::vector<double> numbers = problem_->numbers().of(design, beams);
-    for (NamedExpression& goal : goals_) judged.goals.push_back(goal.at(numbers));
-    for (NamedExpression& limit : limits_) judged.margins.push_back(limit.at(numbers));
-  }
-
-  static AnalysisError not_judged(const Verification& of) {
-    const auto blocking = std::find_if(of.gates.begin(), of.gates.end(),
-                                       [](const Gate& gate) { return gate.blocks; });
-    return AnalysisError({blocking == of.gates.end() ? "not applicable" : blocking->finding,
-                          "not judged",
-                          {},
-                          {},
-                          {},
-                          {}});
-  }
-
-  /// The worst use of each criterion; one that judges nothing keeps its limit.
-  static void add_checks(const std::vector<VerifiedBeam>& beams, Judged& judged) {
-    std::array<double, criteria.size()> margins;
-    margins.fill(1.0);
-    for (const VerifiedBeam& beam : beams) {
-      const Verification& of = beam.verification;
-      if (of.verdict == Verdict::not_applicable) throw not_judged(of);
-      for (std::size_t i = 0; i < criteria.size(); ++i)
-        if (const CheckResult* const worst = of.governing(criteria[i]))
-          margins[i] = std::min(margins[i], margin_of(worst->check.utilisation()));
-    }
-    judged.margins.assign(margins.begin(), margins.end());
-  }
-
-  const BestDesign* problem_;
-  std::vector<NamedExpression> goals_, limits_;
-};
 
 /// Designs that were judged, so that none is twice.
 class Memory {

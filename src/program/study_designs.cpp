@@ -21,12 +21,6 @@ bool is_of_verdict(const std::string& column) {
   return column == "verdict" || column == "governing" || column == "utilisation";
 }
 
-CaseOptions case_of(const Study& study) {
-  CaseOptions options;
-  options.file = study.case_file;
-  return options;
-}
-
 std::string cell_of(const std::string& column, const std::vector<VerifiedBeam>& beams,
                     const std::optional<ResultBook>& book) {
   const Verification& worst = worst_of(beams).verification;
@@ -40,6 +34,12 @@ std::string cell_of(const std::string& column, const std::vector<VerifiedBeam>& 
 }
 
 }  // namespace
+
+CaseOptions case_of(const Study& study) {
+  CaseOptions options;
+  options.file = study.case_file;
+  return options;
+}
 
 StudyDesigns::StudyDesigns(const Study& study)
     : study_(&study), space_(study), trials_(case_of(study)) {

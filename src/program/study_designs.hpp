@@ -9,6 +9,9 @@
 
 namespace boxbeam::program {
 
+/// The case of a study, as it is.
+CaseOptions case_of(const Study& study);
+
 /// The designs of a study, each verified to a row of its table. May be asked by several threads.
 class StudyDesigns {
  public:

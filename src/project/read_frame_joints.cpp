@@ -51,9 +51,13 @@ Eigen::Matrix3d joint_axes(const Vector3d& first, bool plane) {
   return axes;
 }
 
-/// Springs of a general support or joint: along its axes and about them.
+/// Springs of a general support or joint: its axes, along these and about them.
 void read_springs(TableReader& table, const frame::Structure& structure, Joint& joint) {
   const bool plane = structure.plane;
+  joint.axes = joint_axes(
+      direction_of(table, {"direction", "of its first axis; the world's x where not said"},
+                   structure, Vector3d::UnitX()),
+      plane);
   const std::vector<double> along = table.per_direction(
       {"stiffness", "along its axes, in the plane two; \"rigid\" or 0 N/m for none"}, plane ? 2 : 3,
       wanted::stiffness, rigid_word);
@@ -91,14 +95,7 @@ void read_support(TableReader& table, const std::string& name, frame::Structure&
                                            structure, up),
                               structure.plane);
       break;
-    default:
-      joint.axes = joint_axes(direction_of(table,
-                                           {"direction",
-                                            "of its first axis; the world's x "
-                                            "where not said"},
-                                           structure, Vector3d::UnitX()),
-                              structure.plane);
-      read_springs(table, structure, joint);
+    default: read_springs(table, structure, joint);
   }
   // Of a fork, which keeps a beam in space from turning about its axis.
   if ((kind == 1 || kind == 2) && !structure.plane &&
@@ -170,15 +167,7 @@ void read_joint(TableReader& table, const std::string& name, frame::Structure& s
         joint.stiffness[3] = 0.0;
       }
       break;
-    case 2:
-      joint.axes = joint_axes(direction_of(table,
-                                           {"direction",
-                                            "of its first axis; the world's x "
-                                            "where not said"},
-                                           structure, Vector3d::UnitX()),
-                              structure.plane);
-      read_springs(table, structure, joint);
-      break;
+    case 2: read_springs(table, structure, joint); break;
     default: joint.stiffness = {rigid, rigid, rigid, 0.0, 0.0, 0.0};
   }
   table.finish();

@@ -1,201 +1,18 @@
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/mechanism/frame/statics.hpp"
 #include "boxbeam/verification/model_choice.hpp"
 #include "frame_time.hpp"
 #include "frame_vibration.hpp"
 #include "front_ends.hpp"
+#include "loaded_frame.hpp"
 
 namespace boxbeam {
 namespace {
 
 using Eigen::Vector3d;
-
-/// What changes over time of a frame's loads, or what stays.
-frame::Structure with_actions(const frame::Structure& structure, bool that_change) {
-  frame::Structure of = structure;
-  for (frame::LoadCase& in : of.cases) {
-    std::erase_if(in.actions, [&](const frame::Action& action) {
-      return changes_over_time(action) != that_change;
-    });
-  }
-  return of;
-}
-
-std::vector<const frame::Wheels*> wheels_in(const frame::Structure& structure) {
-  std::vector<const frame::Wheels*> all;
-  for (std::size_t k = 0; k < structure.cases.size(); ++k) {
-    if (structure.factors[k] == 0.0) continue;
-    for (const frame::Action& action : structure.cases[k].actions) {
-      if (const auto* wheels = std::get_if<frame::Wheels>(&action.kind)) all.push_back(wheels);
-    }
-  }
-  return all;
-}
-
-/// Adds loads at the same places; what one joint does there in both is one load.
-BeamLoads sum_of(const BeamLoads& standing, const BeamLoads& moving) {
-  BeamLoads sum = standing;
-  for (const PointLoad& load : moving.points) {
-    const auto same = std::find_if(sum.points.begin(), sum.points.end(), [&](const auto& other) {
-      return other.name == load.name && other.s == load.s;
-    });
-    if (same == sum.points.end()) {
-      sum.points.push_back(load);
-    } else {
-      same->force += load.force;
-      same->moment += load.moment;
-    }
-  }
-  return sum;
-}
-
-/// When a wheel passes a place at which the frame answers otherwise: nodes, ends and borders.
-std::vector<Time> passages_of(const frame::Structure& structure) {
-  std::vector<Time> times;
-  for (const frame::Wheels* of : wheels_in(structure)) {
-    const frame::Member& member = structure.members[static_cast<std::size_t>(of->member)];
-    std::vector<double> places{0.0};
-    for (const Segment& segment : member.beam.segments) places.push_back(segment.end().value());
-    for (const frame::Joint& joint : structure.joints) {
-      for (const frame::Place* at : {&joint.a, &joint.b}) {
-        if (at->member == of->member) places.push_back(at->p.x());
-      }
-    }
-    for (const frame::Wheels::Wheel& wheel : of->wheels) {
-      for (const double place : places) {
-        const double time = (place + wheel.behind - of->from) / of->speed;
-        if (time > 0.0 && time < of->duration()) times.push_back(si<Time>(time));
-      }
-    }
-  }
-  std::sort(times.begin(), times.end());
-  const auto close = [](Time a, Time b) { return b - a < 1e-9 * second; };
-  times.erase(std::unique(times.begin(), times.end(), close), times.end());
-  return times;
-}
-
-/// Of the axial forces at instants, tension positive, those that none of the others exceeds in
-/// compression in every piece, a thousandth of what the piece ever bears aside: more compression
-/// anywhere never makes a frame stiffer, so that the least critical factor is among them.
-std::vector<std::vector<double>> most_compressed_of(std::vector<std::vector<double>> all) {
-  std::vector<double> slack(all.front().size());
-  for (const std::vector<double>& forces : all) {
-    for (std::size_t p = 0; p < slack.size(); ++p)
-      slack[p] = std::max(slack[p], 1e-3 * std::abs(forces[p]));
-  }
-  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    return std::accumulate(a.begin(), a.end(), 0.0) < std::accumulate(b.begin(), b.end(), 0.0);
-  });
-  std::vector<std::vector<double>> kept;
-  for (std::vector<double>& forces : all) {
-    const bool exceeded =
-        std::any_of(kept.begin(), kept.end(), [&](const std::vector<double>& other) {
-          for (std::size_t p = 0; p < slack.size(); ++p) {
-            if (other[p] > forces[p] + slack[p]) return false;
-          }
-          return true;
-        });
-    if (!exceeded) kept.push_back(std::move(forces));
-  }
-  return kept;
-}
-
-/// A frame under what stands on it, solved once, and under wheels that move, at every instant.
-class LoadedFrame {
- public:
-  explicit LoadedFrame(const frame::Structure& of) : structure(of), statics_(structure) {
-    const std::optional<TimeSpan> time = time_of_loads(structure);
-    changes_ = time.has_value();
-    time_ = time.value_or(TimeSpan{});
-    // Loads name their actions, which must stay.
-    lasting_ = with_actions(structure, false);
-    moving_ = with_actions(structure, true);
-    standing_ = statics_.solve(acting_at(lasting_, 0.0));
-  }
-
-  /// Of what does not repeat beyond its ends what acts there.
-  frame::ActingLoads acting_moved(double time) const {
-    if (!time_.closed) time = std::clamp(time, time_.begin, time_.begin + time_.length);
-    return acting_at(moving_, time);
-  }
-
-  BeamLoads loads_at(int beam, double time) const {
-    const auto member = static_cast<std::size_t>(beam);
-    if (!changes_) return standing_.members[member].loads;
-    return sum_of(standing_.members[member].loads,
-                  statics_.balance(acting_moved(time)).members[member].loads);
-  }
-
-  /// Shift and turn of a beam's start, in its axes.
-  frame::Vector6 start_at(int beam, double time) const {
-    frame::Vector6 of = statics_.motion_at(beam, 0.0, standing_);
-    if (changes_) of += statics_.motion_at(beam, 0.0, statics_.solve(acting_moved(time)));
-    const Eigen::Matrix3d& axes = structure.members[static_cast<std::size_t>(beam)].axes;
-    of << axes.transpose() * of.head<3>().eval(), axes.transpose() * of.tail<3>().eval();
-    return of;
-  }
-
-  /// Members in parts, and the axial forces in these of the instants that may buckle the frame.
-  struct Pressed {
-    explicit Pressed(const frame::Structure& of) : finer(of, 8) {}
-
-    /// The least over instants, at most `most`.
-    double critical_factor(double most) const {
-      for (const std::vector<double>& of : forces)
-        most = std::min(most, finer.critical_factor(of, most));
-      return most;
-    }
-
-    frame::Statics finer;
-    std::vector<std::vector<double>> forces;
-  };
-
-  std::unique_ptr<const Pressed> pressed_by(const LoadHistory& loads) const {
-    auto pressed = std::make_unique<Pressed>(structure);
-    const std::vector<double> standing = pressed->finer.axial_forces(standing_);
-    pressed->forces = {standing};
-    if (!changes_) return pressed;
-    std::vector<std::vector<double>> all;
-    for (std::size_t i = 0; i < loads.instants(); ++i) {
-      all.push_back(
-          pressed->finer.axial_forces(statics_.solve(acting_moved(loads.time_of(i).value()))));
-      for (std::size_t p = 0; p < standing.size(); ++p) all.back()[p] += standing[p];
-    }
-    pressed->forces = most_compressed_of(std::move(all));
-    return pressed;
-  }
-
-  /// By which heat bends a beam about its y [1/m].
-  double heat_curvature(int beam) const {
-    return standing_.members[static_cast<std::size_t>(beam)].heat[4];
-  }
-
-  /// What a support or joint does to what it holds, world axes.
-  std::vector<frame::Vector6> reactions_at(double time) const {
-    std::vector<frame::Vector6> forces = standing_.joints;
-    if (!changes_) return forces;
-    const frame::Equilibrium moving = statics_.balance(acting_moved(time));
-    for (std::size_t k = 0; k < forces.size(); ++k) forces[k] += moving.joints[k];
-    return forces;
-  }
-
-  /// Nothing where all loads stand still.
-  std::optional<TimeSpan> time() const { return changes_ ? std::optional(time_) : std::nullopt; }
-
-  const frame::Structure& structure;
-
- private:
-  frame::Statics statics_;
-  frame::Structure lasting_, moving_;
-  frame::Equilibrium standing_;
-  bool changes_ = false;
-  TimeSpan time_;
-};
 
 /// Members as lines with their points, supports as grounds.
 PostureFigure figure_of(const Project& project, const frame::Structure& structure, Time time,
@@ -416,18 +233,6 @@ class FrameFrontEnd : public FrontEnd {
 };
 
 }  // namespace
-
-std::optional<TimeSpan> time_of_loads(const frame::Structure& structure) {
-  std::optional<TimeSpan> time;
-  const std::vector<DriverUse> functions = functions_of(structure);
-  if (!functions.empty()) time = time_span_of(functions, structure.duration);
-  for (const frame::Wheels* wheels : wheels_in(structure)) {
-    if (!time) time.emplace();
-    time->length = std::max(time->length, wheels->duration());
-    time->closed = false;
-  }
-  return time;
-}
 
 std::unique_ptr<const FrontEnd> front_end_for(const frame::Structure&, const Project& project) {
   return std::make_unique<FrameFrontEnd>(project);

@@ -7,10 +7,10 @@
 #include <array>
 #include <cmath>
 
+#include "bent_flanges.hpp"
 #include "boxbeam/mechanism/recorded/loads.hpp"
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/section/section_properties.hpp"
-#include "patch_notes.hpp"
 
 namespace boxbeam {
 namespace {

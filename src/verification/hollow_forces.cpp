@@ -10,13 +10,14 @@
 #include <optional>
 #include <string>
 
+#include "bent_flanges.hpp"
 #include "boxbeam/fatigue/sn_curve.hpp"
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/strength/patch_loading.hpp"
 #include "boxbeam/strength/shear_buckling.hpp"
 #include "boxbeam/verification/judged_section.hpp"
 #include "force_kinds.hpp"
-#include "patch_notes.hpp"
+#include "section_gate.hpp"
 
 namespace boxbeam {
 namespace {
@@ -156,15 +157,13 @@ class HollowForces {
             {Criterion::patch_loading, fmt::format("{} at s = {} m", what, place), why});
         continue;
       }
-      const std::size_t segment = segment_at(project_->beam, {of->s, Side::both});
-      found.gates.push_back(
-          {project_->beam.segments[segment].name, "",
-           fmt::format("{} at s = {} m: {}; {}", what, place, why,
-                       of->by_plate ? fmt::format("the diaphragm there bears {:.4g} kN, by its "
-                                                  "plate in shear and its fillets",
-                                                  1e-3 * of->by_plate->value())
-                                    : "[[beam.diaphragms]] say what takes it"),
-           true});
+      found.gates.push_back(section_gate_at(
+          *project_, {of->s, Side::both},
+          fmt::format("{} at s = {} m: {}; {}", what, place, why,
+                      of->by_plate ? fmt::format("the diaphragm there bears {:.4g} kN, by its "
+                                                 "plate in shear and its fillets",
+                                                 1e-3 * of->by_plate->value())
+                                   : "[[beam.diaphragms]] say what takes it")));
     }
     add_lines_to(found);
     if (edge_.use > 1.0)
@@ -217,9 +216,7 @@ class HollowForces {
       if (of == &said_line_)
         found.not_judged.push_back({Criterion::patch_loading, what, why});
       else
-        found.gates.push_back(
-            {project_->beam.segments[segment_at(project_->beam, {of->s, Side::both})].name, "",
-             fmt::format("{}: {}", what, why), true});
+        found.gates.push_back(section_gate_at(*project_, {of->s, Side::both}, what + ": " + why));
     }
   }
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <numbers>
 
+#include "bent_flanges.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "flat_plates.hpp"
-#include "patch_notes.hpp"
 #include "patch_search.hpp"
 #include "plate_steps.hpp"
 

@@ -6,11 +6,11 @@
 #include <functional>
 #include <iterator>
 
+#include "bent_flanges.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
 #include "neighbour_parts.hpp"
-#include "patch_notes.hpp"
 
 namespace boxbeam {
 namespace {

@@ -17,6 +17,8 @@
 #include "patch_run.hpp"
 #include "patched_path.hpp"
 #include "pressed_solids.hpp"
+#include "pressed_webs.hpp"
+#include "section_gate.hpp"
 #include "tube_borders.hpp"
 #include "turned_runs.hpp"
 
@@ -121,51 +123,25 @@ CheckResult check_of(const Project& project, const PatchSearch& search, WorstPat
 
 Gate gate_of(const Project& project, const WorstPatch& worst) {
   const PatchBasis& basis = worst.borne.basis;
-  const std::size_t segment = segment_at(project.beam, {worst.patch.s, Side::both});
   const std::vector<Diaphragm>& all = project.beam.diaphragms;
   const bool stands = std::any_of(all.begin(), all.end(), [&](const Diaphragm& of) {
     return abs(of.s - worst.patch.s) <= 1e-6 * project.beam.length();
   });
-  return {project.beam.segments[segment].name, plate_text(project, worst.borne),
-          fmt::format(
-              "at s = {} m it takes {:.4g} kN of \"{}\" and {} {:.4g} kN under an edge "
-              "(stiff length 0, EN 1993-1-5, clause 6): {} take it{}",
-              to_text(Station{worst.patch.s, Side::both}),
-              1e-3 * (basis.load_factor * basis.share * basis.force).value(), worst.patch.name,
-              worst.borne.part == Borne::Part::plate ? "bears" : "its seam bears",
-              1e-3 * basis.resistance.value(),
-              stands ? "thicker [[beam.diaphragms]], for the one there is not rigid (EN 1993-1-5, "
-                       "9.3.3(3)) or twists (9.2.1(8)),"
-                     : "[[beam.diaphragms]]",
-              worst.patch.at_high ? "" : ", or [[beam.load_introductions]] say how it comes in"),
-          true};
-}
-
-Gate gate_of(const Project& project, const PressedWebs::Found& pressed) {
-  const Check& check = pressed.result.check;
-  const std::size_t segment = segment_at(project.beam, check.station);
-  return {project.beam.segments[segment].name, "",
-          fmt::format("{} at s = {} m is used by {:.3g} in fatigue (stiff length 0): "
-                      "[[beam.diaphragms]] take it{}",
-                      check.point, to_text(check.station), check.utilisation(),
-                      pressed.turned ? "" : ", or [[beam.load_introductions]] say how it comes in"),
-          true};
-}
-
-Gate gate_of(const Project& project, const std::string& name, bool open, bool blocks,
-             const PathForce& of) {
-  const std::size_t segment = segment_at(project.beam, {of.s, Side::both});
-  const std::string what =
-      fmt::format("at s = {} m \"{}\", {:.4g} kN, comes into walls of a path",
-                  to_text(Station{of.s, Side::both}), name, 1e-3 * of.size.value());
-  return {project.beam.segments[segment].name, "",
-          open ? what + ": what they bear of it is not judged (EN 1993-1-5, clause 6): " + of.why +
-                     "; [[beam.diaphragms]] say what takes it"
-               : what +
-                     " where a diaphragm is taken to bear it, which is not judged (EN 1993-1-5, "
-                     "9.4): " +
-                     of.why,
-          blocks};
+  Gate gate = section_gate_at(
+      project, {worst.patch.s, Side::both},
+      fmt::format(
+          "at s = {} m it takes {:.4g} kN of \"{}\" and {} {:.4g} kN under an edge "
+          "(stiff length 0, EN 1993-1-5, clause 6): {} take it{}",
+          to_text(Station{worst.patch.s, Side::both}),
+          1e-3 * (basis.load_factor * basis.share * basis.force).value(), worst.patch.name,
+          worst.borne.part == Borne::Part::plate ? "bears" : "its seam bears",
+          1e-3 * basis.resistance.value(),
+          stands ? "thicker [[beam.diaphragms]], for the one there is not rigid (EN 1993-1-5, "
+                   "9.3.3(3)) or twists (9.2.1(8)),"
+                 : "[[beam.diaphragms]]",
+          worst.patch.at_high ? "" : ", or [[beam.load_introductions]] say how it comes in"));
+  gate.plate = plate_text(project, worst.borne);
+  return gate;
 }
 
 /// Whether flats lie along a plate of the section of a station.
@@ -183,79 +159,6 @@ void note_unsaid(const Project& project, const WorstPatch& worst,
       project.strength.required * basis.load_factor * basis.share * basis.force);
   if (!most || (most->throat && (!throat || *throat > *most->throat)))
     most = UnsaidWelds{worst.patch.s, worst.patch.name, throat};
-}
-
-void add_gates(const Project& project, const OnPaths& of, PatchChecks& found) {
-  std::vector<Gate>& gates = found.gates;
-  const std::pair<const std::tuple<std::string, bool, bool>, PathForce>* said = nullptr;
-  for (const auto& named : of.forces) {
-    const auto& [name, open, blocks] = named.first;
-    if (blocks || !named.second.said)
-      gates.push_back(gate_of(project, name, open, blocks, named.second));
-    else if (said == nullptr || named.second.size > said->second.size)
-      said = &named;
-  }
-  // Of those of the verdict line the largest one: it is to be read.
-  if (said != nullptr) {
-    const PathForce& force = said->second;
-    found.not_judged.push_back(
-        {Criterion::patch_loading,
-         fmt::format("walls of a path at s = {} m", to_text(Station{force.s, Side::both})),
-         fmt::format("how its diaphragm leads \"{}\", {:.4g} kN, into them is not checked{}: {}",
-                     std::get<0>(said->first), 1e-3 * force.size.value(),
-                     project.fatigue.asked ? ", nor in fatigue" : "", force.why)});
-  }
-  if (of.torque.torque > Moment{}) {
-    const std::size_t segment = segment_at(project.beam, {of.torque.s, Side::both});
-    gates.push_back(
-        {project.beam.segments[segment].name, "",
-         fmt::format("at s = {} m a torque of {:.4g} kN m comes into a path around "
-                     "cells: how it distorts it is not judged; [[beam.diaphragms]] say "
-                     "what keeps it in shape, or write it as kind = \"box\"",
-                     to_text(Station{of.torque.s, Side::both}), 1e-3 * of.torque.torque.value()),
-         true});
-  }
-}
-
-Gate gate_of_square(const Project& project, const std::pair<Check, double>& of) {
-  const auto& [check, use] = of;
-  return {project.beam.segments[segment_at(project.beam, check.station)].name, "",
-          fmt::format("{} at s = {} m: with what presses there square to it at every cycle used by "
-                      "up to {:.3g} in fatigue, which is not judged together",
-                      check.point, to_text(check.station), use),
-          true};
-}
-
-/// What is pressed at every cycle: checks, and gates of what a case does not say.
-void take_pressed(const Project& project, PressedWebs::Checks again, PatchChecks& found) {
-  std::optional<Check> as_fillets;
-  std::optional<PressedWebs::Found> turned;  ///< of kinks that fail the worst: all ask for the same
-  for (PressedWebs::Found& of : again.found) {
-    if (of.unsaid) {
-      const double use = of.result.check.utilisation();
-      if (use > 1.0 && (!as_fillets || use > as_fillets->utilisation()))
-        as_fillets = of.result.check;
-      continue;
-    }
-    if (of.turned && !of.result.check.passes()) {
-      const double use = of.result.check.utilisation();
-      if (!turned || use > turned->result.check.utilisation()) turned = std::move(of);
-      continue;
-    }
-    if (!of.given && !of.result.check.passes())
-      found.gates.push_back(gate_of(project, of));
-    else
-      found.checks.push_back(std::move(of.result));
-  }
-  if (turned) found.gates.push_back(gate_of(project, *turned));
-  if (again.square) found.gates.push_back(gate_of_square(project, *again.square));
-  if (as_fillets)
-    found.not_judged.push_back(
-        {Criterion::patch_fatigue, "seams of webs",
-         fmt::format(
-             "taken to penetrate fully, for seam_throat is not said; as fillets, a = t, used "
-             "by {:.3g} in fatigue at s = {} m",
-             as_fillets->utilisation(), to_text(as_fillets->station))});
 }
 
 /// What is taken for granted of diaphragms that bear forces.
@@ -319,8 +222,8 @@ class LookedAtPatches {
     if (!search_.has_something_to_do(runs) && steps.empty()) return;
     // Of long records not all instants are looked at.
     const bool counted = project.fatigue.asked && whole_life_of(runs) == nullptr;
-    PressedWebs* const pressed = counted ? &pressed_ : nullptr;
-    notes_.emplace(project, std::move(steps), pressed);
+    PressingForces* const pressed = counted ? &pressed_.forces() : nullptr;
+    notes_.emplace(project, std::move(steps), counted);
     for (const SituationRun& run : runs)
       PatchRun(project, search_, run, worst_, on_paths_, *notes_, holes_, pressed).look();
   }
@@ -345,7 +248,7 @@ class LookedAtPatches {
 void LookedAtPatches::add_to(PatchChecks& found, bool walls_said) {
   if (!notes_) return;
   const Project& project = *project_;
-  add_gates(project, on_paths_, found);
+  on_paths_.add_to(found, project);
   // A use this small is none, as stress is (`no_stress_at`).
   constexpr double no_use = 1e-6;
   std::set<std::string> sideways, slotted;
@@ -377,7 +280,7 @@ void LookedAtPatches::add_to(PatchChecks& found, bool walls_said) {
     else
       add(check_of(project, search_, of));
   }
-  take_pressed(project, pressed_.checks(), found);
+  pressed_.add_to(found);
   say_of_diaphragms(sideways, slotted, found);
   found.into_diaphragms = notes_->into_diaphragms();
   for (NotJudged& of : notes_->not_judged()) found.not_judged.push_back(std::move(of));

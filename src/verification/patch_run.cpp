@@ -1,10 +1,13 @@
 #include "patch_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "boxbeam/numerics/extremum.hpp"
 #include "boxbeam/verification/torques_in.hpp"
+#include "section_gate.hpp"
 
 namespace boxbeam {
 
@@ -184,6 +187,57 @@ void PatchRun::refine(const BorneKey& key, std::size_t i) {
         return found == uses.end() ? 0.0 : found->second;
       },
       low.value(), high.value(), bits);
+}
+
+namespace {
+
+Gate gate_of_path(const Project& project, const std::string& name, bool open, bool blocks,
+                  const PathForce& of) {
+  const std::string what =
+      fmt::format("at s = {} m \"{}\", {:.4g} kN, comes into walls of a path",
+                  to_text(Station{of.s, Side::both}), name, 1e-3 * of.size.value());
+  return section_gate_at(
+      project, {of.s, Side::both},
+      open ? what + ": what they bear of it is not judged (EN 1993-1-5, clause 6): " + of.why +
+                 "; [[beam.diaphragms]] say what takes it"
+           : what +
+                 " where a diaphragm is taken to bear it, which is not judged (EN 1993-1-5, "
+                 "9.4): " +
+                 of.why,
+      blocks);
+}
+
+}  // namespace
+
+void OnPaths::add_to(PatchChecks& found, const Project& project) const {
+  std::vector<Gate>& gates = found.gates;
+  const std::pair<const std::tuple<std::string, bool, bool>, PathForce>* said = nullptr;
+  for (const auto& named : forces) {
+    const auto& [name, open, blocks] = named.first;
+    if (blocks || !named.second.said)
+      gates.push_back(gate_of_path(project, name, open, blocks, named.second));
+    else if (said == nullptr || named.second.size > said->second.size)
+      said = &named;
+  }
+  // Of those of the verdict line the largest one: it is to be read.
+  if (said != nullptr) {
+    const PathForce& force = said->second;
+    found.not_judged.push_back(
+        {Criterion::patch_loading,
+         fmt::format("walls of a path at s = {} m", to_text(Station{force.s, Side::both})),
+         fmt::format("how its diaphragm leads \"{}\", {:.4g} kN, into them is not checked{}: {}",
+                     std::get<0>(said->first), 1e-3 * force.size.value(),
+                     project.fatigue.asked ? ", nor in fatigue" : "", force.why)});
+  }
+  if (torque.torque > Moment{}) {
+    const Station at{torque.s, Side::both};
+    gates.push_back(section_gate_at(
+        project, at,
+        fmt::format("at s = {} m a torque of {:.4g} kN m comes into a path around "
+                    "cells: how it distorts it is not judged; [[beam.diaphragms]] say "
+                    "what keeps it in shape, or write it as kind = \"box\"",
+                    to_text(at), 1e-3 * torque.torque.value())));
+  }
 }
 
 }  // namespace boxbeam

@@ -38,6 +38,9 @@ struct OnPaths {
   /// By the name of the force, whether a diaphragm is missing, and whether it blocks.
   std::map<std::tuple<std::string, bool, bool>, PathForce> forces;
   PatchSearch::PathTorque torque;
+
+  /// Gates, and what is only said in the verdict line.
+  void add_to(PatchChecks& found, const Project& project) const;
 };
 
 /// Looks at the patches of one run, at its instants and between them, and keeps the worst.
@@ -45,7 +48,7 @@ class PatchRun {
  public:
   PatchRun(const Project& project, PatchSearch& search, const SituationRun& run,
            std::map<BorneKey, WorstPatch>& worst, OnPaths& on_paths, PatchNotes& notes,
-           PatchedHoles& holes, PressedWebs* pressed)
+           PatchedHoles& holes, PressingForces* pressed)
       : project_(&project),
         search_(&search),
         run_(&run),
@@ -84,7 +87,7 @@ class PatchRun {
   OnPaths* on_paths_;
   PatchNotes* notes_;
   PatchedHoles* holes_;
-  PressedWebs* pressed_;  ///< nothing where no cycles are counted
+  PressingForces* pressed_;  ///< nothing where no cycles are counted
 };
 
 }  // namespace boxbeam

@@ -9,6 +9,7 @@
 
 #include "boxbeam/section/plate_force.hpp"
 #include "boxbeam/verification/hole_gates.hpp"
+#include "section_gate.hpp"
 
 namespace boxbeam {
 namespace {
@@ -153,13 +154,12 @@ std::vector<Gate> PatchedHoles::gates() const {
         : in_web
             ? fmt::format("presses the strip of the web beside it by {:.3g} of its strength", use)
             : fmt::format("stands on it or beside it, which uses whole webs by {:.3g}", use);
-    gates.push_back(
-        {project_->beam.segments[segment_at(project_->beam, {at.s, Side::both})].name, "",
-         fmt::format("hole \"{}\" at s = {} m: \"{}\" at s = {} m {} (EN 1993-1-5, 2.3, 6): a "
-                     "diaphragm there takes it",
-                     at.hole.name, to_text(Station{at.s, Side::both}), by,
-                     to_text(Station{s, Side::both}), what),
-         true});
+    gates.push_back(section_gate_at(
+        *project_, {at.s, Side::both},
+        fmt::format("hole \"{}\" at s = {} m: \"{}\" at s = {} m {} (EN 1993-1-5, 2.3, 6): a "
+                    "diaphragm there takes it",
+                    at.hole.name, to_text(Station{at.s, Side::both}), by,
+                    to_text(Station{s, Side::both}), what)));
   }
   return gates;
 }

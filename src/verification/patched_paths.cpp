@@ -6,12 +6,12 @@
 #include <functional>
 #include <limits>
 
+#include "bent_flanges.hpp"
 #include "boxbeam/section/wall_cells.hpp"
 #include "boxbeam/strength/shear_buckling.hpp"
 #include "boxbeam/strength/stiffened_plate.hpp"
 #include "boxbeam/strength/transverse_stiffener.hpp"
 #include "boxbeam/verification/slender_path.hpp"
-#include "patch_notes.hpp"
 #include "patched_path.hpp"
 #include "plate_panels.hpp"
 

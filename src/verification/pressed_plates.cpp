@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "bent_flanges.hpp"
 #include "boxbeam/strength/box_distortion.hpp"
 #include "boxbeam/strength/patch_loading.hpp"
 #include "boxbeam/verification/judged_section.hpp"
 #include "boxbeam/verification/slender_path.hpp"
-#include "patch_notes.hpp"
 #include "patched_path.hpp"
 #include "plate_panels.hpp"
 

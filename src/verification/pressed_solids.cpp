@@ -13,7 +13,7 @@
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/section/normal_stress.hpp"
 #include "force_kinds.hpp"
-#include "pressed_webs.hpp"
+#include "pressing_forces.hpp"
 
 namespace boxbeam {
 namespace {

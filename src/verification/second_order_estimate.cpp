@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -13,21 +11,18 @@
 #include "beam_alone.hpp"
 #include "bent_in_space.hpp"
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/project/plate_material.hpp"
-#include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/section/section_properties.hpp"
-#include "boxbeam/section/torsion.hpp"
 #include "boxbeam/strength/column_buckling.hpp"
-#include "boxbeam/strength/material.hpp"
 #include "boxbeam/verification/design_factor.hpp"
 #include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/loaded_posture.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
-#include "lateral_estimate.hpp"
+#include "lateral_instants.hpp"
 #include "pressed_vibration.hpp"
 #include "second_order_growth.hpp"
+#include "yield_shares.hpp"
 
 namespace boxbeam {
 namespace {
@@ -53,28 +48,6 @@ struct LookedAt {
   BothCompared in_space;          ///< of the whole in space
 };
 
-/// Stress per N, M_y and M_z at a point, less N/A.
-using ExcessPoint = std::array<double, 3>;
-
-/// The corners of a section in which N, off its centroid, or bending about axes that are not the
-/// principal ones makes more stress than M/W tells; none of a section in which neither is so.
-std::vector<ExcessPoint> excess_points_of(const Section& section) {
-  const Outline border = outline_of(section, {});
-  const AreaSums sums = sums_of(border);
-  const double size = std::sqrt(sums.area);
-  constexpr double round_off = 1e-9;
-  const bool alike = std::abs(sums.y) + std::abs(sums.z) < round_off * sums.area * size &&
-                     std::abs(sums.yz) < round_off * std::max(sums.yy, sums.zz);
-  std::vector<ExcessPoint> points;
-  if (alike) return points;
-  for (const BorderPiece& piece : border) {
-    const StressInfluence of = normal_influence(sums, piece.from.x(), piece.from.y());
-    points.push_back({of.normal[cut_force::N] - 1.0 / sums.area, of.normal[cut_force::M_y],
-                      of.normal[cut_force::M_z]});
-  }
-  return points;
-}
-
 /// Where forces act: in between, the moments of beams have no peak but under loads along them. Only
 /// in frames do they move.
 std::vector<Length> loaded_places_of(const Project& project, const std::deque<SituationRun>& runs) {
@@ -95,16 +68,13 @@ class Estimating {
  public:
   Estimating(const Project& project, const std::deque<SituationRun>& runs)
       : project_(&project),
-        places_(compared_places_of(project.beam, loaded_places_of(project, runs))),
+        shares_(project, compared_places_of(project.beam, loaded_places_of(project, runs))),
         lateral_(project),
         in_plane_(project, Plane::z),
         across_(project, Plane::y) {
     if (std::holds_alternative<spatial::Mechanism>(project.mechanism))
       places_in_space_ = places_in_space(project.beam, loaded_places_of(project, runs));
-    for (const ComparedPlace& place : places_) {
-      add_section(section_at(project.beam, place.station), place.station.s);
-      result_.growth.push_back({place.station});
-    }
+    result_.growth = no_growth();
     const double length = project.beam.length().value();
     for (const Segment& segment : project.beam.segments) {
       for (const Section& section : {segment.from, segment.to})
@@ -116,7 +86,6 @@ class Estimating {
     }
     result_.whole = true;
     result_.across.emplace();
-    result_.lateral.emplace();
     result_.change = 0.0;
   }
 
@@ -131,15 +100,15 @@ class Estimating {
         if (std::find(few.begin(), few.end(), i) == few.end()) look_at(run, i, false, factor, all);
     }
     raise_bending(compared.design, factor);
-    look_sideways_at_all(run, factor);
+    lateral_.look_at_all(run, factor);
     if (!result_.change) return;
     for (const BothCompared* const of : {&compared, &in_space})
       if (of->design.straight.rows() > 0)
         result_.change = std::max(*result_.change, of->design.relative());
     growth_in_space_.add(in_space.design, in_space.of_once(factor), factor);
     growth_.add(compared.design, compared.of_once(factor), factor);
-    growth_across_.add(with_modulus_across(across.design),
-                       with_modulus_across(across.of_once(factor)), factor);
+    growth_across_.add(shares_.with_modulus_across(across.design),
+                       shares_.with_modulus_across(across.of_once(factor)), factor);
     if (factor > 1.0) {
       add_beyond_once(compared, factor, beyond_once_);
       add_beyond_once(in_space, factor, beyond_in_space_);
@@ -158,7 +127,7 @@ class Estimating {
     const auto counts = [](double part) { return part > no_buckling_below; };
     if (!open_ && !counts(result_.in_plane.part) &&
         !(result_.across && counts(result_.across->part)) &&
-        !(result_.lateral && result_.lateral->part > no_turning_over_below))
+        !(lateral_.most().part > no_turning_over_below))
       return;
     double& straight = result_.straight;
     // What is counted across grows as a bow across does; the excess by the plane that is worse, and
@@ -172,11 +141,11 @@ class Estimating {
       const double factor = design_factor_of(*project_, *run.situation);
       for (std::size_t i = 0; i < run.loads.instants(); ++i) {
         const CutForceDiagram diagram = run.loads.diagram(i);
-        result_.compressed = std::max(result_.compressed, factor * compression_of_yield(diagram));
-        straight = std::max(straight, factor * bending_of_yield(diagram));
-        const double across = project_->in_space ? bending_across_of_yield(diagram) : 0.0;
+        result_.compressed = std::max(result_.compressed, factor * shares_.compression(diagram));
+        straight = std::max(straight, factor * shares_.bending(diagram));
+        const double across = project_->in_space ? shares_.bending_across(diagram) : 0.0;
         result_.bending_across =
-            std::max(result_.bending_across, factor * (across + ahead * excess_of_yield(diagram)));
+            std::max(result_.bending_across, factor * (across + ahead * shares_.excess(diagram)));
       }
     }
     const double grown = result_.in_plane.part < 1.0 ? 1.0 / (1.0 - result_.in_plane.part) : 1.0;
@@ -188,14 +157,14 @@ class Estimating {
     growth_across_.add_to(result_.growth);
     growth_in_space_.add_to(result_.growth);
     if (!result_.growth.empty()) raise_by_vibration();
+    result_.lateral = lateral_.most();
     for (StressGrowth& of : result_.growth) of.range = std::max(of.range, sway_of_range_);
     return std::move(result_);
   }
 
   /// What design loads add to the stress of a beam that is bent by its loads times one.
   std::vector<StressGrowth> beyond_once() const {
-    std::vector<StressGrowth> growth;
-    for (const ComparedPlace& place : places_) growth.push_back({place.station});
+    std::vector<StressGrowth> growth = no_growth();
     beyond_once_.add_to(growth);
     beyond_in_space_.add_to(growth);
     for (StressGrowth& of : growth) of.range = 0.0;
@@ -203,25 +172,11 @@ class Estimating {
   }
 
  private:
-  /// What the section of a place says; as at the place before where it goes on.
-  void add_section(Section section, Length s) {
-    const std::array<std::size_t, 2> segments{segment_at(project_->beam, {s, Side::before}),
-                                              segment_at(project_->beam, {s, Side::behind})};
-    if (last_ && segments == last_segments_ && section == *last_) {
-      yield_.push_back(yield_.back());
-      modulus_across_.push_back(modulus_across_.back());
-      excess_.push_back(excess_.back());
-      return;
-    }
-    const Length half = 0.5 * height_of(section.outer);
-    const Length wall = std::max(wall_at(section.outer, half), wall_at(section.outer, -half));
-    const PlateOf first = first_to_yield(plates_around(*project_, s, wall));
-    const auto yield = yield_strength_of(*first.material, wall);
-    yield_.push_back(yield ? yield->value() : unbounded);
-    modulus_across_.push_back(properties_of(section).W_z.value());
-    excess_.push_back(excess_points_of(section));
-    last_ = std::move(section);
-    last_segments_ = segments;
+  /// Of each place.
+  std::vector<StressGrowth> no_growth() const {
+    std::vector<StressGrowth> growth;
+    for (const ComparedPlace& place : shares_.places()) growth.push_back({place.station});
+    return growth;
   }
 
   /// Of an instant. `first`: what else is pressed is looked at then, if never again.
@@ -256,8 +211,8 @@ class Estimating {
       raise_by_whole({*whole, time, situation, held_by_mechanism, false}, factor, bent.known);
     if (bent.part > result_.across->part)
       *result_.across = {bent.part, time, situation, held_by_mechanism, false};
-    look_sideways(diagram, loads, held, time, situation, factor);
-    result_.bending = std::max(result_.bending, factor * bending_of_yield(diagram));
+    lateral_.look_at(run, time, diagram, loads, alone.turning, factor);
+    result_.bending = std::max(result_.bending, factor * shares_.bending(diagram));
     if (result_.in_plane.part >= 1.0 || result_.across->part >= 1.0) {
       result_.change.reset();
       result_.growth.clear();
@@ -308,7 +263,8 @@ class Estimating {
     both.design.add(straight, corners(added));
     if (factor != 1.0) both.once.add(straight, corners(cut_forces_of(bent.once)));
     Compared in_plane;
-    in_plane.add(fibre_stresses(diagram, places_), fibre_stresses(added, places_));
+    in_plane.add(fibre_stresses(diagram, shares_.places()),
+                 fibre_stresses(added, shares_.places()));
     raise_bending(in_plane, factor);
   }
 
@@ -336,79 +292,16 @@ class Estimating {
     return held;
   }
 
-  void look_sideways(const CutForceDiagram& diagram, const BeamLoads& loads, const Held& held,
-                     Time time, std::size_t situation, double factor) {
-    if (!result_.lateral) return;
-    LateralLoad& load = *result_.lateral;
-    const HeldAt<std::vector<double>>& turning = held.alone.turning;
-    const double part = factor * lateral_.part(diagram, loads, turning.at, load.part / factor);
-    if (part <= load.part) return;
-    load = {part, time, situation, turning.words, !turning.said};
-  }
-
-  /// At the other instants of a situation, unless a bound says that none matters.
-  void look_sideways_at_all(const SituationRun& run, double factor) {
-    if (!result_.lateral) return;
-    const LoadHistory& history = run.loads;
-    const auto loads_of = [&](std::size_t i) { return history.loads_at(history.time_of(i)); };
-    const auto turning_of = [&](const std::vector<double>& supports) {
-      return holds_of(*project_, supports).turning.at;
-    };
-    constexpr double nodes_apart = 1.05;  // the envelope has no node where forces act
-    const std::vector<double> supports = run.motion->supports(loads_of(0));
-    const std::vector<double> at = turning_of(supports);
-    lateral_.screen(at);
-    std::vector<bool> alike(history.instants(), true);
-    for (std::size_t i = 0; i < history.instants(); ++i) {
-      const BeamLoads loads = loads_of(i);
-      const std::vector<double> now = run.motion->supports(loads);
-      alike[i] = now == supports || turning_of(now) == at;
-      if (alike[i]) lateral_.widen(history.diagram(i), loads);
-    }
-    const double bound = nodes_apart * factor * lateral_.bound();
-    const bool all_alike = std::all_of(alike.begin(), alike.end(), [](bool of) { return of; });
-    if (all_alike && bound <= std::max(result_.lateral->part, no_turning_over_below)) return;
-    std::vector<std::pair<double, std::size_t>> at_most;
-    for (std::size_t i = 0; i < history.instants(); ++i) {
-      const double share = alike[i] ? lateral_.share(history.diagram(i), loads_of(i)) : unbounded;
-      at_most.emplace_back(alike[i] ? bound * share : unbounded, i);
-    }
-    std::sort(at_most.begin(), at_most.end(), std::greater<>());
-    const std::size_t situation = index_of(*project_, *run.situation);
-    for (const auto& [most, i] : at_most) {
-      if (most <= result_.lateral->part) break;
-      const Time time = history.time_of(i);
-      const BeamLoads loads = history.loads_at(time);
-      look_sideways(history.diagram(i), loads, held_at(run, time, loads), time, situation, factor);
-    }
-  }
-
-  /// Of the other plane, whose bending is by W_y: by its own modulus.
-  Compared with_modulus_across(Compared of) const {
-    for (Eigen::MatrixXd* const stresses : {&of.straight, &of.change}) {
-      if (stresses->rows() == 0) continue;
-      for (std::size_t k = 0; k < places_.size(); ++k) {
-        const auto i = 2 * static_cast<Eigen::Index>(k);
-        const Eigen::VectorXd axial = 0.5 * (stresses->col(i) + stresses->col(i + 1));
-        const Eigen::VectorXd bending = 0.5 * (stresses->col(i) - stresses->col(i + 1)) /
-                                        (modulus_across_[k] * places_[k].per_M);
-        stresses->col(i) = axial + bending;
-        stresses->col(i + 1) = axial - bending;
-      }
-    }
-    return of;
-  }
-
   /// The bent beam under its loads times one, and its axial force times the design factor.
   void compare(const MakePosture& make, bool whole, const BeamLoads& loads, double factor,
                BothCompared& both) {
-    const Eigen::ArrayXd straight = fibre_stresses(cut_forces_of(loads), places_);
+    const Eigen::ArrayXd straight = fibre_stresses(cut_forces_of(loads), shares_.places());
     const bool unloaded = !whole && (straight == 0.0).all();
     const auto bent_by = [&](double times) -> Eigen::ArrayXd {
       if (unloaded) return Eigen::ArrayXd(straight);
       const SecondOrder bent = second_order_of(make(times));
       if (times == factor) result_.turn = std::max(result_.turn, factor * bent.turn);
-      return fibre_stresses(cut_forces_of(bent.loads), places_);
+      return fibre_stresses(cut_forces_of(bent.loads), shares_.places());
     };
     both.design.add(straight, bent_by(factor));
     if (factor != 1.0) both.once.add(straight, bent_by(1.0));
@@ -416,14 +309,7 @@ class Estimating {
 
   /// By what was compared in the plane of motion.
   void raise_bending(const Compared& of, double factor) {
-    const Eigen::MatrixXd bent = of.straight + of.change;
-    if (bent.rows() == 0) return;
-    for (std::size_t k = 0; k < places_.size(); ++k) {
-      // Half the difference of the two fibres is M/W.
-      const auto i = 2 * static_cast<Eigen::Index>(k);
-      const double bending = 0.5 * (bent.col(i) - bent.col(i + 1)).cwiseAbs().maxCoeff();
-      result_.bending = std::max(result_.bending, factor * bending / yield_[k]);
-    }
+    result_.bending = std::max(result_.bending, shares_.bending(of, factor));
   }
 
   static void add_beyond_once(const BothCompared& both, double factor, GrowthByPlace& sum) {
@@ -438,7 +324,7 @@ class Estimating {
     if (!std::holds_alternative<flexible::Mechanism>(project_->mechanism)) return;
     if (result_.in_plane.part < unpressed) return;
     try {
-      const BothCompared both = pressed_vibration_of(*project_, run, factor, places_);
+      const BothCompared both = pressed_vibration_of(*project_, run, factor, shares_.places());
       result_.change = std::max(*result_.change, both.design.relative());
       raise_bending(both.design, factor);
       vibrating_.add(both.design, both.of_once(factor), factor);
@@ -448,8 +334,7 @@ class Estimating {
   }
 
   void raise_by_vibration() {
-    std::vector<StressGrowth> vibrating;
-    for (const ComparedPlace& place : places_) vibrating.push_back({place.station});
+    std::vector<StressGrowth> vibrating = no_growth();
     vibrating_.add_to(vibrating);
     raise_to(vibrating, result_.growth);
   }
@@ -489,61 +374,11 @@ class Estimating {
     sway_of_range_ = std::max(sway_of_range_, sway(1.0));
   }
 
-  /// Largest compression over A f_y.
-  double compression_of_yield(const CutForceDiagram& diagram) const {
-    double most = 0.0;
-    for (std::size_t k = 0; k < places_.size(); ++k) {
-      const double N = diagram.at(places_[k].station).N.value();
-      most = std::max(most, -N * places_[k].per_N / yield_[k]);
-    }
-    return most;
-  }
-
-  double bending_of_yield(const CutForceDiagram& diagram) const {
-    double most = 0.0;
-    for (std::size_t k = 0; k < places_.size(); ++k) {
-      const double M = diagram.at(places_[k].station).M_y.value();
-      most = std::max(most, std::abs(M) * places_[k].per_M / yield_[k]);
-    }
-    return most;
-  }
-
-  /// What N off the centroid and unlike axes add to M_y/W_y + M_z/W_z, over f_y.
-  double excess_of_yield(const CutForceDiagram& diagram) const {
-    double most = 0.0;
-    for (std::size_t k = 0; k < places_.size(); ++k) {
-      if (excess_[k].empty()) continue;
-      const CutForces cut = diagram.at(places_[k].station);
-      const double N = cut.N.value(), M_y = cut.M_y.value(), M_z = cut.M_z.value();
-      double full = 0.0;
-      for (const ExcessPoint& of : excess_[k])
-        full = std::max(full, std::abs(of[0] * N + of[1] * M_y + of[2] * M_z));
-      const double plain = std::abs(M_y) * places_[k].per_M +
-                           (project_->in_space ? std::abs(M_z) / modulus_across_[k] : 0.0);
-      most = std::max(most, (full - plain) / yield_[k]);
-    }
-    return most;
-  }
-
-  double bending_across_of_yield(const CutForceDiagram& diagram) const {
-    double most = 0.0;
-    for (std::size_t k = 0; k < places_.size(); ++k) {
-      const double M = diagram.at(places_[k].station).M_z.value();
-      most = std::max(most, std::abs(M) / (modulus_across_[k] * yield_[k]));
-    }
-    return most;
-  }
-
   const Project* project_;
-  std::vector<ComparedPlace> places_;
+  YieldShares shares_;
   std::vector<PlaceInSpace> places_in_space_;  ///< the same, of a mechanism in space
-  std::vector<double> yield_;                  ///< of the flanges there [Pa]
-  std::vector<double> modulus_across_;         ///< W_z there [m^3]
-  std::vector<std::vector<ExcessPoint>> excess_;
-  std::optional<Section> last_;  ///< whose values stand last
-  std::array<std::size_t, 2> last_segments_{};
   bool open_ = false;  ///< a segment of open thin walls, which may twist under compression
-  LateralEstimate lateral_;
+  LateralInstants lateral_;
   BeamAlone in_plane_, across_;
   GrowthByPlace growth_, growth_across_, beyond_once_, vibrating_;
   GrowthByPlace growth_in_space_{stresses_of_place}, beyond_in_space_{stresses_of_place};
@@ -566,21 +401,6 @@ DesignedSecondOrder estimate_designed_second_order(const Project& project,
   estimating.take_extremes(runs);
   std::vector<StressGrowth> beyond_once = estimating.beyond_once();
   return {estimating.result(), std::move(beyond_once)};
-}
-
-double second_order_growth_at(const SecondOrderEstimate& of, Length s, bool of_range) {
-  if (!of.change) return unbounded;
-  double most = 0.0;
-  const auto look = [&](const StressGrowth& at) {
-    most = std::max(most, of_range ? at.range : at.stress);
-  };
-  for (std::size_t k = 0; k < of.growth.size(); ++k) {
-    const Length here = of.growth[k].station.s;
-    const bool before = here <= s && (k + 1 == of.growth.size() || of.growth[k + 1].station.s > s);
-    const bool behind = here >= s && (k == 0 || of.growth[k - 1].station.s < s);
-    if (before || behind) look(of.growth[k]);
-  }
-  return of_range ? most : std::max(most, of.sway);
 }
 
 }  // namespace boxbeam

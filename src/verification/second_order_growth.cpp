@@ -1,6 +1,7 @@
 #include "second_order_growth.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "boxbeam/verification/vibrating_stress.hpp"
 
@@ -94,6 +95,21 @@ void raise_to(const std::vector<StressGrowth>& other, std::vector<StressGrowth>&
     growth[k].stress = std::max(growth[k].stress, other[k].stress);
     growth[k].range = std::max(growth[k].range, other[k].range);
   }
+}
+
+double second_order_growth_at(const SecondOrderEstimate& of, Length s, bool of_range) {
+  if (!of.change) return std::numeric_limits<double>::infinity();
+  double most = 0.0;
+  const auto look = [&](const StressGrowth& at) {
+    most = std::max(most, of_range ? at.range : at.stress);
+  };
+  for (std::size_t k = 0; k < of.growth.size(); ++k) {
+    const Length here = of.growth[k].station.s;
+    const bool before = here <= s && (k + 1 == of.growth.size() || of.growth[k + 1].station.s > s);
+    const bool behind = here >= s && (k == 0 || of.growth[k - 1].station.s < s);
+    if (before || behind) look(of.growth[k]);
+  }
+  return of_range ? most : std::max(most, of.sway);
 }
 
 }  // namespace boxbeam

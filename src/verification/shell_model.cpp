@@ -9,96 +9,16 @@
 #include <map>
 #include <optional>
 
+#include "mid_lines.hpp"
+
 namespace boxbeam {
 namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Elements across a plate.
-constexpr std::size_t columns_across = 4;
-/// Positions on a plate's mid-line: ends and middles of its elements.
-constexpr std::size_t positions = 2 * columns_across;
 /// The length of an element along the beam, of the section's height.
 constexpr double part_of_height = 0.2;
-
-/// A plate between two corners of a profile's mid-line.
-struct PlateLine {
-  std::size_t from = 0, to = 0;
-  double thickness = 0.0;
-  WallPart part = WallPart::path;
-};
-
-/// A profile by the mid-lines of its plates, each beginning where the one before it ends.
-struct MidLines {
-  std::vector<Vector2d> corners;
-  std::vector<PlateLine> plates;
-  bool closed = true;
-  bool inner = false;
-
-  std::size_t count() const { return plates.size() * positions + (closed ? 0 : 1); }
-  std::size_t next(std::size_t position, std::size_t by) const {
-    return closed ? (position + by) % count() : position + by;
-  }
-  Vector2d at(std::size_t position) const {
-    const std::size_t plate = std::min(position / positions, plates.size() - 1);
-    const double fraction =
-        static_cast<double>(position - plate * positions) / static_cast<double>(positions);
-    const PlateLine& of = plates[plate];
-    return corners[of.from] + fraction * (corners[of.to] - corners[of.from]);
-  }
-};
-
-MidLines four_plates(double y_left, double y_right, double z_top, double z_bottom,
-                     const std::array<double, 4>& top_bottom_left_right) {
-  const auto [top, bottom, left, right] = top_bottom_left_right;
-  MidLines lines;
-  lines.corners = {{y_right, z_bottom}, {y_left, z_bottom}, {y_left, z_top}, {y_right, z_top}};
-  lines.plates = {{0, 1, bottom, WallPart::bottom_flange},
-                  {1, 2, left, WallPart::left_web},
-                  {2, 3, top, WallPart::top_flange},
-                  {3, 0, right, WallPart::right_web}};
-  return lines;
-}
-
-std::optional<MidLines> mid_lines_of(const Profile& profile) {
-  if (const auto* box = std::get_if<Box>(&profile)) {
-    const double y = 0.5 * box->width.value(), z = 0.5 * box->height.value();
-    const double top = box->top_flange.value(), bottom = box->bottom_flange.value();
-    const double left = box->left_web.value(), right = box->right_web.value();
-    return four_plates(y - 0.5 * left, -y + 0.5 * right, z - 0.5 * top, -z + 0.5 * bottom,
-                       {top, bottom, left, right});
-  }
-  if (const auto* tube = std::get_if<RectangularTube>(&profile)) {
-    const double t = tube->wall.value();
-    const double y = 0.5 * (tube->width.value() - t), z = 0.5 * (tube->height.value() - t);
-    return four_plates(y, -y, z, -z, {t, t, t, t});
-  }
-  const auto* plate = std::get_if<Plate>(&profile);
-  if (plate == nullptr || plate->width > plate->height) return std::nullopt;
-  MidLines lines;
-  const double z = 0.5 * plate->height.value();
-  lines.corners = {{0.0, -z}, {0.0, z}};
-  lines.plates = {{0, 1, plate->width.value(), WallPart::path}};
-  lines.closed = false;
-  return lines;
-}
-
-std::vector<MidLines> mid_lines_of(const Section& section) {
-  std::vector<MidLines> all{*mid_lines_of(section.outer)};
-  if (section.inner) {
-    all.push_back(*mid_lines_of(*section.inner));
-    all.back().inner = true;
-  }
-  return all;
-}
-
-bool same_corners(const MidLines& a, const MidLines& b) {
-  if (a.corners.size() != b.corners.size()) return false;
-  for (std::size_t i = 0; i < a.corners.size(); ++i)
-    if ((a.corners[i] - b.corners[i]).norm() > 1e-9) return false;
-  return true;
-}
 
 /// A profile at a section of the model, and its nodes by position.
 struct Ring {
@@ -236,7 +156,7 @@ class ShellBuilder {
     for (std::size_t plate = 0; plate < lines.plates.size(); ++plate) {
       const std::size_t set = set_of(segment, lines, plate);
       for (std::size_t j = 0; j < columns_across; ++j) {
-        const std::size_t p = plate * positions + 2 * j;
+        const std::size_t p = plate * positions_of_plate + 2 * j;
         const std::size_t half = lines.next(p, 1), end = lines.next(p, 2);
         ShellElement element;
         element.nodes = {a.nodes[p],      b.nodes[p],    b.nodes[end],      a.nodes[end],
@@ -357,7 +277,7 @@ class ShellBuilder {
     const bool upright = std::abs(edge.y()) > std::abs(edge.x());
     for (std::size_t j = 0; j < columns_across; ++j) {
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t p = lines.next(plate * positions + 2 * j, k);
+        const std::size_t p = lines.next(plate * positions_of_plate + 2 * j, k);
         const double sixths = k == 1 ? 4.0 / 6.0 : 1.0 / 6.0;
         const double area = sixths * edge.norm() * of.thickness;
         NodeShare& share = shares[ring.nodes[p]];
@@ -374,7 +294,7 @@ class ShellBuilder {
     const Ring &first = *first_between_, &last = *last_between_;
     for (const int direction : {0, 1, 2}) model_.held.push_back({first.nodes[0], direction});
     for (const int direction : {1, 2}) model_.held.push_back({last.nodes[0], direction});
-    model_.held.push_back({first.nodes[positions], first.lines.closed ? 2 : 1});
+    model_.held.push_back({first.nodes[positions_of_plate], first.lines.closed ? 2 : 1});
   }
 
   void note_simplified() {

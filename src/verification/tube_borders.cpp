@@ -9,10 +9,11 @@
 #include <optional>
 #include <string>
 
+#include "bent_flanges.hpp"
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/verification/stress_points.hpp"
-#include "patch_notes.hpp"
+#include "pressing_forces.hpp"
 
 namespace boxbeam {
 namespace {

@@ -147,8 +147,8 @@ Outcome examine(const RandomCase& of, const std::string& folder, const Density& 
       outcome.kind = Outcome::Kind::not_covered;
       return outcome;
     }
-    outcome.verification = verify(project);
     const ModelledRuns modelled = run_by_chosen_model(project);
+    outcome.verification = judge(project, modelled.runs, modelled.model);
     outcome.findings = look_everywhere(project, modelled.runs, density);
     outcome.comparison = compare(outcome.verification, outcome.findings);
     for (std::size_t i = 0; i < faults.size(); ++i) {

@@ -67,7 +67,7 @@ struct Outcome {
   std::array<bool, faults.size()> shown{};
 };
 
-/// Writes a case into a folder, verifies it and looks everywhere.
+/// Writes a case into a folder, verifies it and looks everywhere, by the same runs.
 Outcome examine(const RandomCase& of, const std::string& folder, const Density& density);
 
 /// "fatigue: 1.234 at s = 0.05+, top 0.060 m; reported 0.986 (+25.2 %)"

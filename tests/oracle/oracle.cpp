@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,10 +12,9 @@
 #include <set>
 #include <span>
 
+#include "beside.hpp"
 #include "boxbeam/fatigue/damage.hpp"
 #include "boxbeam/fatigue/rainflow.hpp"
-#include "boxbeam/mechanism/planar/reactions.hpp"
-#include "boxbeam/section/shear_area.hpp"
 #include "boxbeam/strength/material.hpp"
 #include "boxbeam/verification/bending_zones.hpp"
 #include "instants.hpp"
@@ -26,35 +25,6 @@ namespace oracle {
 namespace {
 
 using namespace boxbeam;
-
-/// The cut forces at a side of a station over the instants of a situation.
-struct Run {
-  std::size_t situation = 0;
-  double load_factor = 1.0;
-  bool closed = true;
-  std::vector<Time> times;
-  std::vector<CutForceDiagram> diagrams;
-};
-
-std::vector<Run> sample(const Project& project, const std::deque<SituationRun>& runs,
-                        int instants) {
-  std::vector<Run> sampled;
-  for (const SituationRun& of : runs) {
-    Run run;
-    run.situation = index_of(project, *of.situation);
-    run.load_factor = of.situation->load_factor;
-    run.closed = of.loads.closed();
-    const int count = run.closed ? instants : instants + 1;
-    for (int i = 0; i < count; ++i) {
-      // A closed history is not met where the program meets it.
-      const double part = (i + (run.closed ? 0.37 : 0.0)) / instants;
-      run.times.push_back(of.loads.begin() + part * of.loads.period());
-      run.diagrams.push_back(of.loads.diagram_at(run.times.back()));
-    }
-    sampled.push_back(std::move(run));
-  }
-  return sampled;
-}
 
 using Cut = std::array<double, cut_force::count>;
 
@@ -102,9 +72,9 @@ class Search {
 
   Findings findings() {
     for (const Station& station : stations()) look_at(station);
-    look_at_deflection();
+    look_at_deflection(project_, sampled_, cuts(), density_.stations, found_);
     if (!std::holds_alternative<flexible::Mechanism>(project_.mechanism) && !project_.in_space)
-      look_at_neighbours();
+      look_at_neighbours(project_, runs_, sampled_, found_);
     return std::move(found_);
   }
 
@@ -318,8 +288,7 @@ class Search {
   }
 
   void note(Criterion criterion, double utilisation, const std::string& place) {
-    if (!beats(criterion, utilisation)) return;
-    found_.worst[criterion] = {utilisation, station_, place};
+    found_.note(criterion, utilisation, station_, place);
   }
 
   /// A stress over the instants of a run: of the cut forces that act.
@@ -680,110 +649,6 @@ class Search {
     }
   }
 
-  // ------------------------------------------------------------------------------ beside the
-  // stress
-
-  /// By integrating curvature and shear along the beam, theta' = -kappa and w' = theta + gamma,
-  /// from the line that the case measures from.
-  void look_at_deflection() {
-    if (!project_.deflection) return;
-    const DeflectionInput& input = *project_.deflection;
-    const double length = project_.beam.length().value();
-    std::set<double> borders = cuts();
-    for (int j = 0; j <= density_.stations; ++j) borders.insert(length * j / density_.stations);
-    const std::vector<double> at(borders.begin(), borders.end());
-    struct Middle {
-      Station station;
-      double step, per_N, per_M, per_V;
-    };
-    std::vector<Middle> middles;
-    for (std::size_t i = 0; i + 1 < at.size(); ++i) {
-      const Station station{si<Length>(0.5 * (at[i] + at[i + 1])), Side::both};
-      LocalSection section;
-      section.here = boxbeam::section_at(project_.beam, station);
-      const Plane plane = plane_of(section, false, false);
-      const double E = input.youngs_modulus.value();
-      middles.push_back(
-          {station, at[i + 1] - at[i], plane.of[0][2] / E, plane.of[1][2] / E,
-           1.0 / (input.shear_modulus.value() * shear_areas_of(section.here).z.value())});
-    }
-    const auto value_at = [&](const std::vector<double>& of, double s) {
-      const auto next = std::upper_bound(at.begin(), at.end() - 1, s);
-      const auto i = static_cast<std::size_t>(next - at.begin());
-      const double part = (s - at[i - 1]) / (at[i] - at[i - 1]);
-      return of[i - 1] + part * (of[i] - of[i - 1]);
-    };
-    for (const Run& run : sampled_) {
-      const double times = input.load_factor ? run.load_factor : 1.0;
-      for (const CutForceDiagram& diagram : run.diagrams) {
-        std::vector<double> w{0.0}, theta{0.0};
-        for (const Middle& middle : middles) {
-          const CutForces cut = diagram.at(middle.station);
-          const double turn =
-              -middle.step * (middle.per_N * cut.N.value() + middle.per_M * cut.M_y.value());
-          w.push_back(w.back() +
-                      middle.step * (theta.back() + 0.5 * turn + middle.per_V * cut.V_z.value()));
-          theta.push_back(theta.back() + turn);
-        }
-        double from = 0.0, w_from = 0.0, slope = 0.0;
-        if (const auto* chord = std::get_if<Chord>(&input.against)) {
-          from = chord->from.value();
-          w_from = value_at(w, from);
-          slope = (value_at(w, chord->to.value()) - w_from) / (chord->to.value() - from);
-        } else {
-          from = std::get<Tangent>(input.against).at.value();
-          w_from = value_at(w, from);
-          slope = value_at(theta, from);
-        }
-        for (std::size_t i = 0; i < at.size(); ++i) {
-          const double off = std::abs(w[i] - w_from - slope * (at[i] - from));
-          station_ = {si<Length>(at[i]), Side::both};
-          note(Criterion::deflection, times * off / input.limit.value(), "axis");
-        }
-      }
-    }
-  }
-
-  void look_at_neighbours() {
-    if (project_.pins.empty() && project_.rods.empty()) return;
-    for (std::size_t r = 0; r < runs_.size(); ++r) {
-      const SituationRun& run = runs_[r];
-      const planar::Mechanism& mechanism = planar_in(project_, *run.situation);
-      planar::StateFinder finder(mechanism, planar_motion_of(run));
-      for (const Time& time : sampled_[r].times) {
-        const planar::State state = finder.at(time.value());
-        const auto reactions = planar::reactions_of(mechanism, state);
-        for (const PinInput& pin : project_.pins) {
-          for (const planar::Reaction& reaction : reactions) {
-            if (reaction.joint != pin.joint) continue;
-            note(Criterion::pin,
-                 pin_utilisation(sampled_[r].load_factor * reaction.force.norm(), pin), pin.name);
-          }
-        }
-        for (const RodInput& input : project_.rods) {
-          const auto& rod = std::get<PlanarRod>(input.place);
-          const double angle = state.q[3 * rod.from.body + 2];
-          const Eigen::Vector2d way = rod.to.p - rod.from.p;
-          const Eigen::Vector2d along(
-              (std::cos(angle) * way.x() - std::sin(angle) * way.y()) / way.norm(),
-              (std::sin(angle) * way.x() + std::cos(angle) * way.y()) / way.norm());
-          double push_from = 0.0, push_to = 0.0;
-          for (const planar::Reaction& reaction : reactions) {
-            if (reaction.on != rod.from.body) continue;
-            if ((reaction.point - rod.from.p).norm() < 1e-9 * way.norm())
-              push_from += reaction.force.dot(along);
-            if ((reaction.point - rod.to.p).norm() < 1e-9 * way.norm())
-              push_to -= reaction.force.dot(along);
-          }
-          for (const double push : {push_from, push_to}) {
-            const Criterion criterion = push > 0.0 ? Criterion::buckling : Criterion::rod;
-            note(criterion, rod_utilisation(sampled_[r].load_factor * push, input), input.name);
-          }
-        }
-      }
-    }
-  }
-
   const Project& project_;
   const std::deque<SituationRun>& runs_;
   Density density_;
@@ -806,6 +671,12 @@ class Search {
 };
 
 }  // namespace
+
+void Findings::note(Criterion criterion, double utilisation_there, const Station& station,
+                    const std::string& place) {
+  if (utilisation_there > utilisation(criterion))
+    worst[criterion] = {utilisation_there, station, place};
+}
 
 bool Findings::fails() const {
   return std::any_of(worst.begin(), worst.end(),

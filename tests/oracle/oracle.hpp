@@ -55,6 +55,9 @@ struct Findings {
     const auto found = worst.find(criterion);
     return found == worst.end() ? 0.0 : found->second.utilisation;
   }
+  /// Keeps what is worse than what is known.
+  void note(boxbeam::Criterion criterion, double utilisation_there, const boxbeam::Station& station,
+            const std::string& place);
   bool fails() const;
 };
 

@@ -51,16 +51,35 @@ const std::deque<Verified>& shipped_cases() {
   return cases;
 }
 
+/// The sheet of a check of a shipped case, and both in words.
+struct ShippedSheet {
+  Sheet sheet;
+  const Check* check = nullptr;
+  std::string words;
+};
+
+const std::vector<ShippedSheet>& shipped_sheets() {
+  static const std::vector<ShippedSheet> sheets = [] {
+    std::vector<ShippedSheet> all;
+    for (const Verified& of : shipped_cases()) {
+      for (const CheckResult& result : of.verification.checks) {
+        Sheet sheet = sheet_of(of.project, of.verification, result);
+        std::string words = of.name + "\n" + report::text_of(sheet).text;
+        all.push_back({std::move(sheet), &result.check, std::move(words)});
+      }
+    }
+    return all;
+  }();
+  return sheets;
+}
+
 /// Does something with the sheet of every check of every shipped case.
 template <class Action>
 void for_all_sheets(const Action& action) {
   REQUIRE(shipped_cases().size() >= 10);
-  for (const Verified& of : shipped_cases()) {
-    for (const CheckResult& result : of.verification.checks) {
-      const Sheet sheet = sheet_of(of.project, of.verification, result);
-      INFO(of.name << "\n" << report::text_of(sheet).text);
-      action(sheet, result.check);
-    }
+  for (const ShippedSheet& of : shipped_sheets()) {
+    INFO(of.words);
+    action(of.sheet, *of.check);
   }
 }
 
@@ -120,12 +139,15 @@ void check_by_calculator(const Sheet& sheet) {
 TEST_CASE("Every formula of every sheet is one, and so is every symbol",
           "[report][sheet][unsanitized]") {
   int formulas = 0;
+  std::set<std::string> known;  // many stand in many sheets
+  const auto is_one = [&](const std::string& text) {
+    return known.count(text) > 0 || (report::is_formula(text) && known.insert(text).second);
+  };
   for_all_sheets([&](const Sheet& sheet, const Check&) {
     for (const Step& step : sheet.steps) {
-      INFO(step.symbol);
-      if (!report::is_formula(step.symbol)) FAIL("no symbol: " << step.symbol);
+      if (!is_one(step.symbol)) FAIL("no symbol: " << step.symbol);
       for (const std::string& formula : step.formulas) {
-        if (!report::is_formula(formula)) FAIL("no formula: " << formula);
+        if (!is_one(formula)) FAIL("no formula: " << formula);
         ++formulas;
       }
     }

@@ -158,9 +158,9 @@ struct Moved {
 
 using Cuts = Eigen::Matrix<double, 6, 1>;
 
-inline Cuts cuts_of(const boxbeam::BeamLoads& loads, double s) {
-  return boxbeam::cuts_at(boxbeam::cut_forces_of(loads),
-                          {{boxbeam::si<boxbeam::Length>(s), boxbeam::Side::behind}});
+inline Cuts cuts_of(const boxbeam::BeamLoads& loads, double s,
+                    boxbeam::Side side = boxbeam::Side::behind) {
+  return boxbeam::cuts_at(boxbeam::cut_forces_of(loads), {{boxbeam::si<boxbeam::Length>(s), side}});
 }
 
 /// What is left over beside the largest loads, forces times the beam's length.

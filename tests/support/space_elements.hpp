@@ -64,6 +64,34 @@ inline Element element(const boxbeam::Section& section, double h, double rho) {
   return e;
 }
 
+/// A beam of `n` even elements, six freedoms for each node from the first one.
+struct ElementsOfBeam {
+  boxbeam::Section section;
+  Eigen::Matrix3d axes;
+  double length = 0.0, density = 0.0;
+  Eigen::Index n = 0, first = 0;
+  bool rotary = false;  ///< rotary inertia across the axis, at the nodes
+};
+
+/// Adds its stiffness and mass.
+inline void add_beam(const ElementsOfBeam& beam, Eigen::MatrixXd& K, Eigen::MatrixXd& M) {
+  const double h = beam.length / static_cast<double>(beam.n);
+  const Element e = element(beam.section, h, beam.density);
+  Eigen::Matrix<double, 12, 12> into = Eigen::Matrix<double, 12, 12>::Zero();
+  for (Eigen::Index i = 0; i < 12; i += 3) into.block<3, 3>(i, i) = beam.axes.transpose();
+  const boxbeam::SectionProperties of = boxbeam::properties_of(beam.section);
+  const Eigen::Vector3d slices(0.0, of.I_y.value(), of.I_z.value());
+  const Eigen::Matrix3d turned = beam.axes * slices.asDiagonal() * beam.axes.transpose();
+  for (Eigen::Index i = 0; i < beam.n; ++i) {
+    const Eigen::Index row = beam.first + 6 * i;
+    K.block<12, 12>(row, row) += into.transpose() * e.K * into;
+    M.block<12, 12>(row, row) += into.transpose() * e.M * into;
+    if (!beam.rotary) continue;
+    for (const Eigen::Index end : {row, row + 6})
+      M.block<3, 3>(end + 3, end + 3) += 0.5 * h * beam.density * turned;
+  }
+}
+
 /// Stiffness and mass of a beam of sixty even elements with a rigid body at its tip, in its axes,
 /// six freedoms for each node from its start.
 struct Assembled {

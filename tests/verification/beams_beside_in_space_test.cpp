@@ -1,6 +1,5 @@
 // Several elastic beams of one case in space: an arm cut in two beams that are joined rigidly is
-// the whole arm, whichever half is verified; an L of two beams against finite elements that share
-// nothing with the program; a case of the plane written in space.
+// the whole arm, whichever half is verified; a case of the plane written in space.
 
 #include <fmt/format.h>
 
@@ -12,7 +11,6 @@
 #include <string>
 
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/section/shear_area.hpp"
 #include "boxbeam/verification/elastic_motion.hpp"
 #include "boxbeam/verification/front_end.hpp"
@@ -23,183 +21,18 @@
 #include "src/verification/elastic_motion_in_space.hpp"
 #include "src/verification/fast_loads.hpp"
 #include "src/verification/vibration_in_space.hpp"
-#include "support/space_elements.hpp"
+#include "support/cut_arm.hpp"
 
 namespace beams_beside_in_space_test {
 
 using namespace boxbeam;
+using namespace test::cut_arm;
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
-using Eigen::VectorXd;
-
-namespace {
-
-constexpr double pi = std::numbers::pi, E = 210e9, G = 81e9;
-
-const std::string sections = R"(
-[sections.root]
-kind = "box"
-width = "120 mm"
-height = "160 mm"
-flange = "8 mm"
-web = "6 mm"
-[sections.thin]
-kind = "box"
-width = "100 mm"
-height = "120 mm"
-flange = "6 mm"
-web = "5 mm"
-)";
-
-const std::string demands = R"(
-[material]
-steel = "S355"
-[strength]
-required = 1.0
-)";
-
-std::string body(const char* name, double length) {
-  return fmt::format(
-      "[bodies.{}]\npoints = {{ A = [\"0 m\", \"0 m\", \"0 m\"], B = [\"{} m\", \"0 m\", \"0 m\"] "
-      "}}\n",
-      name, length);
-}
-
-std::string segment(double length, const char* section) {
-  return fmt::format("[[beam.segments]]\nlength = \"{} m\"\nsection = \"{}\"\n", length, section);
-}
-
-std::string beam(const char* name, const std::string& segments) {
-  return fmt::format(
-             "[[beam]]\nname = \"{0}\"\nbody = \"{0}\"\nstart = \"A\"\naxis = \"x\"\nz = \"z\"\n"
-             "density = \"7850 kg/m^3\"\nrotary_inertia = true\n",
-             name) +
-         segments;
-}
-
-std::string mechanism(double gravity) {
-  return fmt::format(
-      "[case]\nname = \"arm\"\nkind = \"spatial\"\n[mechanism]\n"
-      "gravity = [\"0 m/s^2\", \"0 m/s^2\", \"-{} m/s^2\"]\n",
-      gravity);
-}
-
-std::string hinge(const Vector3d& axis, double amplitude, double frequency) {
-  return fmt::format(R"(
-[joints.heel]
-kind = "revolute"
-connect = ["ground", "inner.A"]
-at = ["0 m", "0 m", "0 m"]
-axis = [{:.15g}, {:.15g}, {:.15g}]
-[drivers.turning]
-joint = "heel"
-kind = "harmonic"
-mean = "0 rad"
-amplitude = "{:.15g} rad"
-frequency = "{:.15g} Hz"
-)",
-                     axis.x(), axis.y(), axis.z(), amplitude, frequency);
-}
-
-const std::string clamp = R"(
-[joints.heel]
-kind = "fixed"
-connect = ["ground", "inner.A"]
-at = ["0 m", "0 m", "0 m"]
-)";
-
-/// A body beside the tip, in axes of its own.
-std::string load_at(const char* tip) {
-  return fmt::format(R"(
-[bodies.load]
-mass = "80 kg"
-centre = ["0.1 m", "0.6 m", "-0.3 m"]
-inertia = [["9 kg m^2", "1 kg m^2", "-2 kg m^2"], ["1 kg m^2", "6 kg m^2", "0.5 kg m^2"], ["-2 kg m^2", "0.5 kg m^2", "11 kg m^2"]]
-points = {{ c = ["0 m", "0 m", "0 m"] }}
-[joints.tip]
-kind = "fixed"
-connect = ["{}", "load.c"]
-turn = [["z", "40 deg"]]
-)",
-                     tip);
-}
-
-std::string push_at(const char* tip, const char* direction, double mean, double amplitude) {
-  return fmt::format(R"(
-[forces.push]
-kind = "force"
-point = "{}"
-direction = {}
-law = {{ kind = "harmonic", mean = "{:.15g} N", amplitude = "{:.15g} N", frequency = "1 Hz" }}
-)",
-                     tip, direction, mean, amplitude);
-}
-
-const char* tip_of(bool cut) { return cut ? "outer.B" : "inner.B"; }
-
-/// An arm of 4 m along x, of `root` to its middle and `thin` beyond, as one beam or as two that are
-/// joined rigidly, with what else is said.
-std::string arm(bool cut, const std::string& around, const char* inner = "root",
-                const char* outer = "thin", const std::string& more = "", double gravity = 9.81) {
-  std::string text = mechanism(gravity) + body("inner", cut ? 2.0 : 4.0);
-  if (cut) {
-    text += body("outer", 2.0) +
-            "[joints.cut]\nkind = \"fixed\"\nconnect = [\"inner.B\", \"outer.A\"]\n";
-  }
-  text += around + sections;
-  text += cut ? beam("inner", segment(2.0, inner)) + beam("outer", segment(2.0, outer))
-              : beam("inner", segment(2.0, inner) + segment(2.0, outer));
-  return text + demands + more;
-}
-
-/// A case whose rigid bodies have moved.
-struct Moved {
-  explicit Moved(Project of) : project(std::move(of)), runs(run_situations(project)) {}
-
-  const LoadHistory& rigid() const { return runs.front().loads; }
-  const spatial::Chain& chain() const { return chain_of(runs.front()); }
-  ElasticMotionInSpace by(std::size_t modes, int parts) const {
-    return {project, chain(), rigid().span(), [this](Time time) { return rigid().loads_at(time); },
-            modes,   parts};
-  }
-  std::vector<frame::BeamMode> modes(int parts, std::size_t count) const {
-    StoppedVibration stopped(project, chain(), parts);
-    const double begin = rigid().begin().value();
-    return stopped.modes(chain().at(begin), rigid().diagram_at(si<Time>(begin)), count);
-  }
-  Time at(double part) const { return rigid().begin() + part * rigid().period(); }
-
-  Project project;
-  std::deque<SituationRun> runs;
-};
-
-Moved moved(const std::string& text, std::size_t beam = 0) {
-  return Moved(parse_beams("arm.toml", text)[beam]);
-}
-
-/// The other beams count as rigid bodies.
-Moved alone(const std::string& text, std::size_t beam = 0) {
-  Project project = parse_beams("arm.toml", text)[beam];
-  project.elastic_beside.clear();
-  return Moved(std::move(project));
-}
-
-using Cuts = Eigen::Matrix<double, 6, 1>;
-
-Cuts cuts_of(const BeamLoads& loads, double s, Side side = Side::behind) {
-  return cuts_at(cut_forces_of(loads), {{si<Length>(s), side}});
-}
-
-/// Forces, then moments, of the same size.
-void check_alike(const Cuts& found, const Cuts& expected, const Cuts& size, double within) {
-  const double force = size.head<3>().norm(), moment = size.tail<3>().norm();
-  INFO("found " << found.transpose() << "\nexpected " << expected.transpose());
-  CHECK((found - expected).head<3>().norm() < within * force);
-  CHECK((found - expected).tail<3>().norm() < within * moment);
-}
-
-}  // namespace
+using test::space_arm::check_alike;
+using test::space_arm::Cuts;
+using test::space_arm::cuts_of;
 
 // Invariant: both are cut into the same pieces, so that modes, work and turning terms are the same.
 TEST_CASE("an arm in two beams joined rigidly vibrates as one", "[beams_beside]") {
@@ -348,148 +181,6 @@ TEST_CASE("a column in two beams buckles as the whole, whichever is verified", "
     const auto stiff = critical(alone(text(true), half));
     REQUIRE(stiff);
     CHECK(*stiff > 1.1 * *factor);
-  }
-}
-
-namespace {
-
-constexpr double first_length = 4.0, second_length = 3.0;
-
-/// An L: the second beam leaves the tip of the first, turned out of all planes.
-std::string bent_arm(const std::string& around, const std::string& more = "") {
-  return mechanism(0.0) + body("inner", first_length) + body("outer", second_length) + around + R"(
-[joints.knee]
-kind = "fixed"
-connect = ["inner.B", "outer.A"]
-turn = [["z", "70 deg"], ["x", "35 deg"]]
-)" + sections +
-         beam("inner", segment(first_length, "root")) +
-         beam("outer", segment(second_length, "thin")) + demands + more;
-}
-
-/// The axes of the second beam in those of the first.
-Matrix3d second_axes(const Moved& of) {
-  const spatial::State state = of.chain().at(of.rigid().begin().value());
-  const auto axes = [&](const char* name) -> Matrix3d {
-    return state.bodies[static_cast<std::size_t>(body_index(of.chain().mechanism(), name))].R_WB;
-  };
-  return axes("inner").transpose() * axes("outer");
-}
-
-/// The L by sixty even elements a beam, in the axes of the first beam, six freedoms for each node
-/// from its start; of the second beam alone as well. Rotary inertia across the axes at the nodes.
-struct FiniteElements {
-  static constexpr Eigen::Index n = 60;
-  MatrixXd K = MatrixXd::Zero(12 * n + 6, 12 * n + 6), M = K, K_second = K, M_second = K;
-  std::vector<Vector3d> nodes;
-
-  FiniteElements(const Section& first, const Section& second, const Matrix3d& axes) {
-    add(first, Matrix3d::Identity(), first_length, Vector3d::Zero(), 0, K, M);
-    add(second, axes, second_length, Vector3d(first_length, 0.0, 0.0), n, K_second, M_second);
-    K += K_second;
-    M += M_second;
-  }
-
-  /// The first frequencies with its start clamped [Hz].
-  std::vector<double> frequencies(std::size_t count) const {
-    const Eigen::Index free = K.rows() - 6;
-    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(
-        M.bottomRightCorner(free, free), K.bottomRightCorner(free, free), Eigen::EigenvaluesOnly);
-    std::vector<double> found;
-    for (std::size_t k = 0; k < count; ++k)
-      found.push_back(
-          1.0 /
-          (2.0 * pi * std::sqrt(modes.eigenvalues()[free - 1 - static_cast<Eigen::Index>(k)])));
-    return found;
-  }
-
- private:
-  void add(const Section& section, const Matrix3d& axes, double length, const Vector3d& start,
-           Eigen::Index at, MatrixXd& k, MatrixXd& m) {
-    const double h = length / n, rho = 7850.0;
-    const test::space_elements::Element element = test::space_elements::element(section, h, rho);
-    Eigen::Matrix<double, 12, 12> into = Eigen::Matrix<double, 12, 12>::Zero();
-    for (Eigen::Index i = 0; i < 12; i += 3) into.block<3, 3>(i, i) = axes.transpose();
-    const SectionProperties of = properties_of(section);
-    const Matrix3d rotary = axes *
-                            Vector3d(0.0, rho * of.I_y.value(), rho * of.I_z.value()).asDiagonal() *
-                            axes.transpose();
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const Eigen::Index row = 6 * (at + i);
-      k.block<12, 12>(row, row) += into.transpose() * element.K * into;
-      m.block<12, 12>(row, row) += into.transpose() * element.M * into;
-      for (const Eigen::Index end : {row, row + 6})
-        m.block<3, 3>(end + 3, end + 3) += 0.5 * h * rotary;
-    }
-    if (nodes.empty()) nodes.push_back(start);
-    for (Eigen::Index i = 1; i <= n; ++i)
-      nodes.push_back(start + h * static_cast<double>(i) * axes.col(0));
-  }
-};
-
-}  // namespace
-
-TEST_CASE("an L of two beams has the frequencies of a model of finite elements", "[beams_beside]") {
-  const std::string text = bent_arm(hinge({0.48, -0.6, 0.64}, 1e-6, 2.0));
-  const Moved inner = moved(text), outer = moved(text, 1);
-  const FiniteElements elements(inner.project.beam.segments.front().from,
-                                outer.project.beam.segments.front().from, second_axes(inner));
-  const std::vector<double> expected = elements.frequencies(6);
-  for (const Moved* of : {&inner, &outer}) {
-    const std::vector<frame::BeamMode> found = of->modes(32, 6);
-    REQUIRE(found.size() == 6);
-    // Torsion and stretching of linear shapes: (k h)^2/24 of their part.
-    for (std::size_t k = 0; k < 6; ++k)
-      CHECK(found[k].frequency == Approx(expected[k]).epsilon(k < 4 ? 5e-5 : 3e-4));
-    // One beam alone, the other rigid, is far from it.
-    Project stiff = of->project;
-    stiff.elastic_beside.clear();
-    CHECK(Moved(std::move(stiff)).modes(32, 1).front().frequency > 1.01 * expected.front());
-  }
-}
-
-// A hinge that swings by a small angle: (K - omega^2 M) u = omega^2 M R, and what the start of each
-// beam bears of u and of R together.
-TEST_CASE("an L of two beams on a swinging hinge vibrates as a model of finite elements",
-          "[beams_beside]") {
-  const double small = 1e-6;
-  for (const auto& [axis, frequency] :
-       {std::pair{Vector3d(0.48, -0.6, 0.64), 3.0}, {Vector3d(1.0, 0.0, 0.0), 1.5}}) {
-    const std::string text = bent_arm(hinge(axis, small, frequency));
-    const Moved inner = moved(text), outer = moved(text, 1);
-    const Matrix3d axes = second_axes(inner);
-    const FiniteElements elements(inner.project.beam.segments.front().from,
-                                  outer.project.beam.segments.front().from, axes);
-    const Eigen::Index size = elements.K.rows(), free = size - 6;
-    VectorXd R(size);
-    for (std::size_t i = 0; i < elements.nodes.size(); ++i) {
-      R.segment<3>(6 * static_cast<Eigen::Index>(i)) = axis.cross(elements.nodes[i]);
-      R.segment<3>(6 * static_cast<Eigen::Index>(i) + 3) = axis;
-    }
-    const double square = std::pow(2.0 * pi * frequency, 2);
-    VectorXd u = VectorXd::Zero(size);
-    const MatrixXd dynamic = elements.K - square * elements.M;
-    u.tail(free) =
-        dynamic.bottomRightCorner(free, free).lu().solve(square * (elements.M * R).tail(free));
-    const Cuts heel = -(dynamic * u - square * elements.M * R).head<6>();
-    const Cuts knee =
-        -((elements.K_second - square * elements.M_second) * u - square * elements.M_second * R)
-             .segment<6>(6 * FiniteElements::n);
-    Cuts in_second;
-    in_second << axes.transpose() * knee.head<3>(), axes.transpose() * knee.tail<3>();
-    const ElasticMotionInSpace of_inner = inner.by(8, 10), of_outer = outer.by(8, 10);
-    INFO("axis " << axis.transpose() << ", " << frequency << " Hz against "
-                 << of_inner.lowest_frequency());
-    for (const double part : {0.2, 0.55}) {
-      const double turn = small * std::sin(2.0 * pi * part);
-      check_alike(cuts_of(of_inner.loads_at(inner.at(part)), 0.0), turn * heel, turn * heel, 5e-4);
-      check_alike(cuts_of(of_outer.loads_at(outer.at(part)), 0.0), turn * in_second,
-                  turn * in_second, 5e-4);
-      // The rigid L is far from it.
-      const Cuts rigid = cuts_of(outer.rigid().loads_at(outer.at(part)), 0.0);
-      CHECK((rigid - turn * in_second).tail<3>().norm() >
-            0.01 * std::abs(turn) * in_second.tail<3>().norm());
-    }
   }
 }
 
@@ -727,8 +418,6 @@ TEST_CASE("two beams of the plane written in space have its frequencies and its 
   CHECK(estimate.estimate.without_modes.front() ==
         Approx(expected.without_modes.front()).epsilon(1e-6));
 }
-
-namespace {}  // namespace
 
 // Equations and loads are the plane's where each beam turns by itself. By one mode of the plane:
 // what is left out where several change with the posture depends on how their bases are turned.

@@ -9,6 +9,7 @@
 #include "boxbeam/verification/pictures.hpp"
 #include "catch.hpp"
 #include "support/rig.hpp"
+#include "support/shaken_beam.hpp"
 
 namespace cycle_figure_test {
 
@@ -53,75 +54,6 @@ double work_of(const DriverLine& line) {
   }
   return work;
 }
-
-/// A uniform box beam of 2 m, carried in its middle by a spring and a damper and shaken there by a
-/// harmonic force; it moves up and down only.
-const char* const shaken_beam = R"(
-[case]
-name = "shaken-beam"
-kind = "planar"
-
-[mechanism]
-gravity = ["0 m/s^2", "0 m/s^2"]
-
-[motion]
-settle = "8 s"
-duration = "0.4 s"
-
-[bodies.beam]
-points = { S = ["1 m", "0 m"] }
-sketch = { at = ["-1 m", "0 m"], angle = "0 deg" }
-
-[joints.guide]
-kind = "slider"
-point = "beam.S"
-through = ["0 m", "0 m"]
-direction = "90 deg"
-
-[forces.mount]
-kind = "spring"
-connect = ["beam.S", "ground"]
-at = ["0 m", "-1 m"]
-stiffness = "200 kN/m"
-free_length = "1 m"
-damping = "2 kN s/m"
-
-[forces.exciter]
-kind = "force"
-point = "beam.S"
-direction = "90 deg"
-law = { kind = "harmonic", mean = "0 N", amplitude = "3 kN", frequency = "5 Hz" }
-
-[sections.box]
-kind = "box"
-width = "100 mm"
-height = "100 mm"
-flange = "10 mm"
-web = "10 mm"
-
-[beam]
-body = "beam"
-density = "7850 kg/m^3"
-
-[[beam.segments]]
-name = "all"
-length = "2 m"
-section = "box"
-
-[material]
-steel = "S355"
-
-[strength]
-required = 1.5
-
-[fatigue]
-category = 71
-cycles = 1e7
-loading = "spectrum"
-gamma_Ff = 1.0
-gamma_Mf = 1.35
-required = 1.0
-)";
 
 }  // namespace
 
@@ -200,7 +132,7 @@ TEST_CASE("the jumps of N and V in a frame are the loads drawn in it") {
 
 TEST_CASE("loads carry the names of the joints and forces that they come from") {
   // All three act at the same place of the beam.
-  const Project project = parse_project("shaken.toml", shaken_beam);
+  const Project project = parse_project("shaken.toml", test::shaken_beam);
   const std::deque<SituationRun> runs = run_situations(project);
   const CycleFigure cycle = cycle_figure_of(project, runs.front());
   std::vector<std::string> names;
@@ -320,7 +252,7 @@ TEST_CASE(
   // m x'' + c x' + k x = F sin(omega t), steady after 8 s: amplitude F/|k - m omega^2 + i c omega|;
   // the force's work in a time of whole periods is what the damper takes, c (omega A)^2/2 each
   // second.
-  const Project project = parse_project("shaken.toml", shaken_beam);
+  const Project project = parse_project("shaken.toml", test::shaken_beam);
   const std::deque<SituationRun> runs = run_situations(project);
   const std::vector<DriverLine> lines = runs.front().motion->driver_lines(runs.front().loads);
   REQUIRE(lines.size() == 1);

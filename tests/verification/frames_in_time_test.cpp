@@ -15,6 +15,7 @@
 #include "boxbeam/verification/unsaid.hpp"
 #include "catch.hpp"
 #include "src/verification/frame_vibration.hpp"
+#include "src/verification/vibrating_frame.hpp"
 #include "src/verification/vibration_in_space.hpp"
 
 namespace frames_in_time_test {

@@ -16,54 +16,9 @@ namespace path_members_test {
 
 using namespace boxbeam;
 using namespace slender_cases;
-using path_cases::held;
-using path_cases::section;
+using namespace path_cases;
 
 namespace {
-
-struct At {
-  double y, z;
-};
-
-/// Walls in millimetres; trims where plates butt: half of the other's thickness.
-ThinWalled path(const std::vector<At>& nodes, const std::vector<std::array<double, 3>>& walls,
-                double trim_from = 0.0, double trim_to = 0.0, int trimmed = -1) {
-  ThinWalled of;
-  for (const At& at : nodes) of.nodes.push_back({si<Length>(1e-3 * at.y), si<Length>(1e-3 * at.z)});
-  for (std::size_t i = 0; i < walls.size(); ++i) {
-    ThinWall wall{static_cast<std::size_t>(walls[i][0]), static_cast<std::size_t>(walls[i][1]),
-                  si<Length>(1e-3 * walls[i][2])};
-    if (static_cast<int>(i) == trimmed) {
-      wall.trim_from = si<Length>(1e-3 * trim_from);
-      wall.trim_to = si<Length>(1e-3 * trim_to);
-    }
-    of.walls.push_back(wall);
-  }
-  return of;
-}
-
-std::string force(const std::string& name, double at, const std::string& of,
-                  const std::string& moment = "") {
-  return fmt::format("[loads.{}]\nkind = \"force\"\nat = \"{} m\"\nforce = {}\n", name, at, of) +
-         (moment.empty() ? "" : "moment = \"" + moment + "\"\n");
-}
-
-std::string simple_beam(double length, const std::string& sections, const std::string& segments,
-                        const std::string& more, const std::string& loads) {
-  return "[case]\nname = \"path\"\nkind = \"static\"\n[frame]\n"
-         "gravity = [\"0 m/s^2\", \"0 m/s^2\"]\n" +
-         sections + "[beam]\ndensity = \"7850 kg/m^3\"\n" + segments + more +
-         "[supports.left]\nkind = \"pinned\"\nat = \"0 m\"\n" +
-         fmt::format("[supports.right]\nkind = \"roller\"\nat = \"{} m\"\n", length) + loads +
-         steel + "[strength]\nrequired = 1.0\nshear_lag = false\ngamma_M1 = 1.1\n";
-}
-
-double use_of(const Verification& of, const std::string& id) {
-  double most = 0.0;
-  for (const CheckResult& result : of.checks)
-    if (result.check.id.starts_with(id)) most = std::max(most, result.check.utilisation());
-  return most;
-}
 
 bool blocks(const Verification& of, const std::string& words) {
   return std::any_of(of.gates.begin(), of.gates.end(), [&](const Gate& gate) {
