@@ -62,6 +62,11 @@ class Tree {
   /// positions. Source: Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 5.
   void move(State& state) const;
 
+  /// Velocities alone, of a state with its positions: linear in the rates of the joints, and with a
+  /// rate of one what Kane calls partial velocities. Source: Kane and Levinson, Dynamics: Theory
+  /// and Applications (1985), 2.14.
+  void move_at_rates(State& state) const;
+
   /// What each joint does to the body that it carries, at the joint's point, where `others` act
   /// beside the mechanism's loads: recursive Newton-Euler from the free ends to the ground. Source:
   /// Luh, Walker and Paul (1980).
