@@ -251,7 +251,7 @@ void ForcedMotion::move(const Tree& tree, State& state, const Loops::Sample& clo
     for (std::size_t f = 0; f < loops_->joints().size(); ++f)
       state.coordinates[loops_->joints()[f]].acceleration += led[static_cast<Eigen::Index>(f)];
   }
-  tree.move(state);
+  tree.accelerate(state);
 }
 
 ForcedMotion::Response ForcedMotion::response_in(const Tree& tree, const State& state,

@@ -122,7 +122,7 @@ bool Loops::converge(const Tree& tree, State& state, Eigen::VectorXd& q, double&
   double last = 1.0;
   first = 0.0;
   for (int step = 0; step < most; ++step) {
-    tree.move(state);
+    tree.place(state);
     if (free_.joints.empty()) return true;
     if (last > small) J.emplace(factors(tree, state));
     const Eigen::VectorXd correction = J->solve(-open(tree, state, chosen_));
@@ -141,9 +141,13 @@ Loops::Sample Loops::with_rates(const Tree& tree, State& state, const Eigen::Vec
   const auto count = static_cast<Eigen::Index>(free_.joints.size());
   Sample sample{state.time, q, Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count)};
   set(state, sample);
-  tree.move(state);
+  tree.place(state);
+  tree.move_at_rates(state);
   sample.turned = turned(state);
-  if (free_.joints.empty()) return sample;
+  if (free_.joints.empty()) {
+    tree.accelerate(state);
+    return sample;
+  }
   const LoopFactors J = factors(tree, state);
   if (!led_.joints.empty()) sample.following = following(tree, state, J);
   const auto solved = [&](double RowMotion::*left) -> Eigen::VectorXd {
@@ -157,10 +161,11 @@ Loops::Sample Loops::with_rates(const Tree& tree, State& state, const Eigen::Vec
   };
   sample.rate = solved(&RowMotion::rate);
   set(state, sample);
-  tree.move(state);
+  tree.move_at_rates(state);
+  tree.accelerate(state);
   sample.acceleration = solved(&RowMotion::acceleration);
   set(state, sample);
-  tree.move(state);
+  tree.accelerate(state);
   return sample;
 }
 

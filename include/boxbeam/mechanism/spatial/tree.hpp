@@ -62,10 +62,13 @@ class Tree {
   /// positions. Source: Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 5.
   void move(State& state) const;
 
-  /// Velocities alone, of a state with its positions: linear in the rates of the joints, and with a
-  /// rate of one what Kane calls partial velocities. Source: Kane and Levinson, Dynamics: Theory
-  /// and Applications (1985), 2.14.
+  /// The same step by step: positions alone,
+  void place(State& state) const;
+  /// of these the velocities, linear in the rates of the joints, and with a rate of one what Kane
+  /// calls partial velocities (Kane and Levinson, Dynamics: Theory and Applications, 1985, 2.14),
   void move_at_rates(State& state) const;
+  /// of both the accelerations.
+  void accelerate(State& state) const;
 
   /// What each joint does to the body that it carries, at the joint's point, where `others` act
   /// beside the mechanism's loads: recursive Newton-Euler from the free ends to the ground. Source:
@@ -79,11 +82,16 @@ class Tree {
   struct Link {
     Eigen::Matrix3d fixed, along_cosine, along_sine;
     Eigen::Vector3d at, axis, point;
-    JointKind kind;
-    double pitch;  ///< of a screw
+    double advance;  ///< along the axis per unit of q
     int parent;
+    bool turns;    ///< q is an angle
     bool shifted;  ///< the body's origin lies elsewhere than the joint
   };
+  /// In the world: the joint's axis, and from the parent's origin to the joint.
+  struct Reach {
+    Eigen::Vector3d axis, arm;
+  };
+  static Reach reach_of(const Link& link, const BodyMotion& parent, const DriverState& q);
 
   const Mechanism* mechanism_;
   std::vector<Link> links_;
