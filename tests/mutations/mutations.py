@@ -155,7 +155,7 @@ MUTATIONS = [
          ("harmonic-acceleration", "state.acceleration -= omega * omega * swing;", "state.acceleration -= omega * swing;",
           "second derivative of a sine", "driver_test")),
     *_in("src/mechanism/spatial", "tree.cpp",
-         ("coriolis", "+ 2.0 * parent.omega.cross(slide);", "+ parent.omega.cross(slide);",
+         ("coriolis", "2.0 * parent.omega.cross(link.advance * u);", "parent.omega.cross(link.advance * u);",
           "Coriolis' acceleration of a sliding joint", "chain_test"),
          ("spin", "return motion.R_WB * (body.inertia * alpha + omega.cross(body.inertia * omega));", "return motion.R_WB * (body.inertia * alpha);",
           "gyroscopic moment of a body", "chain_test spinning_body_test landing_gear_test"),
@@ -912,6 +912,6 @@ MUTATIONS = [
          ("forced-halfway", "t * t * (3.0 * dt * p", "t * t * (2.0 * dt * p",
           "rates between steps", "forced_motion_test")),
     *_in("src/mechanism/spatial", "tree.cpp",
-         ("rates-advance", "body.velocity += advance * u;", "body.velocity += u;",
-          "a screw advances by its lead where its rate alone is asked for", "forced_motion_test screw_test")),
+         ("rates-advance", "body.velocity += link.advance * u;", "body.velocity += u;",
+          "a screw advances by its lead", "screw_test")),
 ]

@@ -87,11 +87,8 @@ class Tree {
     bool turns;    ///< q is an angle
     bool shifted;  ///< the body's origin lies elsewhere than the joint
   };
-  /// In the world: the joint's axis, and from the parent's origin to the joint.
-  struct Reach {
-    Eigen::Vector3d axis, arm;
-  };
-  static Reach reach_of(const Link& link, const BodyMotion& parent, const DriverState& q);
+  template <bool positions, bool velocities, bool accelerations>
+  void move_outwards(State& state) const;
 
   const Mechanism* mechanism_;
   std::vector<Link> links_;
