@@ -109,20 +109,29 @@ void StationHistory::divide_at_passages(const LoadHistory::Reach& reach,
     if (behind == before) continue;
     double low = BracketPoints::between(begin, end, k - 1);
     double high = BracketPoints::between(begin, end, k);
+    const std::size_t border = std::min(before, behind);
+    double left = (border_of(bracket[k - 1], border) - station_.s).value();
+    double beyond = (station_.s - border_of(bracket[k], border)).value();
     const auto look_at = [&](double time) {
       if (!(time > low && time < high)) return;
       const CutForceDiagram at = loads_->diagram_at(si<Time>(time));
-      (borders_before(at, station_) == before ? low : high) = time;
+      const double to_go = (border_of(at, border) - station_.s).value();
+      const bool lies_before = borders_before(at, station_) == before;
+      (lies_before ? low : high) = time;
+      (lies_before ? left : beyond) = lies_before ? to_go : -to_go;
     };
-    // At even speed it passes here, but for rounding.
-    const std::size_t border = std::min(before, behind);
-    const double left = (border_of(bracket[k - 1], border) - station_.s).value();
-    const double beyond = (station_.s - border_of(bracket[k], border)).value();
-    if (left * beyond > 0.0) {
-      const double passed = low + left / (left + beyond) * (high - low);
+    // At even speed it passes here, but for rounding; else as far again on from where this leads.
+    constexpr int most = 12;
+    for (int i = 0; i < most && left * beyond > 0.0; ++i) {
+      const double speed = (left + beyond) / (high - low), passed = low + left / speed;
       const double aside = 1e-14 * std::max(std::abs(low), std::abs(high));
       look_at(passed - aside);
       look_at(passed + aside);
+      if (high - low <= 4.0 * aside) break;
+      if (high <= passed + aside)
+        look_at(high - 2.0 * beyond / speed);
+      else if (low >= passed - aside)
+        look_at(low + 2.0 * left / speed);
     }
     // To the last time before and the first behind: the same from whichever instants it is found,
     // so that an extremum on one side of it is looked up there.

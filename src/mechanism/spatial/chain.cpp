@@ -50,12 +50,13 @@ State Chain::at(double time) const {
 void Chain::at(double time, State& state) const {
   tree_.drive(state, time);
   if (forced_) forced_->set(tree_, state);
+  Loops::Sample closed;
   if (loops_)
-    loops_->close(tree_, state);
+    closed = loops_->close(tree_, state);
   else
     tree_.move(state);
   if (forced_)
-    forced_->accelerate(tree_, state);
+    forced_->accelerate(tree_, state, closed);
   else
     state.friction = friction_forces_of(tree_, loops_.get(), state, contacts_);
 }

@@ -51,13 +51,16 @@ ForcedMotion::Step ForcedMotion::step_from(const Tree& tree, const Sample& from,
   state.touches = from.touches;
   step.end.touches = from.touches;
   Loops::Sample near = from.loops;
+  std::optional<Loops::Sample> closed;
   std::optional<std::vector<char>> acting;  // at the beginning
   const auto rates = [&](const Vector& y, Vector& rate, double time) {
     std::fill(rate.begin(), rate.end(), 0.0);
-    step.followed = step.followed && place(tree, y, time, near, state);
+    if (!step.followed) return;
+    closed = place(tree, y, time, near, state);
+    step.followed = closed.has_value();
     if (!step.followed) return;
     const std::vector<char> now = acting_in(tree.mechanism(), state);
-    const Solution of = solve(tree, state, from.slips);
+    const Solution of = solve(tree, state, *closed, from.slips);
     if (!acting)
       acting = now;
     else if ((now != *acting || !of.go_on) && time != from.time)
@@ -73,9 +76,10 @@ ForcedMotion::Step ForcedMotion::step_from(const Tree& tree, const Sample& from,
   rates(from.y, begin, from.time);
   if (loops_ != nullptr && step.followed) {
     // With the accelerations that forces give there, the loops are near it for longer.
+    Eigen::VectorXd accelerations(static_cast<Eigen::Index>(n));
     for (std::size_t k = 0; k < n; ++k)
-      state.coordinates[joints_[k]].acceleration = scales_[k] * begin[n + k];
-    move(tree, state);
+      accelerations[static_cast<Eigen::Index>(k)] = scales_[k] * begin[n + k];
+    move(tree, state, *closed, accelerations);
     near = loops_->sample_of(state);
   }
   step.end.time = from.time + dt;
@@ -86,13 +90,17 @@ ForcedMotion::Step ForcedMotion::step_from(const Tree& tree, const Sample& from,
     const double bound = tolerance_ * (1.0 + std::abs(step.end.y[k]));
     step.error = std::max(step.error, std::abs(error[k]) / bound);
   }
-  step.followed = step.followed && std::isfinite(step.error) &&
-                  place(tree, step.end.y, step.end.time, near, state);
+  if (!step.followed || !std::isfinite(step.error)) {
+    step.followed = false;
+    return step;
+  }
+  closed = place(tree, step.end.y, step.end.time, near, state);
+  step.followed = closed.has_value();
   if (!step.followed) return step;
-  if (loops_ != nullptr) step.end.loops = loops_->sample_of(state);
+  step.end.loops = *closed;
   step.end.slips = from.slips;
   step.changes = *acting != acting_in(tree.mechanism(), state) ||
-                 (sticking_ && !solve(tree, state, from.slips).go_on);
+                 (sticking_ && !solve(tree, state, *closed, from.slips).go_on);
   return step;
 }
 
@@ -102,7 +110,8 @@ void ForcedMotion::touch(const Tree& tree, const Sample& from, Sample& end) cons
   const std::vector<Spring>& springs = tree.mechanism().springs;
   std::vector<char> acted;
   for (const Spring& spring : springs) acted.push_back(acts(spring, state) ? 1 : 0);
-  if (!place(tree, end.y, end.time, end.loops, state)) return;
+  const std::optional<Loops::Sample> closed = place(tree, end.y, end.time, end.loops, state);
+  if (!closed) return;
   for (std::size_t i = 0; i < springs.size(); ++i) {
     const Spring& spring = springs[i];
     if (!spring.impact) continue;
@@ -114,10 +123,12 @@ void ForcedMotion::touch(const Tree& tree, const Sample& from, Sample& end) cons
     // The mass that a force between its ends meets.
     constexpr double push = 1e3;  // far above round-off of what acts without it
     const auto parting = [&](double force) {
-      state.touches = end.touches;
-      state.touches[i] = {true, 0.0, 0.0, force};
-      accelerate(tree, state);
-      return d.dot(acceleration_of(state, spring.b) - acceleration_of(state, spring.a)) / d.norm();
+      State pushed = state;
+      pushed.touches = end.touches;
+      pushed.touches[i] = {true, 0.0, 0.0, force};
+      accelerate(tree, pushed, *closed);
+      return d.dot(acceleration_of(pushed, spring.b) - acceleration_of(pushed, spring.a)) /
+             d.norm();
     };
     const double mass = push / std::abs(parting(push) - parting(0.0));
     const LineLaw law = law_of(spring);
@@ -139,8 +150,10 @@ double ForcedMotion::until_another_acts(const Tree& tree, const Sample& from) co
   double until = std::numeric_limits<double>::infinity();
   State state;
   state.touches = from.touches;
-  if (!one_sided_ || !place(tree, from.y, from.time, from.loops, state)) return until;
-  accelerate(tree, state, from.slips);
+  if (!one_sided_) return until;
+  const std::optional<Loops::Sample> closed = place(tree, from.y, from.time, from.loops, state);
+  if (!closed) return until;
+  accelerate(tree, state, *closed, from.slips);
   for (const Spring& of : tree.mechanism().springs) {
     for (const Spring& spring : switches_of(of)) {
       const Eigen::Vector3d d = position_of(state, spring.b) - position_of(state, spring.a);
@@ -201,11 +214,12 @@ double ForcedMotion::acts_within(const Tree& tree, Sample& from, Sample& end) co
   for (int i = 0; i < looks; ++i) {
     const double at = from.time + dt * i / looks;
     const std::vector<double> y = i == 0 ? from.y : between(from, end, at);
-    if (!place(tree, y, at, from.loops, state)) return 0.0;
+    const std::optional<Loops::Sample> closed = place(tree, y, at, from.loops, state);
+    if (!closed) return 0.0;
     const std::vector<char> now = acting_in(tree.mechanism(), state);
     if (i == 0)
       acting = now;
-    else if (now != acting || (any_sticks && !solve(tree, state, from.slips).go_on) ||
+    else if (now != acting || (any_sticks && !solve(tree, state, *closed, from.slips).go_on) ||
              any_turns_back(tree.mechanism(), state, from.slips))
       return at - from.time;
   }

@@ -89,30 +89,14 @@ Loops::Loops(const Tree& tree) : rows_(rows_of(tree.mechanism())) {
   size_ = size_of(mechanism);
   all_.resize(rows_.size());
   std::iota(all_.begin(), all_.end(), std::size_t{0});
-  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
-    if (mechanism.joints[i].kind != JointKind::fixed &&
-        mechanism.joints[i].moved_by == MovedBy::loops)
-      free_.push_back(i);
-  }
+  free_ = columns_of(mechanism, MovedBy::loops);
+  led_ = columns_of(mechanism, MovedBy::forces);
   const auto rows = static_cast<Eigen::Index>(rows_.size());
-  const auto columns = static_cast<Eigen::Index>(free_.size());
+  const auto columns = static_cast<Eigen::Index>(free_.joints.size());
   row_scale_.resize(rows);
-  column_scale_.resize(columns);
-  std::vector<Eigen::Index> number(mechanism.joints.size(), -1);  // among the free ones
-  for (Eigen::Index k = 0; k < columns; ++k) number[free_[static_cast<std::size_t>(k)]] = k;
-  for (const ClosingJoint& joint : mechanism.closing) {
-    std::vector<Between>& between = between_.emplace_back();
-    each_between(mechanism, joint, [&](std::size_t i, double sign) {
-      if (number[i] >= 0) between.push_back({number[i], sign});
-    });
-  }
   for (Eigen::Index r = 0; r < rows; ++r) {
     const LoopRow& row = rows_[static_cast<std::size_t>(r)];
     row_scale_[r] = row.kind == LoopRow::Kind::square ? 1.0 : 1.0 / size_;
-  }
-  for (Eigen::Index k = 0; k < columns; ++k) {
-    const JointKind kind = mechanism.joints[free_[static_cast<std::size_t>(k)]].kind;
-    column_scale_[k] = is_angle(kind) ? 1.0 : size_;
   }
   for (const ClosingJoint& joint : mechanism.closing)
     if (joint.kind == ClosingKind::screw) screws_.push_back(joint);
@@ -125,10 +109,32 @@ Loops::Loops(const Tree& tree) : rows_(rows_of(tree.mechanism())) {
   judge_uniqueness(tree, state);
   Eigen::VectorXd q(columns);
   for (Eigen::Index k = 0; k < columns; ++k)
-    q[k] = state.coordinates[free_[static_cast<std::size_t>(k)]].value;
+    q[k] = state.coordinates[free_.joints[static_cast<std::size_t>(k)]].value;
   double first = 0.0;
   static_cast<void>(converge(tree, state, q, first));
   samples_.push_back(with_rates(tree, state, q));
+}
+
+Loops::Columns Loops::columns_of(const Mechanism& mechanism, MovedBy moved_by) const {
+  Columns columns;
+  std::vector<double> scale;
+  std::vector<Eigen::Index> number(mechanism.joints.size(), -1);  // among them
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const Joint& joint = mechanism.joints[i];
+    if (joint.kind == JointKind::fixed || joint.moved_by != moved_by) continue;
+    number[i] = static_cast<Eigen::Index>(columns.joints.size());
+    columns.joints.push_back(i);
+    scale.push_back(is_angle(joint.kind) ? 1.0 : size_);
+  }
+  columns.scale =
+      Eigen::Map<Eigen::VectorXd>(scale.data(), static_cast<Eigen::Index>(scale.size()));
+  for (const ClosingJoint& joint : mechanism.closing) {
+    std::vector<Between>& between = columns.between.emplace_back();
+    each_between(mechanism, joint, [&](std::size_t i, double sign) {
+      if (number[i] >= 0) between.push_back({number[i], sign});
+    });
+  }
+  return columns;
 }
 
 /// By Levenberg's and Marquardt's method.
@@ -154,7 +160,7 @@ Eigen::VectorXd Loops::nearest_closed(const Tree& tree, State& state, Eigen::Vec
     const double size = correction.cwiseAbs().maxCoeff();
     if (size < 1e-15) break;
     if (size > longest) correction *= longest / size;
-    const Eigen::VectorXd tried = q + column_scale_.cwiseProduct(correction);
+    const Eigen::VectorXd tried = q + free_.scale.cwiseProduct(correction);
     set(state, {0.0, tried, {}, {}});
     tree.move(state);
     const Eigen::VectorXd left = open(tree, state, all_);
@@ -184,14 +190,14 @@ bool Loops::assemble_elsewhere(const Tree& tree, State& state,
     const std::vector<double> at = halton_point(index, static_cast<int>(starts.size()));
     Eigen::VectorXd q = starts;
     for (Eigen::Index k = 0; k < q.size(); ++k)
-      q[k] += column_scale_[k] * reach * (at[static_cast<std::size_t>(k)] - 0.5);
+      q[k] += free_.scale[k] * reach * (at[static_cast<std::size_t>(k)] - 0.5);
     if (nearest_closed(tree, state, q).cwiseAbs().maxCoeff() > closed) continue;
     if (!all_stand_right(mechanism, state) || !loops_off_branch(mechanism, state).empty()) continue;
     double away = 0.0;
     q = sample_of(state).q;
     for (Eigen::Index k = 0; k < q.size(); ++k) {
-      const double by = (q[k] - starts[k]) / column_scale_[k];
-      const JointKind kind = mechanism.joints[free_[static_cast<std::size_t>(k)]].kind;
+      const double by = (q[k] - starts[k]) / free_.scale[k];
+      const JointKind kind = mechanism.joints[free_.joints[static_cast<std::size_t>(k)]].kind;
       away = std::hypot(away, kind == JointKind::revolute ? std::remainder(by, full_turn) : by);
     }
     if (away >= least) continue;
@@ -207,10 +213,10 @@ bool Loops::assemble_elsewhere(const Tree& tree, State& state,
 /// The position nearest to the start in which all is closed, on the branch that is wanted.
 void Loops::assemble(const Tree& tree, State& state) const {
   const Mechanism& mechanism = tree.mechanism();
-  const auto columns = static_cast<Eigen::Index>(free_.size());
+  const auto columns = static_cast<Eigen::Index>(free_.joints.size());
   Eigen::VectorXd starts(columns);
   for (Eigen::Index k = 0; k < columns; ++k)
-    starts[k] = mechanism.joints[free_[static_cast<std::size_t>(k)]].start;
+    starts[k] = mechanism.joints[free_.joints[static_cast<std::size_t>(k)]].start;
   const Eigen::VectorXd values = nearest_closed(tree, state, starts);
   Eigen::Index worst = 0;
   const bool is_closed = values.cwiseAbs().maxCoeff(&worst) <= closed;
@@ -263,15 +269,16 @@ void Loops::assemble(const Tree& tree, State& state) const {
 void Loops::choose_rows(const Tree& tree, const State& state) {
   constexpr double none = 1e-6;  // singular values beside the largest; data have fewer digits
   constexpr Eigen::Index most_whole = 150;
-  const auto columns = static_cast<Eigen::Index>(free_.size());
+  const auto columns = static_cast<Eigen::Index>(free_.joints.size());
   if (columns == 0) return;
   const Mechanism& mechanism = tree.mechanism();
   const Jacobian J = jacobian(tree, state, all_);
   std::vector<std::size_t> idle;
   SparseElimination order;
   if (columns > most_whole) {
-    const Eigen::Index rank = find_order(pattern_of(all_), entries(tree, state, all_), order);
-    for (const int k : order.cols_left()) idle.push_back(free_[static_cast<std::size_t>(k)]);
+    const Eigen::Index rank =
+        find_order(pattern_of(all_), entries(tree, state, all_, free_), order);
+    for (const int k : order.cols_left()) idle.push_back(free_.joints[static_cast<std::size_t>(k)]);
     if (rank < columns)
       throw undetermined(mechanism, static_cast<std::size_t>(columns - rank), idle);
   }
@@ -280,7 +287,7 @@ void Loops::choose_rows(const Tree& tree, const State& state) {
   if (left > 0) {
     const Eigen::VectorXd moving = of.vectors.rightCols(left).rowwise().norm();
     for (Eigen::Index k = 0; k < columns; ++k)
-      if (moving[k] > 1e-6) idle.push_back(free_[static_cast<std::size_t>(k)]);
+      if (moving[k] > 1e-6) idle.push_back(free_.joints[static_cast<std::size_t>(k)]);
     throw undetermined(mechanism, static_cast<std::size_t>(left), idle);
   }
   if (columns > most_whole) {
@@ -301,7 +308,7 @@ void Loops::choose_rows(const Tree& tree, const State& state) {
 void Loops::keep_order(const Tree& tree, const State& state) {
   constexpr std::size_t most = 8;
   if (pattern_.rows <= LoopFactors::most_whole || orders_.size() == most) return;
-  const std::vector<double> at = entries(tree, state, chosen_);
+  const std::vector<double> at = entries(tree, state, chosen_, free_);
   if (std::any_of(orders_.begin(), orders_.end(),
                   [&](const SparseElimination& order) { return suits(order, at); }))
     return;

@@ -21,7 +21,7 @@ void Loops::judge_uniqueness(const Tree& tree, const State& state) {
                       std::back_inserter(over));
   if (over.empty()) return;
   const SparsePattern pattern = pattern_of(over);
-  const std::vector<double> values = entries(tree, state, over);
+  const std::vector<double> values = entries(tree, state, over, free_);
   const LoopFactors J = factors(tree, state);
   const auto judge = [&](std::size_t index, const Wrench& change) {
     if (change.force.norm() + change.moment.norm() / size_ > 1e-6) unique_[index] = 0;

@@ -29,31 +29,33 @@ Eigen::VectorXd predicted(const auto& from, double time) {
 }  // namespace
 
 void Loops::set(State& state, const Sample& sample) const {
-  for (std::size_t k = 0; k < free_.size(); ++k) {
+  for (std::size_t k = 0; k < free_.joints.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    state.coordinates[free_[k]] = {sample.q[i], sample.rate.size() ? sample.rate[i] : 0.0,
-                                   sample.acceleration.size() ? sample.acceleration[i] : 0.0};
+    state.coordinates[free_.joints[k]] = {
+        sample.q[i], sample.rate.size() ? sample.rate[i] : 0.0,
+        sample.acceleration.size() ? sample.acceleration[i] : 0.0};
   }
 }
 
 SparsePattern Loops::pattern_of(const Rows& rows) const {
   SparsePattern pattern;
   pattern.rows = static_cast<Eigen::Index>(rows.size());
-  pattern.cols = static_cast<Eigen::Index>(free_.size());
+  pattern.cols = static_cast<Eigen::Index>(free_.joints.size());
   pattern.row_start.push_back(0);
   for (const std::size_t row : rows) {
-    for (const Between& between : between_[rows_[row].joint])
-      pattern.col.push_back(static_cast<int>(between.free));
+    for (const Between& between : free_.between[rows_[row].joint])
+      pattern.col.push_back(static_cast<int>(between.column));
     pattern.row_start.push_back(static_cast<int>(pattern.col.size()));
   }
   return pattern;
 }
 
-std::vector<double> Loops::entries(const Tree& tree, const State& state, const Rows& rows) const {
+std::vector<double> Loops::entries(const Tree& tree, const State& state, const Rows& rows,
+                                   const Columns& columns) const {
   const Mechanism& mechanism = tree.mechanism();
   std::vector<Eigen::Vector3d> axes;
-  axes.reserve(free_.size());
-  for (const std::size_t i : free_)
+  axes.reserve(columns.joints.size());
+  for (const std::size_t i : columns.joints)
     axes.push_back(in_world(state, mechanism.joints[i].parent, mechanism.joints[i].axis));
   std::vector<double> values;
   values.reserve(pattern_.entries());
@@ -62,12 +64,13 @@ std::vector<double> Loops::entries(const Tree& tree, const State& state, const R
     const Wrench wrench = wrench_of(mechanism, row, state);
     const Eigen::Vector3d place = position_of(state, place_of(mechanism.closing[row.joint]));
     const double scale = row_scale_[static_cast<Eigen::Index>(r)];
-    for (const Between& between : between_[row.joint]) {
-      const std::size_t i = free_[static_cast<std::size_t>(between.free)];
+    for (const Between& between : columns.between[row.joint]) {
+      const auto column = static_cast<std::size_t>(between.column);
+      const std::size_t i = columns.joints[column];
       const double power = along_coordinate(
-          mechanism.joints[i], axes[static_cast<std::size_t>(between.free)],
+          mechanism.joints[i], axes[column],
           {wrench.force, wrench.moment + (place - state.bodies[i].joint).cross(wrench.force)});
-      values.push_back(between.sign * scale * power * column_scale_[between.free]);
+      values.push_back(between.sign * scale * power * columns.scale[between.column]);
     }
   }
   return values;
@@ -76,12 +79,27 @@ std::vector<double> Loops::entries(const Tree& tree, const State& state, const R
 Eigen::SparseMatrix<double> Loops::jacobian(const Tree& tree, const State& state,
                                             const Rows& rows) const {
   const SparsePattern pattern = pattern_of(rows);
-  return pattern.scaled(entries(tree, state, rows), Eigen::VectorXd::Ones(pattern.rows),
+  return pattern.scaled(entries(tree, state, rows, free_), Eigen::VectorXd::Ones(pattern.rows),
                         Eigen::VectorXd::Ones(pattern.cols));
 }
 
 LoopFactors Loops::factors(const Tree& tree, const State& state) const {
-  return {pattern_, entries(tree, state, chosen_), orders_};
+  return {pattern_, entries(tree, state, chosen_, free_), orders_};
+}
+
+Eigen::MatrixXd Loops::following(const Tree& tree, const State& state, const LoopFactors& J) const {
+  const auto rows = static_cast<Eigen::Index>(chosen_.size());
+  const auto columns = static_cast<Eigen::Index>(led_.joints.size());
+  Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(rows, columns);
+  const std::vector<double> values = entries(tree, state, chosen_, led_);
+  auto value = values.begin();
+  for (Eigen::Index r = 0; r < rows; ++r) {
+    for (const Between& between : led_.between[rows_[chosen_[static_cast<std::size_t>(r)]].joint])
+      moved(r, between.column) = *value++;
+  }
+  for (Eigen::Index k = 0; k < columns; ++k)
+    moved.col(k) = free_.scale.cwiseProduct(J.solve(-moved.col(k))) / led_.scale[k];
+  return moved;
 }
 
 Eigen::VectorXd Loops::open(const Tree& tree, const State& state, const Rows& rows) const {
@@ -93,35 +111,45 @@ Eigen::VectorXd Loops::open(const Tree& tree, const State& state, const Rows& ro
   return values;
 }
 
-/// Newton's method from the state's free coordinates; whether it converges to the branch of the
-/// start. `first`: its first correction.
+/// Newton's method from the state's free coordinates, with the same Jacobian as long as it leaves
+/// next to nothing of a small error; whether it converges to the branch of the start. `first`: its
+/// first correction.
 bool Loops::converge(const Tree& tree, State& state, Eigen::VectorXd& q, double& first) const {
   constexpr int most = 12;
-  constexpr double converged = 1e-11;  // squared by the step that follows it
+  constexpr double converged = 1e-11;  // what it leaves is round-off
+  constexpr double small = 1e-4, left = 1e-2;
+  std::optional<LoopFactors> J;
+  double last = 1.0;
   first = 0.0;
   for (int step = 0; step < most; ++step) {
-    tree.move(state);
-    if (free_.empty()) return true;
-    const LoopFactors J = factors(tree, state);
-    const Eigen::VectorXd correction = J.solve(-open(tree, state, chosen_));
+    tree.place(state);
+    if (free_.joints.empty()) return true;
+    if (last > small) J.emplace(factors(tree, state));
+    const Eigen::VectorXd correction = J->solve(-open(tree, state, chosen_));
     const double size = correction.cwiseAbs().maxCoeff();
     if (!(size < 1.0)) return false;
     if (step == 0) first = size;
-    q += column_scale_.cwiseProduct(correction);
+    q += free_.scale.cwiseProduct(correction);
     set(state, {state.time, q, {}, {}});
-    if (size < converged) return branch_ == 0 || J.sign_of_determinant() == branch_;
+    if (size < converged) return branch_ == 0 || J->sign_of_determinant() == branch_;
+    last = size > left * last ? 1.0 : size;
   }
   return false;
 }
 
 Loops::Sample Loops::with_rates(const Tree& tree, State& state, const Eigen::VectorXd& q) const {
-  const auto count = static_cast<Eigen::Index>(free_.size());
+  const auto count = static_cast<Eigen::Index>(free_.joints.size());
   Sample sample{state.time, q, Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count)};
   set(state, sample);
-  tree.move(state);
+  tree.place(state);
+  tree.move_at_rates(state);
   sample.turned = turned(state);
-  if (free_.empty()) return sample;
+  if (free_.joints.empty()) {
+    tree.accelerate(state);
+    return sample;
+  }
   const LoopFactors J = factors(tree, state);
+  if (!led_.joints.empty()) sample.following = following(tree, state, J);
   const auto solved = [&](double RowMotion::*left) -> Eigen::VectorXd {
     Eigen::VectorXd values(count);
     for (Eigen::Index r = 0; r < count; ++r) {
@@ -129,39 +157,23 @@ Loops::Sample Loops::with_rates(const Tree& tree, State& state, const Eigen::Vec
       values[r] = -row_scale_[static_cast<Eigen::Index>(row)] *
                   (motion_of(tree.mechanism(), rows_[row], state).*left);
     }
-    return column_scale_.cwiseProduct(J.solve(values));
+    return free_.scale.cwiseProduct(J.solve(values));
   };
   sample.rate = solved(&RowMotion::rate);
   set(state, sample);
-  tree.move(state);
+  tree.move_at_rates(state);
+  tree.accelerate(state);
   sample.acceleration = solved(&RowMotion::acceleration);
   set(state, sample);
-  tree.move(state);
+  tree.accelerate(state);
   return sample;
 }
 
-void Loops::accelerate(const Tree& tree, State& state) const {
-  for (const std::size_t i : free_) state.coordinates[i].acceleration = 0.0;
-  tree.move(state);
-  if (free_.empty()) return;
-  Eigen::VectorXd left(static_cast<Eigen::Index>(chosen_.size()));
-  for (Eigen::Index r = 0; r < left.size(); ++r) {
-    const std::size_t row = chosen_[static_cast<std::size_t>(r)];
-    left[r] = row_scale_[static_cast<Eigen::Index>(row)] *
-              motion_of(tree.mechanism(), rows_[row], state).acceleration;
-  }
-  const Eigen::VectorXd acceleration =
-      column_scale_.cwiseProduct(factors(tree, state).solve(-left));
-  for (std::size_t k = 0; k < free_.size(); ++k)
-    state.coordinates[free_[k]].acceleration = acceleration[static_cast<Eigen::Index>(k)];
-  tree.move(state);
-}
-
 Loops::Sample Loops::sample_of(const State& state) const {
-  const auto count = static_cast<Eigen::Index>(free_.size());
+  const auto count = static_cast<Eigen::Index>(free_.joints.size());
   Sample sample{state.time, Eigen::VectorXd(count), Eigen::VectorXd(count), Eigen::VectorXd(count)};
   for (Eigen::Index k = 0; k < count; ++k) {
-    const DriverState& of = state.coordinates[free_[static_cast<std::size_t>(k)]];
+    const DriverState& of = state.coordinates[free_.joints[static_cast<std::size_t>(k)]];
     sample.q[k] = of.value;
     sample.rate[k] = of.rate;
     sample.acceleration[k] = of.acceleration;
@@ -218,7 +230,8 @@ Loops::Sample Loops::followed(const Tree& tree, Sample from, double until,
     set(state, {time, q, {}, {}});
     double first = 0.0;
     const auto moved = [&] {
-      return free_.empty() ? 0.0 : (q - before).cwiseQuotient(column_scale_).cwiseAbs().maxCoeff();
+      return free_.joints.empty() ? 0.0
+                                  : (q - before).cwiseQuotient(free_.scale).cwiseAbs().maxCoeff();
     };
     if (converge(tree, state, q, first) && first <= largest_correction && moved() <= largest_move &&
         keeps_turns(from, state)) {
@@ -237,7 +250,7 @@ Loops::Sample Loops::followed(const Tree& tree, Sample from, double until,
     std::vector<std::string> names;
     for (Eigen::Index k = 0; k < runs.size(); ++k) {
       if (runs[k] > 0.3 * runs.maxCoeff())
-        names.push_back(tree.mechanism().joints[free_[static_cast<std::size_t>(k)]].name);
+        names.push_back(tree.mechanism().joints[free_.joints[static_cast<std::size_t>(k)]].name);
     }
     throw AnalysisError(
         {fmt::format("the loops cannot be followed beyond a dead point: the drivers no longer "
@@ -253,7 +266,7 @@ Loops::Sample Loops::followed(const Tree& tree, Sample from, double until,
   return from;
 }
 
-void Loops::close(const Tree& tree, State& state) const {
+Loops::Sample Loops::close(const Tree& tree, State& state) const {
   double time = state.time;
   if (period_ > 0.0 && time > samples_.back().time) {
     time = begin_ + std::fmod(time - begin_, period_);
@@ -273,10 +286,10 @@ void Loops::close(const Tree& tree, State& state) const {
     set(state, {state.time, q, {}, {}});
     static_cast<void>(converge(tree, state, q, first));
   }
-  with_rates(tree, state, q);
+  Sample sample = with_rates(tree, state, q);
   const Eigen::VectorXd values = open(tree, state, all_);
   Eigen::Index worst = 0;
-  if (values.cwiseAbs().maxCoeff(&worst) <= 1e-8) return;
+  if (values.cwiseAbs().maxCoeff(&worst) <= 1e-8) return sample;
   const LoopRow& row = rows_[static_cast<std::size_t>(worst)];
   throw AnalysisError(
       {fmt::format(
@@ -299,13 +312,13 @@ void Loops::wrenches(const Tree& tree, const State& state, std::span<const BodyW
   const Mechanism& mechanism = tree.mechanism();
   // What free joints would have to carry along their axes, were the loops open.
   tree.wrenches(state, others, joints);
-  const auto count = static_cast<Eigen::Index>(free_.size());
+  const auto count = static_cast<Eigen::Index>(free_.joints.size());
   Eigen::VectorXd needed(count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    const std::size_t i = free_[static_cast<std::size_t>(k)];
+    const std::size_t i = free_.joints[static_cast<std::size_t>(k)];
     const Joint& joint = mechanism.joints[i];
     const Eigen::Vector3d axis = in_world(state, joint.parent, joint.axis);
-    needed[k] = column_scale_[k] * along_coordinate(joint, axis, joints[i]);
+    needed[k] = free_.scale[k] * along_coordinate(joint, axis, joints[i]);
   }
   // Rows that others imply carry nothing: where that matters, what is carried is not unique.
   Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows_.size()));
@@ -340,7 +353,7 @@ double Loops::residual_of(const Tree& tree, const State& state) const {
 }
 
 double Loops::condition_of(const Tree& tree, const State& state) const {
-  if (free_.empty()) return 1.0;
+  if (free_.joints.empty()) return 1.0;
   constexpr Eigen::Index most_whole = 50;
   const SingularValues of =
       smallest_singular_values(jacobian(tree, state, chosen_), 0.0, most_whole);

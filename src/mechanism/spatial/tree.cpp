@@ -16,14 +16,10 @@ const BodyMotion& world() {
   return at_rest;
 }
 
-/// What a body's turning adds to the motion of its origin at a point, r from there in world axes.
-struct Turning {
-  Eigen::Vector3d velocity, acceleration;
-};
-
-inline Turning turning_at(const BodyMotion& body, const Eigen::Vector3d& r) {
-  const Eigen::Vector3d velocity = body.omega.cross(r);
-  return {velocity, body.alpha.cross(r) + body.omega.cross(velocity)};
+/// What a body's turning adds to the acceleration of its origin at a point, r from there in world
+/// axes.
+inline Eigen::Vector3d turning_acceleration(const BodyMotion& body, const Eigen::Vector3d& r) {
+  return body.alpha.cross(r) + body.omega.cross(body.omega.cross(r));
 }
 
 /// Rate of change of the angular momentum about the centre of mass, world axes.
@@ -49,9 +45,9 @@ Tree::Tree(const Mechanism& mechanism) : mechanism_(&mechanism) {
               joint.at,
               joint.axis,
               joint.point,
-              joint.kind,
-              pitch_of(joint.lead),
+              joint.kind == JointKind::prismatic ? 1.0 : pitch_of(joint.lead),
               joint.parent,
+              is_angle(joint.kind),
               !joint.point.isZero(0.0)};
     if (is_angle(joint.kind)) {
       // Rodrigues: a a^T + cos q (I - a a^T) + sin q [a]x, about the axis in the parent's axes.
@@ -85,48 +81,61 @@ void Tree::begin(State& state) const {
   }
 }
 
-void Tree::move(State& state) const {
-  state.bodies.resize(links_.size());
+template <bool positions, bool velocities, bool accelerations>
+void Tree::move_outwards(State& state) const {
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const Link& link = links_[i];
     const BodyMotion& parent = motion_of(state, link.parent);
     BodyMotion& body = state.bodies[i];
     const DriverState& q = state.coordinates[i];
-
     const Eigen::Vector3d axis = parent.R_WB * link.axis;
     Eigen::Vector3d arm = parent.R_WB * link.at;
-    const double advance = link.kind == JointKind::prismatic ? 1.0 : link.pitch;
-    if (advance != 0.0) arm += advance * q.value * axis;
-    const Turning carried = turning_at(parent, arm);
-    body.joint = parent.position + arm;
-    body.position = body.joint;
-    body.velocity = parent.velocity + carried.velocity;
-    body.acceleration = parent.acceleration + carried.acceleration;
-    body.omega = parent.omega;
-    body.alpha = parent.alpha;
-    if (is_angle(link.kind)) {
-      body.R_WB = parent.R_WB * (link.fixed + std::cos(q.value) * link.along_cosine +
-                                 std::sin(q.value) * link.along_sine);
-      const Eigen::Vector3d u = q.rate * axis;
-      body.omega += u;
-      body.alpha += q.acceleration * axis + parent.omega.cross(u);
-    } else {
-      body.R_WB = parent.R_WB * link.fixed;
+    if (link.advance != 0.0) arm += link.advance * q.value * axis;
+    if constexpr (positions) {
+      body.position = body.joint = parent.position + arm;
+      if (link.turns)
+        body.R_WB = parent.R_WB * (link.fixed + std::cos(q.value) * link.along_cosine +
+                                   std::sin(q.value) * link.along_sine);
+      else
+        body.R_WB = parent.R_WB * link.fixed;
     }
-    if (advance != 0.0) {
-      const Eigen::Vector3d slide = advance * q.rate * axis;
-      body.velocity += slide;
-      body.acceleration += advance * q.acceleration * axis + 2.0 * parent.omega.cross(slide);
+    const Eigen::Vector3d u = q.rate * axis;
+    if constexpr (velocities) {
+      body.omega = parent.omega;
+      if (link.turns) body.omega += u;
+      body.velocity = parent.velocity + parent.omega.cross(arm);
+      if (link.advance != 0.0) body.velocity += link.advance * u;
+    }
+    if constexpr (accelerations) {
+      body.alpha = parent.alpha;
+      if (link.turns) body.alpha += q.acceleration * axis + parent.omega.cross(u);
+      body.acceleration = parent.acceleration + turning_acceleration(parent, arm);
+      if (link.advance != 0.0)
+        body.acceleration +=
+            link.advance * q.acceleration * axis + 2.0 * parent.omega.cross(link.advance * u);
     }
     // From the joint to the body's own origin.
     if (!link.shifted) continue;
     const Eigen::Vector3d back = -(body.R_WB * link.point);
-    const Turning own = turning_at(body, back);
-    body.position += back;
-    body.velocity += own.velocity;
-    body.acceleration += own.acceleration;
+    if constexpr (positions) body.position += back;
+    if constexpr (velocities) body.velocity += body.omega.cross(back);
+    if constexpr (accelerations) body.acceleration += turning_acceleration(body, back);
   }
 }
+
+void Tree::move(State& state) const {
+  state.bodies.resize(links_.size());
+  move_outwards<true, true, true>(state);
+}
+
+void Tree::place(State& state) const {
+  if (state.bodies.size() != links_.size()) state.bodies.assign(links_.size(), world());
+  move_outwards<true, false, false>(state);
+}
+
+void Tree::move_at_rates(State& state) const { move_outwards<false, true, false>(state); }
+
+void Tree::accelerate(State& state) const { move_outwards<false, false, true>(state); }
 
 // Cost of a body: about 240 additions and multiplications for its motion and 200 for its forces, on
 // 0.8 kB, beside a sine and a cosine: 20 ns at the peak of SSE2, twice that in single numbers, for
@@ -185,7 +194,7 @@ void Tree::wrenches(const State& state, std::span<const BodyWrench> others,
     if (body.mass != 0.0) {
       const Eigen::Vector3d centre = motion.R_WB * body.centre;
       const Eigen::Vector3d acceleration =
-          motion.acceleration + turning_at(motion, centre).acceleration;
+          motion.acceleration + turning_acceleration(motion, centre);
       const Eigen::Vector3d force = body.mass * (acceleration - mechanism.gravity);
       wrench.force += force;
       wrench.moment += spin_change(body, motion) + centre.cross(force);
@@ -211,7 +220,7 @@ Eigen::Vector3d velocity_of(const State& state, const Attachment& at) {
 
 Eigen::Vector3d acceleration_of(const State& state, const Attachment& at) {
   const BodyMotion& body = motion_of(state, at.body);
-  return body.acceleration + turning_at(body, body.R_WB * at.p).acceleration;
+  return body.acceleration + turning_acceleration(body, body.R_WB * at.p);
 }
 
 Tension tension_of(const Spring& spring, const State& state) {

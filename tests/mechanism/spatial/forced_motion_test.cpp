@@ -302,6 +302,29 @@ TEST_CASE("a damped spring that a load pulls moves as its closed form") {
   }
 }
 
+TEST_CASE("between steps a mass on a spring moves as its closed form everywhere") {
+  // x = A cos(w t), with what its rate and its acceleration are then.
+  constexpr double m = 2.0, k = 800.0, A = 0.3;
+  Mechanism mechanism;
+  const int mass =
+      add(mechanism, "mass", JointKind::prismatic, ground, Vector3d::Zero(), Vector3d::UnitX(), A);
+  set_mass(mechanism, mass, m, Vector3d::Zero(), Vector3d::Zero());
+  mechanism.springs.push_back(
+      {"spring", {ground, {-1.0, 0.0, 0.0}}, {mass, Vector3d::Zero()}, k, 1.0, 0.0, {}});
+  mechanism.duration.length = 1.0;
+  const Chain chain(mechanism);
+  const double w = std::sqrt(k / m);
+  for (int i = 0; i <= 1000; ++i) {
+    const double t = 1e-3 * i;
+    const State state = chain.at(t);
+    const DriverState& q = state.coordinates[static_cast<std::size_t>(mass)];
+    INFO("t = " << t);
+    CHECK(q.value == Approx(A * std::cos(w * t)).margin(1e-9));
+    CHECK(q.rate == Approx(-A * w * std::sin(w * t)).margin(1e-8));
+    CHECK(q.acceleration == Approx(-A * w * w * std::cos(w * t)).margin(1e-6));
+  }
+}
+
 TEST_CASE("a parallelogram that closes a loop swings as a pendulum") {
   // Two cranks of a rod that never turns: its mass is as at the end of one thread.
   constexpr double l = 0.8, m = 5.0, start = 1.2;

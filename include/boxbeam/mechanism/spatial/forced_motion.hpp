@@ -11,17 +11,23 @@
 
 namespace boxbeam::spatial {
 
-/// The coordinates that forces move, from their start at t = 0 on. Their accelerations are those
-/// with which no joint that they move has anything but friction to carry along its axis: of n of
-/// them by the inverse dynamics of the whole mechanism, n + 1 times, and once more for each contact
-/// that rubs, for that is linear in accelerations and friction forces. Integrated by
-/// a Runge-Kutta method of order 8 with a step chosen by its error (Fehlberg 7(8), Boost.Odeint),
-/// which sees its first and last stages only: each step must agree with its two halves. Steps end
-/// where drivers or loads bend or jump, where a stop or a cable begins or ends to act, and where a
-/// contact without a creep velocity begins to stick or to slide (`decide_sticking`). Between,
-/// by Hermite's polynomial of degree 5 from positions, rates and accelerations so near each other
-/// that it differs from a step by no more than a hundred times its tolerance. Source: Walker and
-/// Orin, J. Dyn. Sys., Meas., Control 104 (1982), method 1; Fehlberg, NASA TR R-287 (1968).
+/// The coordinates that forces move, from their start at t = 0 on. Their accelerations a are those
+/// with which all that acts, and what is inert, has no power in any motion that they leave free:
+///
+///     sum_k M_jk a_k + sum_i u_ij Q_i = 0,   M_jk = sum m c_j . c_k + w_j . I w_k
+///
+/// c_j, w_j velocity of a body's centre of mass and its rate of turn per rate of coordinate j, u_ij
+/// the rate of joint i, Q_i what the inverse dynamics of all joints without the loops asks of it
+/// where a = 0. Integrated by a Runge-Kutta method of order 8 with a step chosen by its error
+/// (Fehlberg 7(8), Boost.Odeint), which sees its first and last stages only: each step must agree
+/// with its two halves. Steps end where drivers or loads bend or jump, where a stop or a cable
+/// begins or ends to act, and where a contact without a creep velocity begins to stick or to slide
+/// (`decide_sticking`). Between, by Hermite's polynomial from positions, rates and accelerations at
+/// two times (degree 5) or also halfway (degree 8), so near each other that it differs from a step
+/// by no more than a hundred times its tolerance: where it does most, what it leaves of the
+/// accelerations says by how much. Source: Kane and Levinson, Dynamics: Theory and Applications
+/// (1985), 4.1 to 6.1; Fehlberg, NASA TR R-287 (1968); Enright, J. Comput. Appl. Math. 27 (1989),
+/// of what polynomials leave.
 class ForcedMotion {
  public:
   /// Over the time that is looked at. `loops`: assembled at t = 0, or nothing; keeps it.
@@ -34,9 +40,9 @@ class ForcedMotion {
   /// Throws AnalysisError as the constructor.
   void set(const Tree& tree, State& state) const;
 
-  /// Of a state with all positions and rates: the accelerations that forces give, of all bodies,
-  /// and what rubs.
-  void accelerate(const Tree& tree, State& state) const;
+  /// Of a state with all positions and rates, and the accelerations without those that forces give
+  /// (`Loops::close`, `Tree::move`): these, of all bodies, and what rubs.
+  void accelerate(const Tree& tree, State& state, const Loops::Sample& closed) const;
 
   std::size_t freedoms() const { return joints_.size(); }
 
@@ -55,6 +61,9 @@ class ForcedMotion {
     double time = 0.0;
     std::vector<double> y;
     std::vector<double> accelerations = {};  ///< without units
+    /// Of each coordinate what is added to the polynomial of degree 5 from the sample before
+    /// (`course`), three numbers; empty: nothing.
+    std::vector<double> added = {};
     Loops::Sample loops = {};
     std::vector<Touch> touches = {};  ///< of every spring, of that from here on
     std::vector<Slip> slips = {};     ///< of contacts that can stick, from there on
@@ -81,9 +90,10 @@ class ForcedMotion {
   };
 
   /// Sets the coordinates, of a state whose time drivers have been asked for, and all bodies, where
-  /// loops are closed beside `near`; whether they are.
-  bool place(const Tree& tree, const std::vector<double>& y, double time, const Loops::Sample& near,
-             State& state) const;
+  /// loops are closed beside `near`, without what forces give of accelerations. Nothing where they
+  /// are not closed.
+  std::optional<Loops::Sample> place(const Tree& tree, const std::vector<double>& y, double time,
+                                     const Loops::Sample& near, State& state) const;
   void set(State& state, const std::vector<double>& y) const;
   /// The accelerations without friction and what it does to them, without units.
   struct Response {
@@ -92,7 +102,7 @@ class ForcedMotion {
     FrictionResponse of;
     std::optional<Unsolved> unsolved = {};
   };
-  Response response_in(const Tree& tree, State& state) const;
+  Response response_in(const Tree& tree, const State& state, const Loops::Sample& closed) const;
   /// The accelerations, the friction force of every contact, and what presses on it.
   struct Solution {
     Eigen::VectorXd accelerations;
@@ -100,16 +110,28 @@ class ForcedMotion {
     bool go_on = true;  ///< contacts, as they slide or stick
     std::optional<Unsolved> unsolved = {};
   };
-  Solution solve(const Tree& tree, State& state, const std::vector<Slip>& slips) const;
-  void accelerate(const Tree& tree, State& state, const std::vector<Slip>& slips) const;
+  Solution solve(const Tree& tree, const State& state, const Loops::Sample& closed,
+                 const std::vector<Slip>& slips) const;
+  void accelerate(const Tree& tree, State& state, const Loops::Sample& closed,
+                  const std::vector<Slip>& slips) const;
   /// What contacts do at a time.
   const std::vector<Slip>& slips_at(double time) const;
-  void move(const Tree& tree, State& state) const;
-  /// Between two positions.
+  /// A state as `accelerate` asks for it, with accelerations that forces give.
+  void move(const Tree& tree, State& state, const Loops::Sample& closed,
+            const Eigen::VectorXd& accelerations) const;
+  /// A coordinate between two positions, with its rate and acceleration, without units.
+  DriverState course(const Sample& from, const Sample& to, std::size_t k, double time) const;
   std::vector<double> between(const Sample& from, const Sample& to, double time) const;
+  /// What is added so that the polynomial between two meets a position halfway.
+  std::vector<double> added_to_meet(const Sample& middle, const Sample& from,
+                                    const Sample& to) const;
+  /// Whether the polynomial between two is near the motion, by the accelerations there.
+  bool follows(const Tree& tree, const Sample& from, const Sample& to) const;
+  /// Whether an error of a coordinate, and what it makes of its rate, are next to nothing.
+  bool is_near(double off, double to_rate, double value, double rate) const;
   void know_accelerations(const Tree& tree, Sample& at) const;
   /// Adds positions between two until those between are known by polynomials.
-  void refine(const Tree& tree, const Sample& from, const Sample& to, int depth, Effort& effort,
+  void refine(const Tree& tree, const Sample& from, Sample& to, int depth, Effort& effort,
               std::vector<Sample>& kept) const;
   [[noreturn]] void say_unsolved(const Tree& tree, double time, const Unsolved& why) const;
 
@@ -159,6 +181,7 @@ class ForcedMotion {
   std::vector<Friction> laws_;
   std::vector<std::string> names_;  ///< of the contacts
   std::vector<SlipChange> slip_changes_;
+  double gap_ = 0.0;  ///< from one side of a break to the other, and twice that [s]
 };
 
 }  // namespace boxbeam::spatial

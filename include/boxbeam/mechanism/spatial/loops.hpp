@@ -46,6 +46,8 @@ class Loops {
     double time = 0.0;
     Eigen::VectorXd q, rate, acceleration;
     Eigen::VectorXd turned = {};  ///< as `turned`
+    /// Rates of the free coordinates per rate of each that forces move, a column for each.
+    Eigen::MatrixXd following = {};
   };
 
   /// Closes them at t = 0, as near to the starts of the free coordinates as it can. Throws
@@ -60,13 +62,10 @@ class Loops {
 
   /// From the driven and forced coordinates of a state and its time: the free ones, with their
   /// rates, and all bodies; always on the branch of the start. Throws AnalysisError.
-  void close(const Tree& tree, State& state) const;
+  Sample close(const Tree& tree, State& state) const;
 
   /// The same beside a closed position; nothing where that is too far away.
   std::optional<Sample> close_beside(const Sample& near, const Tree& tree, State& state) const;
-  /// Of a state with its positions and rates: the accelerations anew, for others of the driven
-  /// ones.
-  void accelerate(const Tree& tree, State& state) const;
   /// What a state has of the free coordinates.
   Sample sample_of(const State& state) const;
   const Sample& first() const { return samples_.front(); }  ///< at t = 0
@@ -78,7 +77,10 @@ class Loops {
 
   std::size_t equations() const { return rows_.size(); }
   std::size_t repeating() const { return rows_.size() - chosen_.size(); }  ///< equations
-  std::size_t freedoms() const { return free_.size(); }  ///< coordinates that the loops decide
+  std::size_t freedoms() const {
+    return free_.joints.size();
+  }  ///< coordinates that the loops decide
+  const std::vector<std::size_t>& joints() const { return free_.joints; }  ///< of these coordinates
 
   /// For every joint that carries a body, then every closing one: whether bodies without elasticity
   /// determine what it carries. They do not where joints repeat each other. Source: Wojtyra,
@@ -97,8 +99,21 @@ class Loops {
   using Rows = std::vector<std::size_t>;
 
   void set(State& state, const Sample& sample) const;
-  /// What rows of the Jacobian have, without units, in the order of their pattern.
-  std::vector<double> entries(const Tree& tree, const State& state, const Rows& rows) const;
+  /// A coordinate between the bodies of a closing joint: 1 where it moves its b, -1 its a.
+  struct Between {
+    Eigen::Index column;
+    double sign;
+  };
+  /// Coordinates, which of them are between the bodies of every closing joint, and their scales.
+  struct Columns {
+    std::vector<std::size_t> joints;
+    std::vector<std::vector<Between>> between;
+    Eigen::VectorXd scale;
+  };
+  Columns columns_of(const Mechanism& mechanism, MovedBy moved_by) const;
+  /// What rows of the derivative by coordinates have, without units, row by row.
+  std::vector<double> entries(const Tree& tree, const State& state, const Rows& rows,
+                              const Columns& columns) const;
   SparsePattern pattern_of(const Rows& rows) const;
   Eigen::SparseMatrix<double> jacobian(const Tree& tree, const State& state,
                                        const Rows& rows) const;
@@ -109,6 +124,8 @@ class Loops {
   /// two positions less than half a turn apart in all of them no screw changes its turn unseen.
   Eigen::VectorXd turned(const State& state) const;
   bool keeps_turns(const Sample& near, const State& state) const;
+
+  Eigen::MatrixXd following(const Tree& tree, const State& state, const LoopFactors& J) const;
 
   void assemble(const Tree& tree, State& state) const;
   /// From free coordinates; how far all is open then.
@@ -125,18 +142,12 @@ class Loops {
   Sample followed(const Tree& tree, Sample from, double until, std::vector<Sample>* kept) const;
 
   std::vector<LoopRow> rows_;
-  Rows all_, chosen_;              ///< all rows; those that determine the free coordinates
-  std::vector<std::size_t> free_;  ///< joints
-  /// A free coordinate between the bodies of a closing joint: 1 where it moves its b, -1 its a.
-  struct Between {
-    Eigen::Index free;
-    double sign;
-  };
-  std::vector<std::vector<Between>> between_;  ///< of every closing joint
-  Eigen::VectorXd row_scale_, column_scale_;   ///< that leave the Jacobian without units
-  double size_ = 1.0;                          ///< of the mechanism [m]
-  double longest_step_ = 0.01;                 ///< of following [s]
-  double begin_ = 0.0, period_ = 0.0;          ///< after which all repeats; 0: it does not
+  Rows all_, chosen_;                  ///< all rows; those that determine the free coordinates
+  Columns free_, led_;                 ///< coordinates that the loops decide, and that forces move
+  Eigen::VectorXd row_scale_;          ///< that leaves the Jacobian without units
+  double size_ = 1.0;                  ///< of the mechanism [m]
+  double longest_step_ = 0.01;         ///< of following [s]
+  double begin_ = 0.0, period_ = 0.0;  ///< after which all repeats; 0: it does not
   int branch_ = 0;
   std::vector<ClosingJoint> screws_;  ///< those that close loops
   std::vector<std::size_t> angles_;   ///< joints whose coordinates are angles, where there are any

@@ -62,6 +62,14 @@ class Tree {
   /// positions. Source: Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 5.
   void move(State& state) const;
 
+  /// The same step by step: positions alone,
+  void place(State& state) const;
+  /// of these the velocities, linear in the rates of the joints, and with a rate of one what Kane
+  /// calls partial velocities (Kane and Levinson, Dynamics: Theory and Applications, 1985, 2.14),
+  void move_at_rates(State& state) const;
+  /// of both the accelerations.
+  void accelerate(State& state) const;
+
   /// What each joint does to the body that it carries, at the joint's point, where `others` act
   /// beside the mechanism's loads: recursive Newton-Euler from the free ends to the ground. Source:
   /// Luh, Walker and Paul (1980).
@@ -74,11 +82,13 @@ class Tree {
   struct Link {
     Eigen::Matrix3d fixed, along_cosine, along_sine;
     Eigen::Vector3d at, axis, point;
-    JointKind kind;
-    double pitch;  ///< of a screw
+    double advance;  ///< along the axis per unit of q
     int parent;
+    bool turns;    ///< q is an angle
     bool shifted;  ///< the body's origin lies elsewhere than the joint
   };
+  template <bool positions, bool velocities, bool accelerations>
+  void move_outwards(State& state) const;
 
   const Mechanism* mechanism_;
   std::vector<Link> links_;
