@@ -103,22 +103,6 @@ Length length_of(const std::vector<LineLoad>& lines) {
   return lines.back().start + lines.back().length;
 }
 
-/// At which of the borders, but for the ends, others act behind than before; between two of them
-/// the same act.
-std::vector<double> changes_between(
-    const std::vector<double>& borders,
-    const std::function<std::vector<bool>(double time)>& acting_at) {
-  std::vector<double> changes;
-  std::vector<bool> acting;
-  for (std::size_t i = 1; i < borders.size(); ++i) {
-    if (!(borders[i] > borders[i - 1])) continue;
-    std::vector<bool> here = acting_at(0.5 * (borders[i - 1] + borders[i]));
-    if (!acting.empty() && here != acting) changes.push_back(borders[i - 1]);
-    acting = std::move(here);
-  }
-  return changes;
-}
-
 /// Which of the springs act in a state.
 std::vector<bool> acting_springs(const spatial::Mechanism& mechanism, const spatial::State& state) {
   std::vector<bool> acting;
