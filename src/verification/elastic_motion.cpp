@@ -222,9 +222,8 @@ ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t
         motion.changes.front());
   count_ += freedoms();
   const planar::State& first = motion.states.front();
-  passages_.push_back(
-      {-std::numeric_limits<double>::infinity(), 0.0,
-       modes_of(posture_at(first, rigid_.loads(si<Time>(first.time)), first.time)).shapes});
+  begin_passage(-std::numeric_limits<double>::infinity(), 0.0,
+                modes_of(posture_at(first, rigid_.loads(si<Time>(first.time)), first.time)));
   if (motion.closed)
     solve_periodic();
   else
@@ -358,7 +357,7 @@ Eigen::MatrixXd ElasticMotion::turned_at(double change, const std::vector<double
   const LoadedPosture before = loaded_at(change - beside), behind = loaded_at(change + beside);
   const Aligned ahead = aligned_at(before, change - beside);
   const PostureModes from_here = modes_of(behind);
-  passages_.push_back({change, beside, from_here.shapes});
+  begin_passage(change, beside, from_here);
   return masses_between(behind, from_here, ahead.modes) * ahead.turn;
 }
 
@@ -397,13 +396,28 @@ PostureModes ElasticMotion::modes_of(const LoadedPosture& posture) const {
   return modes_in_posture(posture, count_, freedoms());
 }
 
+void ElasticMotion::begin_passage(double from, double beside, const PostureModes& modes) {
+  passages_.push_back({from, beside, modes.shapes,
+                       std::count(modes.frequencies.begin(), modes.frequencies.end(), 0.0)});
+}
+
 ElasticMotion::Aligned ElasticMotion::aligned_at(const LoadedPosture& posture, double time) const {
   PostureModes modes = modes_of(posture);
   // At a change those behind it.
   const auto behind =
       std::upper_bound(passages_.begin() + 1, passages_.end(), time,
                        [](double value, const Passage& of) { return value < of.from; });
-  Eigen::MatrixXd turn = turn_between(modes.shapes, (behind - 1)->shapes, time);
+  const Passage& of = *(behind - 1);
+  // What moves without force and what does not are turned by themselves: the first may move far,
+  // bears nothing and need not be recognised.
+  const Eigen::Index strained = of.shapes.cols() - of.free;
+  Eigen::MatrixXd turn = Eigen::MatrixXd::Zero(of.shapes.cols(), of.shapes.cols());
+  if (of.free > 0)
+    turn.topLeftCorner(of.free, of.free) =
+        nearest_turn(modes.shapes.leftCols(of.free), of.shapes.leftCols(of.free));
+  if (strained > 0)
+    turn.bottomRightCorner(strained, strained) =
+        turn_between(modes.shapes.rightCols(strained), of.shapes.rightCols(strained), time);
   return {std::move(modes), std::move(turn)};
 }
 

@@ -120,6 +120,7 @@ class ElasticMotion {
                            double pressed) const;
   LoadedPosture posture_at(const planar::State& state, const BeamLoads& rigid, double time) const;
   PostureModes modes_of(const LoadedPosture& posture) const;
+  void begin_passage(double from, double beside, const PostureModes& modes);
   Aligned aligned_at(const LoadedPosture& posture, double time) const;
   void press_free(const planar::State& state, const BeamLoads& rigid, const LoadedPosture& straight,
                   const PostureModes& modes, FrameTerms& frame) const;
@@ -151,6 +152,7 @@ class ElasticMotion {
   struct Passage {
     double from = 0.0, beside = 0.0;  ///< and how near to it nothing has changed yet [s]
     Eigen::MatrixXd shapes;           ///< where it begins
+    Eigen::Index free = 0;            ///< so many of them, the first, move without force
   };
   std::vector<Passage> passages_;
   Eigen::MatrixXd eta_, dynamic_;
