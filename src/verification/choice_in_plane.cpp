@@ -33,6 +33,13 @@ std::string dry_friction_in(const Project& project, const std::deque<SituationRu
   return "";
 }
 
+/// Whether forces decide any of the motions.
+bool forces_decide(const std::deque<SituationRun>& rigid) {
+  return std::any_of(rigid.begin(), rigid.end(), [](const SituationRun& run) {
+    return planar_motion_of(run).freedom.undriven > 0;
+  });
+}
+
 RigidMotion rigid_motion_of(const Project& project, const SituationRun& run) {
   return {&planar_in(project, *run.situation), &planar_motion_of(run), &project.beam,
           [&run](Time time) { return run.loads.loads_at(time); }};
@@ -165,7 +172,6 @@ bool bending_is_enough(const VibrationEstimate& estimate, const Climb& climb, Mo
 }
 
 /// Climbs from rigid bodies to bent ones and to ever more modes.
-
 ModelChoice choose_by_estimate(const Project& project, const std::deque<SituationRun>& rigid,
                                const std::string& obstacle, TriedModels& tried,
                                SecondOrderEstimate estimated) {
@@ -185,15 +191,29 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
                                   missed, against);
     return !why.empty();
   };
+  const bool forced = forces_decide(rigid);
+  // What forces move may pass postures in which its modes are others: that is known only then.
+  std::string refused;
+  const auto found_by = [&](const ElasticModel& model) {
+    if (!forced) return tried.error_found(model);
+    try {
+      return tried.error_found(model);
+    } catch (const AnalysisError& error) {
+      refused = error.failure().what;
+      return std::numeric_limits<double>::infinity();
+    }
+  };
   bool enough = by_rigid.error <= choice.tolerance;
   std::string found;
   if (enough && by_rigid.error > verified_above * choice.tolerance &&
       project.model.demand == ModelDemand::automatic && !unseen(0)) {
-    const double against_mode = missed_beside_mode(tried.error_found({}), estimate);
-    choice.weighed.back().found = against_mode;
-    found = fmt::format(", found {} with one mode in every posture and what that misses",
-                        percent_text(against_mode));
-    enough = against_mode <= choice.tolerance;
+    const double against_mode = missed_beside_mode(found_by({}), estimate);
+    if (refused.empty()) {
+      choice.weighed.back().found = against_mode;
+      found = fmt::format(", found {} with one mode in every posture and what that misses",
+                          percent_text(against_mode));
+      enough = against_mode <= choice.tolerance;
+    }
   }
   if (project.model.demand == ModelDemand::rigid ||
       (enough && project.model.demand == ModelDemand::automatic)) {
@@ -202,12 +222,12 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
                                 against, missed, found);
     return choice;
   }
-  const Climb climb{missed, against,
-                    [&](const ElasticModel& model) { return tried.error_found(model); },
-                    [&](std::size_t modes) {
+  const Climb climb{missed, against, found_by, [&](std::size_t modes) {
                       return project.model.demand == ModelDemand::automatic && unseen(modes);
                     }};
-  if (project.model.demand == ModelDemand::automatic && bending_is_enough(estimate, climb, choice))
+  // Statics do not hold what forces move.
+  if (project.model.demand == ModelDemand::automatic && !forced &&
+      bending_is_enough(estimate, climb, choice))
     return choice;
   // A few modes do not hold what friction that turns round excites, nor how it damps it.
   const std::string rubbing = dry_friction_in(project, rigid);
@@ -222,6 +242,12 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
   if (why.empty() && choice.chosen.level != ModelLevel::modal) return choice;
   if (choice.chosen.level == ModelLevel::modal) {
     choice.counts_second_order = true;
+    return choice;
+  }
+  if (forced && project.model.demand == ModelDemand::automatic) {
+    choice.weighed.resize(1);
+    choice.reason = fmt::format("rigid bodies: {}; {}; no modes of the beam are used: {}", against,
+                                missed, refused.empty() ? why : refused);
     return choice;
   }
   throw AnalysisError(

@@ -2,16 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
+#include <optional>
 
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/planar/tension.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
 #include "modal_transient.hpp"
 
@@ -36,18 +40,20 @@ void add_mode(BeamLoads& sum, double factor, const BeamLoads& mode) {
   add_lines(sum.lines, factor, mode.lines);
 }
 
+[[noreturn]] void refuse_buckling(double time) {
+  refuse_vibration(
+      "the beam buckles in the plane of motion under its axial force: no elastic loads exist; "
+      "use --model rigid to see those of rigid bodies",
+      time);
+}
+
 /// Stops where a posture buckles.
 LoadedPosture standing_posture(const RigidMotion& rigid, const ElasticBody& elastic,
                                const planar::State& state, const BeamLoads& loads,
                                const BeamLoads* axial = nullptr) {
   LoadedPosture posture =
       loaded_posture(*rigid.mechanism, state, elastic, *rigid.beam, loads, 1.0, axial);
-  if (!stands(posture)) {
-    refuse_vibration(
-        "the beam buckles in the plane of motion under its axial force: no elastic loads exist; "
-        "use --model rigid to see those of rigid bodies",
-        state.time);
-  }
+  if (!stands(posture)) refuse_buckling(state.time);
   return posture;
 }
 
@@ -116,16 +122,72 @@ Eigen::VectorXd squares_of(const PostureModes& modes) {
 }
 
 /// Of K a part of its largest entry, of C of what that damps critically, of every force of its own
-/// largest value, or of all where it hardly counts beside the others.
-Eigen::VectorXd allowed_of(const Eigen::VectorXd& largest, Eigen::Index k) {
-  constexpr double part = 1e-4, hardly = 1e-2;
-  const double stiffness = largest.segment(k * k, k * k).maxCoeff();
+/// largest value, or of all where it hardly counts beside the others. Where modes may be `free`,
+/// slow ones are to be right beside fast ones: of K between two of them a part of the mean of their
+/// own.
+Eigen::VectorXd allowed_of(const Eigen::VectorXd& largest, Eigen::Index k, bool free) {
+  constexpr double part = 1e-4, hardly = 1e-2, slow = 1e-6;
+  const Eigen::VectorXd stiffness = largest.segment(k * k, k * k).reshaped(k, k).diagonal();
+  const double most = largest.segment(k * k, k * k).maxCoeff();
+  const Eigen::VectorXd omega = stiffness.cwiseMax((free ? slow : 1.0) * most).cwiseSqrt(),
+                        root = omega.cwiseSqrt();
   const double force = largest.tail(k).maxCoeff();
+  const Eigen::MatrixXd of_damping = part * root * root.transpose(),
+                        of_stiffness = part * omega * omega.transpose();
   Eigen::VectorXd allowed(largest.size());
-  allowed << Eigen::VectorXd::Constant(k * k, part * std::sqrt(stiffness)),
-      Eigen::VectorXd::Constant(k * k, part * stiffness),
+  allowed << of_damping.reshaped(), of_stiffness.reshaped(),
       part * largest.tail(k).cwiseMax(hardly * force);
   return allowed;
+}
+
+/// Which springs act in a state.
+std::vector<bool> acting_springs_in(const planar::Mechanism& mechanism,
+                                    const planar::State& state) {
+  std::vector<bool> acting;
+  for (std::size_t i = 0; i < mechanism.forces.size(); ++i)
+    acting.push_back(std::holds_alternative<planar::Spring>(mechanism.forces[i].kind) &&
+                     planar::spring_in(mechanism, state, i).has_value());
+  return acting;
+}
+
+/// Whether a spring that acts one way is damped: while its ends part it may bear nothing.
+bool has_damped_touches(const planar::Mechanism& mechanism) {
+  return std::any_of(mechanism.forces.begin(), mechanism.forces.end(),
+                     [](const planar::AppliedForce& force) {
+                       const auto* const spring = std::get_if<planar::Spring>(&force.kind);
+                       return spring != nullptr && spring->acts != Acts::both &&
+                              (spring->damping > 0.0 || spring->impact);
+                     });
+}
+
+/// Adds to borders when springs begin or end to act between them, found at instants of a motion.
+void add_borders_between(const std::function<std::vector<bool>(double time)>& acting_at,
+                         double longest, std::vector<double>& borders) {
+  constexpr double fewest = 8.0;
+  constexpr int halvings = 40;
+  std::vector<double> more;
+  for (std::size_t i = 1; i < borders.size(); ++i) {
+    const double from = borders[i - 1], length = borders[i] - from;
+    const double looks = std::max(fewest, std::ceil(length / longest));
+    double before = from + 0.5 * length / looks;
+    std::vector<bool> known = acting_at(before);
+    for (double look = 1.0; look < looks; ++look) {
+      const double behind = from + (look + 0.5) * length / looks;
+      std::vector<bool> acting = acting_at(behind);
+      if (acting != known) {
+        double low = before, high = behind;
+        for (int half = 0; half < halvings; ++half) {
+          const double middle = 0.5 * (low + high);
+          (acting_at(middle) == known ? low : high) = middle;
+        }
+        more.push_back(high);
+      }
+      before = behind;
+      known = std::move(acting);
+    }
+  }
+  borders.insert(borders.end(), more.begin(), more.end());
+  std::sort(borders.begin(), borders.end());
 }
 
 }  // namespace
@@ -153,26 +215,58 @@ ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t
       count_(modes),
       axial_(std::move(axial)) {
   const planar::Motion& motion = *rigid_.motion;
-  if (motion.freedom.undriven > 0) {
+  if (motion.closed && !motion.changes.empty())
     refuse_vibration(
-        "rigid bodies are not enough for this motion, and the beam's vibration is only computed in "
-        "motions that drivers fix; use --model rigid to have the loads of rigid bodies all the "
-        "same");
-  }
+        "a stop or a cable begins or ends to act in a motion that repeats, and the modes of the "
+        "beam change at once; use --model rigid to have the loads of rigid bodies all the same",
+        motion.changes.front());
+  count_ += freedoms();
   const planar::State& first = motion.states.front();
-  reference_ =
-      modes_in_posture(posture_at(first, rigid_.loads(si<Time>(first.time)), first.time), count_)
-          .shapes;
+  begin_passage(-std::numeric_limits<double>::infinity(), 0.0,
+                modes_of(posture_at(first, rigid_.loads(si<Time>(first.time)), first.time)));
   if (motion.closed)
     solve_periodic();
   else
     solve_once();
 }
 
-ModalPosture ElasticMotion::passed_in(const planar::State& state, const LoadedPosture& loaded,
-                                      const Aligned& aligned) {
+std::size_t ElasticMotion::freedoms() const {
+  return static_cast<std::size_t>(rigid_.motion->freedom.undriven);
+}
+
+/// Adds what presses a mechanism that is free to move.
+void ElasticMotion::press_free(const planar::State& state, const BeamLoads& rigid,
+                               const LoadedPosture& straight, const PostureModes& modes,
+                               FrameTerms& frame) const {
+  constexpr double faster = 2.0;
+  const LoadedPosture pressed = posture_at(state, rigid, state.time, 1.0);
+  if (!all_parts_stand(pressed)) refuse_buckling(state.time);
+  frame.of_size += geometric_stiffness_of(modes, straight, pressed);
+  double turned = 0.0;
+  for (Eigen::Index angle = 2; angle < state.v.size(); angle += 3)
+    turned = std::max({turned, std::pow(state.v[angle], 2), std::abs(state.a[angle])});
+  const Eigen::VectorXd squares = squares_of(modes);
+  for (Eigen::Index j = 0; j < squares.size(); ++j) {
+    if (squares[j] > faster * faster * turned) continue;
+    for (Eigen::MatrixXd* const of : {&frame.of_rate, &frame.of_size}) {
+      of->row(j).setZero();
+      of->col(j).setZero();
+    }
+  }
+  Eigen::MatrixXd stiffness = 0.5 * (frame.of_size + frame.of_size.transpose());
+  stiffness.diagonal() += squares;
+  const Eigen::Index strained = (squares.array() > 0.0).count();
+  if (strained == 0) return;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+      stiffness.bottomRightCorner(strained, strained), Eigen::EigenvaluesOnly);
+  if (!(solver.eigenvalues()[0] > 0.0)) refuse_buckling(state.time);
+}
+
+ModalPosture ElasticMotion::passed_in(const planar::State& state, const BeamLoads& rigid,
+                                      const LoadedPosture& loaded, const Aligned& aligned) const {
   const PostureModes& at = aligned.modes;
   FrameTerms frame = frame_terms(at, state);
+  if (freedoms() > 0) press_free(state, rigid, loaded, at, frame);
   ModalPosture posture;
   posture.squares = squares_of(at);
   posture.damping = posture.of_material = at.damping;
@@ -183,10 +277,11 @@ ModalPosture ElasticMotion::passed_in(const planar::State& state, const LoadedPo
   return posture;
 }
 
-ModalPosture ElasticMotion::passed_at(const planar::State& state, const BeamLoads& rigid,
-                                      double time) const {
+ModalPosture ElasticMotion::passed_at(double time) const {
+  const planar::State state = states_->at(time);
+  const BeamLoads rigid = rigid_.loads(si<Time>(time));
   const LoadedPosture loaded = posture_at(state, rigid, time);
-  return passed_in(state, loaded, aligned_at(loaded, time));
+  return passed_in(state, rigid, loaded, aligned_at(loaded, time));
 }
 
 void ElasticMotion::solve_periodic() {
@@ -201,7 +296,7 @@ void ElasticMotion::solve_periodic() {
     const BeamLoads rigid = rigid_.loads(si<Time>(state.time));
     const LoadedPosture loaded = posture_at(state, rigid, state.time);
     const Aligned aligned = aligned_at(loaded, state.time);
-    postures.push_back(passed_in(state, loaded, aligned));
+    postures.push_back(passed_in(state, rigid, loaded, aligned));
     lowest_ = std::min(lowest_, std::sqrt(postures.back().squares[0]) / full_turn);
     if (instants > most_kept) continue;
     added_.push_back(added_in(loaded, aligned, state.time));
@@ -216,29 +311,63 @@ void ElasticMotion::solve_once() {
   const planar::Motion& motion = *rigid_.motion;
   const auto k = static_cast<Eigen::Index>(count_);
   PassedOnce passed;
-  passed.posture_at = [this](double time) -> PassedPosture {
-    return {passed_at(states_->at(time), rigid_.loads(si<Time>(time)), time), {}};
+  passed.posture_at = [this](double time) -> PassedPosture { return {passed_at(time), {}}; };
+  passed.accuracy = [k, free = freedoms() > 0](const Eigen::VectorXd& largest) {
+    return allowed_of(largest, k, free);
   };
-  passed.accuracy = [k](const Eigen::VectorXd& largest) { return allowed_of(largest, k); };
   passed.resting = [&]() -> RestingModes {
     const double behind = motion.begin + motion.period + motion.period;
-    const planar::State state = states_->at(behind);
-    const BeamLoads loads = rigid_.loads(si<Time>(behind));
-    const PostureModes modes = modes_in_posture(posture_at(state, loads, behind), count_);
+    const PostureModes modes =
+        modes_of(posture_at(states_->at(behind), rigid_.loads(si<Time>(behind)), behind));
     const std::vector<ComparedPlace> places = compared_places_of(*rigid_.beam);
     Eigen::VectorXd stresses(k);
     for (Eigen::Index j = 0; j < k; ++j) {
       stresses[j] =
           fibre_stresses(modes.diagrams[static_cast<std::size_t>(j)], places).abs().maxCoeff();
     }
-    return {passed_at(state, loads, behind), Eigen::VectorXd::Map(modes.frequencies.data(), k),
+    return {passed_at(behind), Eigen::VectorXd::Map(modes.frequencies.data(), k),
             std::move(stresses)};
   };
   // Constant, but for a vibrating axial force.
   passed.vibrates_behind = static_cast<bool>(axial_);
-  transient_ =
-      std::make_shared<const ModalTransient>(open_motion_of(*rigid_.mechanism, motion), passed);
+  OpenMotion once = open_motion_of(*rigid_.mechanism, motion);
+  const auto acting_at = [&](double time) {
+    return acting_springs_in(*rigid_.mechanism, states_->at(time));
+  };
+  // What drivers decide knows them.
+  if (freedoms() > 0 && has_damped_touches(*rigid_.mechanism))
+    add_borders_between(acting_at, once.step(), once.borders);
+  passed.changes = changes_between(once.borders, acting_at);
+  passed.turned_at = [this, borders = once.borders](double change) {
+    return turned_at(change, borders);
+  };
+  transient_ = std::make_shared<const ModalTransient>(std::move(once), passed);
   lowest_ = transient_->lowest_frequency();
+}
+
+/// What turns the coordinates before a change of what acts into those behind it, of which the
+/// postures are from there on.
+Eigen::MatrixXd ElasticMotion::turned_at(double change, const std::vector<double>& borders) {
+  // So near that nothing has moved, and so far that only round-off is nearer.
+  const auto border = std::lower_bound(borders.begin(), borders.end(), change);
+  const double beside = 1e-6 * std::min(change - *(border - 1), *(border + 1) - change);
+  const auto loaded_at = [&](double time) {
+    return posture_at(states_->at(time), rigid_.loads(si<Time>(time)), time);
+  };
+  const LoadedPosture before = loaded_at(change - beside), behind = loaded_at(change + beside);
+  const Aligned ahead = aligned_at(before, change - beside);
+  const PostureModes from_here = modes_of(behind);
+  begin_passage(change, beside, from_here);
+  return masses_between(behind, from_here, ahead.modes) * ahead.turn;
+}
+
+/// A time, or at a change of what acts one so near to it that the same acts.
+double ElasticMotion::beside_changes(double time) const {
+  for (const Passage& of : passages_) {
+    if (time >= of.from + of.beside || time <= of.from - of.beside) continue;
+    return time < of.from ? of.from - of.beside : of.from + of.beside;
+  }
+  return time;
 }
 
 const TransientResponse* ElasticMotion::transient() const {
@@ -250,15 +379,45 @@ LoadSpan ElasticMotion::span_of(const LoadSpan& rigid) const {
 }
 
 LoadedPosture ElasticMotion::posture_at(const planar::State& state, const BeamLoads& rigid,
+                                        double time, double pressed) const {
+  std::optional<BeamLoads> axial;
+  if (axial_ && pressed > 0.0) axial = axial_(si<Time>(time));
+  const BeamLoads* const borne = axial ? &*axial : nullptr;
+  if (freedoms() == 0) return standing_posture(rigid_, elastic_, state, rigid, borne);
+  return loaded_posture(*rigid_.mechanism, state, elastic_, *rigid_.beam, rigid, pressed, borne);
+}
+
+LoadedPosture ElasticMotion::posture_at(const planar::State& state, const BeamLoads& rigid,
                                         double time) const {
-  if (!axial_) return standing_posture(rigid_, elastic_, state, rigid);
-  const BeamLoads axial = axial_(si<Time>(time));
-  return standing_posture(rigid_, elastic_, state, rigid, &axial);
+  return posture_at(state, rigid, time, freedoms() == 0 ? 1.0 : 0.0);
+}
+
+PostureModes ElasticMotion::modes_of(const LoadedPosture& posture) const {
+  return modes_in_posture(posture, count_, freedoms());
+}
+
+void ElasticMotion::begin_passage(double from, double beside, const PostureModes& modes) {
+  passages_.push_back({from, beside, modes.shapes,
+                       std::count(modes.frequencies.begin(), modes.frequencies.end(), 0.0)});
 }
 
 ElasticMotion::Aligned ElasticMotion::aligned_at(const LoadedPosture& posture, double time) const {
-  PostureModes modes = modes_in_posture(posture, count_);
-  Eigen::MatrixXd turn = turn_between(modes.shapes, reference_, time);
+  PostureModes modes = modes_of(posture);
+  // At a change those behind it.
+  const auto behind =
+      std::upper_bound(passages_.begin() + 1, passages_.end(), time,
+                       [](double value, const Passage& of) { return value < of.from; });
+  const Passage& of = *(behind - 1);
+  // What moves without force and what does not are turned by themselves: the first may move far,
+  // bears nothing and need not be recognised.
+  const Eigen::Index strained = of.shapes.cols() - of.free;
+  Eigen::MatrixXd turn = Eigen::MatrixXd::Zero(of.shapes.cols(), of.shapes.cols());
+  if (of.free > 0)
+    turn.topLeftCorner(of.free, of.free) =
+        nearest_turn(modes.shapes.leftCols(of.free), of.shapes.leftCols(of.free));
+  if (strained > 0)
+    turn.bottomRightCorner(strained, strained) =
+        turn_between(modes.shapes.rightCols(strained), of.shapes.rightCols(strained), time);
   return {std::move(modes), std::move(turn)};
 }
 
@@ -268,13 +427,17 @@ Eigen::VectorXd ElasticMotion::dynamic_at(double time) const {
 
 ElasticMotion::Moment ElasticMotion::moment_at(double time) const {
   BeamLoads loads = rigid_.loads(si<Time>(time));
-  const LoadedPosture posture = posture_at(states_->at(time), loads, time);
-  Aligned aligned = aligned_at(posture, time);
+  const double beside = beside_changes(time);
+  const LoadedPosture posture = posture_at(
+      states_->at(beside), beside == time ? loads : rigid_.loads(si<Time>(beside)), beside);
+  Aligned aligned = aligned_at(posture, beside);
   Eigen::VectorXd statically;
   if (!rigid_.motion->closed) {
-    statically = modal_loads(aligned.modes, posture).cwiseQuotient(squares_of(aligned.modes));
+    statically = modal_loads(aligned.modes, posture)
+                     .cwiseProduct(flexibilities_of(squares_of(aligned.modes)));
   }
-  const BeamLoads bent = second_order_of(posture).loads;
+  const BeamLoads bent = freedoms() == 0 ? second_order_of(posture).loads
+                                         : taken_over_in(posture, aligned.modes.motions);
   loads.lines = on_stretches_of(loads.lines, bent.lines);
   add_mode(loads, 1.0, bent);
   return {std::move(loads), std::move(aligned), std::move(statically)};
@@ -364,7 +527,8 @@ BeamLoads ElasticMotion::loads_at(Time time) const {
   if (transient_) {
     const ModalState state = transient_->response().at(time.value());
     const Eigen::VectorXd viscous = at.damping * (turn * state.speed);
-    sizes = turn * state.eta + viscous.cwiseQuotient(squares_of(at)) - now.statically;
+    sizes =
+        turn * state.eta + viscous.cwiseProduct(flexibilities_of(squares_of(at))) - now.statically;
   } else {
     sizes = turn * dynamic_at(time.value());
   }

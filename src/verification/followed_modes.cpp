@@ -100,18 +100,4 @@ Eigen::MatrixXd FollowedModes::turned_at(const OpenMotion& motion, double border
   return frame::masses_between(scene, from_here.modes, ahead.modes) * turn;
 }
 
-std::vector<double> changes_between(
-    const std::vector<double>& borders,
-    const std::function<std::vector<bool>(double time)>& acting_at) {
-  std::vector<double> changes;
-  std::vector<bool> acting;
-  for (std::size_t i = 1; i < borders.size(); ++i) {
-    if (!(borders[i] > borders[i - 1])) continue;
-    std::vector<bool> here = acting_at(0.5 * (borders[i - 1] + borders[i]));
-    if (!acting.empty() && here != acting) changes.push_back(borders[i - 1]);
-    acting = std::move(here);
-  }
-  return changes;
-}
-
 }  // namespace boxbeam

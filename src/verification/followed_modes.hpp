@@ -46,9 +46,4 @@ class FollowedModes {
   Eigen::MatrixXd reference_;
 };
 
-/// At which of the borders, but for the ends, others act behind than before; between two of them
-/// the same act.
-std::vector<double> changes_between(const std::vector<double>& borders,
-                                    const std::function<std::vector<bool>(double time)>& acting_at);
-
 }  // namespace boxbeam

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "boxbeam/mechanism/flexible/beam_loads.hpp"
+#include "boxbeam/mechanism/flexible/modal_response.hpp"
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
 #include "boxbeam/mechanism/planar/constraints.hpp"
 #include "boxbeam/mechanism/planar/tension.hpp"
@@ -189,16 +190,6 @@ flexible::LinkColumns<double> straining_loads(const LoadedPosture& posture) {
   return loads;
 }
 
-/// Whether no part of an elastic link buckles by itself.
-bool all_parts_stand(const LoadedPosture& posture) {
-  const auto parts_of = [&](int link) {
-    return flexible::parts_stand(posture.structure.links[static_cast<std::size_t>(link)]);
-  };
-  return parts_of(posture.beam_link) &&
-         std::all_of(posture.beside.begin(), posture.beside.end(),
-                     [&](const auto& other) { return parts_of(other.first); });
-}
-
 /// The links of what is elastic beside the beam.
 std::vector<int> links_beside(const planar::Mechanism& mechanism, const ElasticBody& elastic) {
   std::vector<int> links;
@@ -276,6 +267,15 @@ LoadedPosture loaded_beam(flexible::Mechanism held, const TaperedBeam& beam, con
   return posture;
 }
 
+bool all_parts_stand(const LoadedPosture& posture) {
+  const auto parts_of = [&](int link) {
+    return flexible::parts_stand(posture.structure.links[static_cast<std::size_t>(link)]);
+  };
+  return parts_of(posture.beam_link) &&
+         std::all_of(posture.beside.begin(), posture.beside.end(),
+                     [&](const auto& other) { return parts_of(other.first); });
+}
+
 bool stands(const LoadedPosture& posture) {
   if (!all_parts_stand(posture)) return false;
   return flexible::DynamicStiffness<double>(posture.structure, 0.0, 0.0).frequencies_below() == 0;
@@ -286,12 +286,28 @@ void require_held(const LoadedPosture& posture) {
   const flexible::DynamicStiffness<double> stiffness(posture.structure, 0.0, 0.0);
 }
 
+namespace {
+
+/// Of the joints that give way what they do beside the rigid motion's force.
+void leave_rigid_forces(const LoadedPosture& posture, flexible::Deformation<double>& bent) {
+  for (const auto& [joint, force] : posture.joints)
+    bent.joints.col(static_cast<Eigen::Index>(joint)) -= force;
+}
+
+}  // namespace
+
+BeamLoads taken_over_in(const LoadedPosture& posture, const std::vector<flexible::Mode>& modes) {
+  flexible::Deformation<double> bent =
+      flexible::static_response_of({&posture.structure, modes, {}}, straining_loads(posture));
+  leave_rigid_forces(posture, bent);
+  return loads_in_motion(posture, bent, 0.0);
+}
+
 SecondOrder second_order_of(const LoadedPosture& posture) {
   flexible::Deformation<double> bent =
       flexible::DynamicStiffness<double>(posture.structure, 0.0, 0.0)
           .solve(straining_loads(posture));
-  for (const auto& [joint, force] : posture.joints)
-    bent.joints.col(static_cast<Eigen::Index>(joint)) -= force;
+  leave_rigid_forces(posture, bent);
   SecondOrder result;
   result.loads = loads_in_motion(posture, bent, 0.0);
   result.turn =

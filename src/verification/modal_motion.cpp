@@ -144,10 +144,15 @@ void add_lines(std::vector<LineLoad>& sum, double factor, const std::vector<Line
   }
 }
 
-Eigen::MatrixXd turn_between(const Eigen::MatrixXd& shapes, const Eigen::MatrixXd& reference,
-                             double time) {
+Eigen::MatrixXd nearest_turn(const Eigen::MatrixXd& shapes, const Eigen::MatrixXd& reference) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(shapes.transpose() * reference,
                                               Eigen::ComputeThinU | Eigen::ComputeThinV);
+  return svd.matrixU() * svd.matrixV().transpose();
+}
+
+Eigen::MatrixXd turn_between(const Eigen::MatrixXd& shapes, const Eigen::MatrixXd& reference,
+                             double time) {
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(shapes.transpose() * reference);
   constexpr double recognised = 0.3;
   if (svd.singularValues().minCoeff() < recognised) {
     refuse_vibration(
@@ -155,7 +160,7 @@ Eigen::MatrixXd turn_between(const Eigen::MatrixXd& shapes, const Eigen::MatrixX
         "do not describe its vibration; use --model rigid to have the loads of rigid bodies",
         time);
   }
-  return svd.matrixU() * svd.matrixV().transpose();
+  return nearest_turn(shapes, reference);
 }
 
 ModalEquations aligned(const ModalPosture& posture) {

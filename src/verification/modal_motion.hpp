@@ -46,8 +46,10 @@ struct ModalMotion {
 ModalMotion solve_modal_motion(const std::vector<ModalPosture>& postures, double period);
 
 /// The turn that brings the modes of a posture nearest to others, which have as many: Q with Q^T Q
-/// = 1 and least |shapes Q - reference|. Throws AnalysisError where they are not recognised.
-/// Source: Schönemann, Psychometrika 31 (1966).
+/// = 1 and least |shapes Q - reference|. Source: Schönemann, Psychometrika 31 (1966).
+Eigen::MatrixXd nearest_turn(const Eigen::MatrixXd& shapes, const Eigen::MatrixXd& reference);
+
+/// The same. Throws AnalysisError where they are not recognised.
 Eigen::MatrixXd turn_between(const Eigen::MatrixXd& shapes, const Eigen::MatrixXd& reference,
                              double time);
 

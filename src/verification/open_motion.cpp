@@ -1,5 +1,7 @@
 #include "open_motion.hpp"
 
+#include <algorithm>
+
 #include "boxbeam/mechanism/planar/rest.hpp"
 #include "boxbeam/mechanism/spatial/rest.hpp"
 #include "frame_time.hpp"
@@ -26,12 +28,31 @@ OpenMotion open_motion_of(const planar::Mechanism& mechanism, const planar::Moti
   for (const Break& at :
        breaks_of(planar::functions_of(mechanism), motion.begin, motion.begin + motion.period))
     breaks.push_back(at.at);
+  breaks.insert(breaks.end(), motion.changes.begin(), motion.changes.end());
+  for (const SlipChange& of : motion.slip_changes) breaks.push_back(of.time);
+  std::sort(breaks.begin(), breaks.end());
+  // What forces move begins to move at once, and nothing holds it at its end.
+  const bool held = motion.freedom.undriven == 0;
   return {motion.begin,
           motion.period,
           motion.states.size(),
           borders_with(motion.begin, motion.period, breaks),
-          planar::is_at_rest(motion, motion.states.front()),
-          planar::is_at_rest(motion, motion.end)};
+          held && planar::is_at_rest(motion, motion.states.front()),
+          held && planar::is_at_rest(motion, motion.end)};
+}
+
+std::vector<double> changes_between(
+    const std::vector<double>& borders,
+    const std::function<std::vector<bool>(double time)>& acting_at) {
+  std::vector<double> changes;
+  std::vector<bool> acting;
+  for (std::size_t i = 1; i < borders.size(); ++i) {
+    if (!(borders[i] > borders[i - 1])) continue;
+    std::vector<bool> here = acting_at(0.5 * (borders[i - 1] + borders[i]));
+    if (!acting.empty() && here != acting) changes.push_back(borders[i - 1]);
+    acting = std::move(here);
+  }
+  return changes;
 }
 
 OpenMotion open_motion_of(const spatial::Chain& chain, const LoadSpan& span) {

@@ -13,13 +13,14 @@
 
 namespace boxbeam {
 
-/// A motion that drivers fix and that does not repeat, as what vibrates in it sees it.
+/// A motion that does not repeat, as what vibrates in it sees it.
 struct OpenMotion {
   double begin = 0.0, length = 0.0;  ///< [s]
   std::size_t instants = 0;          ///< equal steps of it
   /// With both ends the times between at which loads may jump or bend, ascending [s].
   std::vector<double> borders;
-  /// Whether no body moves at its begin and at its end: there it is held, before and behind.
+  /// Whether drivers hold it at its begin and at its end, where no body moves: there it is held,
+  /// before and behind.
   bool rests_before = false, rests_behind = false;
 
   double end() const { return begin + length; }
@@ -30,6 +31,12 @@ struct OpenMotion {
 };
 
 OpenMotion open_motion_of(const planar::Mechanism& mechanism, const planar::Motion& motion);
+
+/// At which of the borders, but for the ends, others act behind than before; between two of them
+/// the same act.
+std::vector<double> changes_between(const std::vector<double>& borders,
+                                    const std::function<std::vector<bool>(double time)>& acting_at);
+
 /// `span`: of the loads of rigid bodies.
 OpenMotion open_motion_of(const spatial::Chain& chain, const LoadSpan& span);
 /// The motion of a run in the plane or in space, or the time of a frame's loads; nothing where it

@@ -198,10 +198,10 @@ class PlanarMotion : public SolvedMotion {
   mutable std::optional<Stopped> stopped_;
 };
 
-/// Why an open motion's beam does not begin or end at rest; "" where it does.
+/// Why an open motion that drivers fix is not held where it begins or ends; "" where it is.
 std::string obstacle_to_start(const planar::Motion& motion) {
   constexpr double dead_point = 1e-6;
-  if (motion.closed) return "";
+  if (motion.closed || motion.freedom.undriven > 0) return "";
   for (const planar::State* const state : {&motion.states.front(), &motion.end}) {
     if (state->pivot > dead_point) continue;
     return fmt::format(
@@ -236,17 +236,20 @@ class PlanarFrontEnd : public FrontEnd {
             "joint {} couples two turns by a ratio, which no joint of elastic links does",
             obstacle);
       }
-      const planar::DegreesOfFreedom& freedom = planar_motion_of(run).freedom;
-      if (freedom.undriven > 0) {
-        return "forces decide the motion: with its drivers held the mechanism is free to move";
+      const planar::Motion& motion = planar_motion_of(run);
+      const planar::DegreesOfFreedom& freedom = motion.freedom;
+      for (const planar::AppliedForce& force : mechanism.forces) {
+        if (std::holds_alternative<planar::PinWithClearance>(force.kind))
+          return fmt::format("joint {} has a clearance, in which it is held by no mode",
+                             force.name);
       }
-      if (!planar_motion_of(run).changes.empty()) {
+      if (motion.closed && !motion.changes.empty()) {
         return fmt::format(
-            "a stop or a cable begins or ends to act at t = {:.4g} s, and the modes "
-            "of the beam change at once",
-            planar_motion_of(run).changes.front());
+            "a stop or a cable begins or ends to act at t = {:.4g} s of a motion that repeats, and "
+            "the modes of the beam change at once",
+            motion.changes.front());
       }
-      std::string held = obstacle_to_start(planar_motion_of(run));
+      std::string held = obstacle_to_start(motion);
       if (!held.empty()) return held;
       if (planar::time_span_of(mechanism).steeper)
         return "the edges of a table of forces are steeper than the instants looked at";

@@ -1,9 +1,11 @@
 #include "boxbeam/verification/posture_modes.hpp"
 
+#include <Eigen/LU>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "boxbeam/mechanism/flexible/modal_response.hpp"
+#include "modal_motion.hpp"
 
 namespace boxbeam {
 namespace {
@@ -104,13 +106,60 @@ Eigen::Matrix3Xd gaps_of(const flexible::ModalModel& model, std::size_t joint) {
   return gaps;
 }
 
-}  // namespace
+std::size_t free_motions_of(const flexible::ModalModel& model) {
+  return static_cast<std::size_t>(
+      std::count_if(model.modes.begin(), model.modes.end(),
+                    [](const flexible::Mode& of) { return of.frequency == 0.0; }));
+}
 
-PostureModes modes_in_posture(const LoadedPosture& posture, std::size_t count) {
+/// A motion of a link across and about it, of all modes: at one of its nodes.
+struct NodeMotion {
+  Eigen::RowVectorXd across, turn;
+};
+
+NodeMotion motion_of_node(const PostureModes& modes, std::size_t link, std::size_t node) {
+  const auto size = static_cast<Eigen::Index>(modes.motions.size());
+  NodeMotion of{Eigen::RowVectorXd(size), Eigen::RowVectorXd(size)};
+  for (Eigen::Index j = 0; j < size; ++j) {
+    const Eigen::Matrix3Xd& motion = modes.motions[static_cast<std::size_t>(j)].shape.motion[link];
+    of.across[j] = motion(1, static_cast<Eigen::Index>(node));
+    of.turn[j] = motion(2, static_cast<Eigen::Index>(node));
+  }
+  return of;
+}
+
+/// What bending and shear of a part bear between modes, by its flexibilities and its levers.
+Eigen::MatrixXd bent_part(const flexible::DividedLink& link, std::size_t part,
+                          const NodeMotion& from, const NodeMotion& to) {
+  const flexible::SpringElement& of = link.springs[part];
+  const double from_start = of.reach * (of.place - link.elements[part].node),
+               from_end = of.reach * (of.place - link.elements[part + 1].node);
+  Eigen::Matrix2Xd gaps(2, from.turn.size());
+  gaps.row(0) = to.across + from_end * to.turn - from.across - from_start * from.turn;
+  gaps.row(1) = to.turn - from.turn;
+  return gaps.transpose() * of.bending.inverse() * gaps;
+}
+
+/// How a joint opens across its line in all modes.
+Eigen::RowVectorXd gaps_across(const PostureModes& modes, const flexible::Structure::Ends& ends) {
+  Eigen::RowVectorXd gaps =
+      Eigen::RowVectorXd::Zero(static_cast<Eigen::Index>(modes.motions.size()));
+  for (const auto& [grip, sign] : {std::pair(&ends.a, -1.0), std::pair(&ends.b, 1.0)}) {
+    if (grip->link == flexible::ground) continue;
+    const Eigen::RowVector3d across = sign * ends.axes.row(1) * grip->motion;
+    for (Eigen::Index j = 0; j < gaps.size(); ++j) {
+      const auto& motion = modes.motions[static_cast<std::size_t>(j)].shape.motion;
+      gaps[j] += across.dot(motion[static_cast<std::size_t>(grip->link)].col(
+          static_cast<Eigen::Index>(grip->element)));
+    }
+  }
+  return gaps;
+}
+
+PostureModes described(const LoadedPosture& posture, flexible::ModalModel model) {
   const flexible::Structure& structure = posture.structure;
   const auto beam_index = static_cast<std::size_t>(posture.beam_link);
   const flexible::Link& beam = posture.links->links[beam_index];
-  const flexible::ModalModel model = flexible::modal_model_of(structure, count);
   const double mass = flexible::rigid_mass_of(beam).mass;
   PostureModes modes;
   modes.damping = model.damping;
@@ -139,7 +188,87 @@ PostureModes modes_in_posture(const LoadedPosture& posture, std::size_t count) {
   for (const auto& [link, rigid] : posture.beside)
     modes.beside.push_back(strained(structure, model, static_cast<std::size_t>(link)));
   for (const auto& [joint, rigid] : posture.joints) modes.gaps.push_back(gaps_of(model, joint));
+  // What moves without force is not strained, but by round-off.
+  const auto free = static_cast<Eigen::Index>(free_motions_of(model));
+  const auto unstrain = [&](PostureModes::Strained& of) {
+    for (Eigen::Matrix3Xd& strains : of.strains) strains.leftCols(free).setZero();
+  };
+  unstrain(modes.beam);
+  for (PostureModes::Strained& of : modes.beside) unstrain(of);
+  modes.motions = std::move(model.modes);
   return modes;
+}
+
+}  // namespace
+
+PostureModes modes_in_posture(const LoadedPosture& posture, std::size_t count, std::size_t may) {
+  flexible::ModalModel model = flexible::modal_model_of(posture.structure, count);
+  if (may > 0 && free_motions_of(model) > may)
+    refuse_vibration(
+        "the mechanism is free to move by more than what forces move, or without mass");
+  return described(posture, std::move(model));
+}
+
+PostureModes straining_modes_in(const LoadedPosture& posture, std::size_t count, std::size_t may) {
+  flexible::ModalModel model = flexible::modal_model_of(posture.structure, count + may);
+  const std::size_t free = std::min(free_motions_of(model), may);
+  model.modes.erase(model.modes.begin(), model.modes.begin() + static_cast<std::ptrdiff_t>(free));
+  model.modes.resize(std::min(count, model.modes.size()));
+  const auto first = static_cast<Eigen::Index>(free),
+             size = static_cast<Eigen::Index>(model.modes.size());
+  model.damping = model.damping.block(first, first, size, size).eval();
+  return described(posture, std::move(model));
+}
+
+Eigen::MatrixXd geometric_stiffness_of(const PostureModes& modes, const LoadedPosture& straight,
+                                       const LoadedPosture& pressed) {
+  const auto size = static_cast<Eigen::Index>(modes.motions.size());
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(size, size);
+  for (std::size_t k = 0; k < straight.structure.links.size(); ++k) {
+    const flexible::DividedLink &before = straight.structure.links[k],
+                                &behind = pressed.structure.links[k];
+    NodeMotion last;
+    for (std::size_t i = 0; i < before.elements.size(); ++i) {
+      NodeMotion node = motion_of_node(modes, k, i);
+      sum += (behind.elements[i].turning - before.elements[i].turning) * node.turn.transpose() *
+             node.turn;
+      if (i > 0 && !before.springs[i - 1].bending.isZero(0.0))
+        sum += bent_part(behind, i - 1, last, node) - bent_part(before, i - 1, last, node);
+      last = std::move(node);
+    }
+  }
+  for (std::size_t j = 0; j < straight.links->joints.size(); ++j) {
+    const double across =
+        pressed.links->joints[j].stiffness[1] - straight.links->joints[j].stiffness[1];
+    // Of what is rigid there is no difference.
+    if (!(std::abs(across) > 0.0)) continue;
+    const Eigen::RowVectorXd gaps = gaps_across(modes, straight.structure.joints[j]);
+    sum += across * gaps.transpose() * gaps;
+  }
+  return sum;
+}
+
+Eigen::MatrixXd masses_between(const LoadedPosture& posture, const PostureModes& modes,
+                               const PostureModes& others) {
+  const auto size = static_cast<Eigen::Index>(modes.motions.size()),
+             count = static_cast<Eigen::Index>(others.motions.size());
+  Eigen::MatrixXd masses = Eigen::MatrixXd::Zero(size, count);
+  for (Eigen::Index j = 0; j < count; ++j) {
+    const flexible::LinkColumns<double>& moved =
+        others.motions[static_cast<std::size_t>(j)].shape.motion;
+    for (std::size_t k = 0; k < moved.size(); ++k)
+      if (moved[k].cols() != static_cast<Eigen::Index>(posture.structure.links[k].elements.size()))
+        refuse_vibration(
+            "where a spring begins or ends to act, what slides along a beam passes a place of it "
+            "that is held; use --model rigid to have the loads of rigid bodies");
+    const flexible::LinkColumns<double> inertia = flexible::mass_times(posture.structure, moved);
+    for (Eigen::Index i = 0; i < size; ++i) {
+      const auto& motion = modes.motions[static_cast<std::size_t>(i)].shape.motion;
+      for (std::size_t k = 0; k < inertia.size(); ++k)
+        masses(i, j) += motion[k].cwiseProduct(inertia[k]).sum();
+    }
+  }
+  return masses;
 }
 
 FrameTerms frame_terms(const PostureModes& modes, const planar::State& state) {

@@ -157,6 +157,17 @@ Eigen::MatrixXd work_on(const PostureModes& modes) {
   return work;
 }
 
+/// The first mode that turning couples with others. Where forces move the mechanism `may` of them,
+/// no faster than twice the turning, move whole bodies.
+std::size_t first_coupled(const std::vector<double>& frequencies, double turning, std::size_t may) {
+  constexpr double faster = 2.0;
+  std::size_t first = 0;
+  while (first < may && first + 1 < frequencies.size() &&
+         full_turn * frequencies[first] <= faster * turning)
+    ++first;
+  return first;
+}
+
 /// The largest coefficient of dry friction in a mechanism.
 double largest_friction(const planar::Mechanism& mechanism) {
   double largest = 0.0;
@@ -234,13 +245,15 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
   for (const planar::State& state : motion.states) {
     fastest = std::max(fastest, std::abs(state.v[3 * static_cast<Eigen::Index>(elastic.body) + 2]));
   }
+  const auto may_move = static_cast<std::size_t>(motion.freedom.undriven);
+  const double pressed = may_move > 0 ? 0.0 : 1.0;
   const std::size_t step = std::max<std::size_t>(1, motion.states.size() / postures_looked_at);
   for (std::size_t at = 0; at < motion.states.size(); at += step) {
     const planar::State& state = motion.states[at];
     const PostureModes modes =
-        modes_in_posture(loaded_posture(*rigid.mechanism, state, elastic, *rigid.beam,
-                                        rigid.loads(si<Time>(state.time))),
-                         motion.closed ? modes_looked_at : modes_of_start);
+        straining_modes_in(loaded_posture(*rigid.mechanism, state, elastic, *rigid.beam,
+                                          rigid.loads(si<Time>(state.time)), pressed),
+                           motion.closed ? modes_looked_at : modes_of_start, may_move);
     if (modes.frequencies.empty()) continue;  // without mass nothing vibrates
     if (!(modes.frequencies.front() > 0.0)) {
       refuse("the lowest natural frequency of the beam in its mechanism cannot be told from zero");
@@ -259,8 +272,11 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
         parts.col(j) = dynamic_part(p.col(j), frequencies[j], modes.damping(j, j), base);
     }
     parts *= slower * slower;
-    const double turning = std::pow(fastest / (full_turn * modes.frequencies.front()), 2);
-    const double of_others = 1.0 - modes.shifting[static_cast<std::size_t>(elastic.body)](0, 0);
+    const std::size_t coupled = first_coupled(modes.frequencies, fastest, may_move);
+    const double turning = std::pow(fastest / (full_turn * modes.frequencies[coupled]), 2);
+    const auto of_coupled = static_cast<Eigen::Index>(coupled);
+    const double of_others =
+        1.0 - modes.shifting[static_cast<std::size_t>(elastic.body)](of_coupled, of_coupled);
     const double left_out = turning * std::clamp(of_others, 0.0, 1.0);
     estimate.left_out = std::max(estimate.left_out, left_out);
     const auto raise = [&](std::size_t counted, double error) {

@@ -15,8 +15,8 @@ namespace boxbeam {
 class ModalTransient;
 struct ModalPosture;
 
-/// A planar mechanism whose drivers fix its motion, and the loads on its beam as a rigid body.
-/// Before and behind a motion that does not repeat the loads are those of the mechanism held at
+/// A planar mechanism in its motion, and the loads on its beam as a rigid body. Before and behind a
+/// motion that does not repeat and that drivers fix the loads are those of the mechanism held at
 /// rest there (`StatesAround`).
 struct RigidMotion {
   const planar::Mechanism* mechanism = nullptr;
@@ -27,7 +27,8 @@ struct RigidMotion {
 
 /// Loads on the beam at any time by theory of the second order: those of the rigid beam and what
 /// static bending under them adds, posture by posture (`second_order_of`).
-/// `axial`: loads whose axial force the beam bears; nothing: those of the rigid beam.
+/// `axial`: loads whose axial force the beam bears; nothing: those of the rigid beam. Precondition:
+/// drivers fix the motion.
 LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic, LoadsAt axial = {});
 
 /// Elastic vibration of the beam in a large motion of its mechanism, by theory of the second order.
@@ -58,12 +59,28 @@ LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic, Lo
 ///
 /// which are in balance. Left out: the change of the modes with the posture, of the order of
 /// (omega_rotation/omega_1)^2 times the part of a mode's mass that is not the beam's.
+///
+/// Where forces move the mechanism the modes are those of it free to move, its springs and dampers
+/// as they act then, and K that without axial forces. So many modes as forces move ways may move
+/// whole bodies, without force or on springs: they come besides those that are asked for. p is none
+/// of what is free, for loads are in balance with inertia. phi^T K_g phi stands beside F, of modes
+/// that are faster than twice the turning: what is slower moves whole bodies, whose turning the
+/// rigid motion has. Statically bent, by the first order, are what springs and joints take over
+/// (`taken_over_in`). The beginning is under way, also at rest, and nothing is looked at behind the
+/// end.
+///
+/// Where a cable, a stop or a spring that acts one way begins or ends to act in a motion that does
+/// not repeat, modes change at once, and the coordinates go over into those of the new ones by
+/// phi_new^T M phi_old. It does when the rigid motion says so: left out is how much earlier or
+/// later vibration makes it, of the order of (d/p)^2 of the impulse, d how far its ends are
+/// elsewhere by elasticity and p how far they are pressed; and the loss of an impact's law.
 /// Sources: Shabana, Dynamics of Multibody Systems (2005), chapter 5; Trefethen, Spectral Methods
 /// in MATLAB (2000), chapter 3; Schönemann, Psychometrika 31 (1966).
 class ElasticMotion {
  public:
-  /// Throws AnalysisError where forces decide the motion, a harmonic of one that repeats meets a
-  /// natural frequency of an undamped beam, or modes change beyond recognition over it.
+  /// Throws AnalysisError where a harmonic of a motion that repeats meets a natural frequency of an
+  /// undamped beam, a spring begins or ends to act in one, the beam buckles, or modes change beyond
+  /// recognition over the motion.
   /// `axial`: loads whose axial force the beam bears; nothing: those of the rigid beam. The axial
   /// force vibrates as well: loads of a first motion here make it known to the second order.
   ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t modes, LoadsAt axial = {});
@@ -96,11 +113,22 @@ class ElasticMotion {
     Aligned aligned;
     Eigen::VectorXd statically;  ///< K^-1 p in the basis of the posture
   };
+  /// In how many ways forces move the mechanism.
+  std::size_t freedoms() const;
+  /// What presses it counts so many times, where forces move it none or once.
+  LoadedPosture posture_at(const planar::State& state, const BeamLoads& rigid, double time,
+                           double pressed) const;
   LoadedPosture posture_at(const planar::State& state, const BeamLoads& rigid, double time) const;
+  PostureModes modes_of(const LoadedPosture& posture) const;
+  void begin_passage(double from, double beside, const PostureModes& modes);
   Aligned aligned_at(const LoadedPosture& posture, double time) const;
-  static ModalPosture passed_in(const planar::State& state, const LoadedPosture& loaded,
-                                const Aligned& aligned);
-  ModalPosture passed_at(const planar::State& state, const BeamLoads& rigid, double time) const;
+  void press_free(const planar::State& state, const BeamLoads& rigid, const LoadedPosture& straight,
+                  const PostureModes& modes, FrameTerms& frame) const;
+  ModalPosture passed_in(const planar::State& state, const BeamLoads& rigid,
+                         const LoadedPosture& loaded, const Aligned& aligned) const;
+  ModalPosture passed_at(double time) const;
+  Eigen::MatrixXd turned_at(double change, const std::vector<double>& borders);
+  double beside_changes(double time) const;
   Moment moment_at(double time) const;
   /// What elasticity adds at an instant of a motion that repeats: bending, and what each mode of
   /// the basis does per unit, turned from the posture's own.
@@ -120,7 +148,13 @@ class ElasticMotion {
   ElasticBody elastic_;
   std::size_t count_;
   LoadsAt axial_;
-  Eigen::MatrixXd reference_;  ///< shapes at the beginning
+  /// A time over which the same springs act.
+  struct Passage {
+    double from = 0.0, beside = 0.0;  ///< and how near to it nothing has changed yet [s]
+    Eigen::MatrixXd shapes;           ///< where it begins
+    Eigen::Index free = 0;            ///< so many of them, the first, move without force
+  };
+  std::vector<Passage> passages_;
   Eigen::MatrixXd eta_, dynamic_;
   std::shared_ptr<const ModalTransient> transient_;
   double lowest_ = 1e300;

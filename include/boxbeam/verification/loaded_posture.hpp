@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "boxbeam/beam/cut_force_diagram.hpp"
+#include "boxbeam/mechanism/flexible/modes.hpp"
 #include "boxbeam/mechanism/flexible/response.hpp"
 #include "boxbeam/verification/planar_links.hpp"
 
@@ -51,6 +52,9 @@ LoadedPosture loaded_posture(const planar::Mechanism& mechanism, const planar::S
 LoadedPosture loaded_beam(flexible::Mechanism held, const TaperedBeam& beam, const BeamLoads& rigid,
                           double factor = 1.0);
 
+/// Whether no part of an elastic link buckles by itself.
+bool all_parts_stand(const LoadedPosture& posture);
+
 /// Whether the posture stands: nothing buckles in the plane.
 bool stands(const LoadedPosture& posture);
 
@@ -67,6 +71,10 @@ struct SecondOrder {
 /// Solves (K + K_g) q = f, f the loads whose first-order cut forces are those of the rigid beam.
 /// Throws AnalysisError where links are free to move. Precondition: it stands.
 SecondOrder second_order_of(const LoadedPosture& posture);
+
+/// What springs and joints take over where the mechanism is free to move and bends statically, by
+/// the first order: in balance. `modes`: of the posture, all of frequency zero among them.
+BeamLoads taken_over_in(const LoadedPosture& posture, const std::vector<flexible::Mode>& modes);
 
 /// The loads on the beam in a motion about the posture, joint forces, what the axial force does to
 /// the bent axis, and the inertia of a vibration of this frequency [Hz].

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "boxbeam/beam/cut_force_diagram.hpp"
+#include "boxbeam/mechanism/flexible/modal_response.hpp"
 #include "boxbeam/verification/loaded_posture.hpp"
 
 namespace boxbeam {
@@ -11,7 +12,9 @@ namespace boxbeam {
 /// Free vibrations of a planar mechanism with its elastic beams, stopped in a posture under the
 /// forces of its rigid motion there.
 struct PostureModes {
-  std::vector<double> frequencies;  ///< ascending [Hz]
+  /// Ascending [Hz]; none of what moves without force, which strains and loads nothing.
+  std::vector<double> frequencies;
+  std::vector<flexible::Mode> motions;  ///< of the links, mass one
   /// What acts on the beam in each, joints and inertia, per unit of the mode [per sqrt(kg) m].
   std::vector<BeamLoads> loads;
   std::vector<CutForceDiagram> diagrams;  ///< of these
@@ -35,9 +38,22 @@ struct PostureModes {
   std::vector<Eigen::MatrixXd> shifting, turning;
 };
 
-/// Throws AnalysisError where the stopped mechanism is free to move. Precondition: the posture
-/// stands.
-PostureModes modes_in_posture(const LoadedPosture& posture, std::size_t count);
+/// Throws AnalysisError where the stopped mechanism is free to move in more ways than it `may`.
+/// Precondition: the posture stands, or no axial force counts in it.
+PostureModes modes_in_posture(const LoadedPosture& posture, std::size_t count, std::size_t may = 0);
+
+/// The same without those of what moves without force.
+PostureModes straining_modes_in(const LoadedPosture& posture, std::size_t count, std::size_t may);
+
+/// phi_i^T K_g phi_j, K_g of all that presses a mechanism. `straight`: its posture without, of
+/// which the modes are; `pressed`: the same with it.
+Eigen::MatrixXd geometric_stiffness_of(const PostureModes& modes, const LoadedPosture& straight,
+                                       const LoadedPosture& pressed);
+
+/// phi_i^T M psi_j between modes of a posture and others of the same mechanism there, for which
+/// other springs act. Throws AnalysisError where its links are divided otherwise.
+Eigen::MatrixXd masses_between(const LoadedPosture& posture, const PostureModes& modes,
+                               const PostureModes& others);
 
 /// What the turning of the bodies adds to the equations of modes that are fixed to them, at angular
 /// velocities omega and accelerations alpha,

@@ -316,6 +316,10 @@ InModes in_modes(const ModalModel& model, const Recovery& recovery, const ModalL
 
 }  // namespace
 
+Deformation<double> static_response_of(const ModalModel& model, const LinkColumns<double>& loads) {
+  return StaticSolver(model).solve(loads);
+}
+
 ModalModel modal_model_of(const Structure& structure, std::size_t count) {
   ModalModel model{&structure, modes_of(structure, count), {}};
   const auto size = static_cast<Index>(model.modes.size());

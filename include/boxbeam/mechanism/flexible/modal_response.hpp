@@ -24,6 +24,10 @@ struct ModalModel {
 
 ModalModel modal_model_of(const Structure& structure, std::size_t count);
 
+/// K q = f. Where motions are without strain: of what their inertia leaves of the loads, without
+/// any part in them. Throws AnalysisError where the model leaves such motions out.
+Deformation<double> static_response_of(const ModalModel& model, const LinkColumns<double>& loads);
+
 /// Response to the structure's harmonic loads. `static_correction` false: the modes alone.
 /// Throws AnalysisError within a millionth of the frequency of a mode that the loads excite and
 /// nothing damps, and with static correction where the model leaves out motions without strain.

@@ -1,0 +1,642 @@
+// Vibration of a beam in mechanisms of the plane that forces move, and under cables that come and
+// go, against ordinary finite elements, the same mechanism in space, pendulums of rigid bodies and
+// what must hold in every motion.
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/verification/verify.hpp"
+#include "catch.hpp"
+#include "support/slender_beam.hpp"
+#include "support/space_arm.hpp"
+#include "support/space_elements.hpp"
+
+namespace elastic_by_forces_in_plane_test {
+
+using namespace boxbeam;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double g = 9.81, pi = std::numbers::pi;
+
+double bending(const BeamLoads& loads, double s) {
+  return cut_forces_of(loads).at({si<Length>(s), Side::behind}).M_y.value();
+}
+
+/// A case of the plane whose rigid bodies have moved.
+struct MovedInPlane {
+  explicit MovedInPlane(const std::string& text)
+      : project(parse_project("arm.toml", text)), runs(run_situations(project)) {}
+
+  const LoadHistory& rigid() const { return runs.front().loads; }
+  const planar::Motion& motion() const { return planar_motion_of(runs.front()); }
+  ElasticMotion by(std::size_t modes, int parts) const {
+    return {{&planar_in(project, *runs.front().situation), &motion(), &project.beam,
+             [this](Time time) { return rigid().loads_at(time); }},
+            elastic_body_of(project, parts),
+            modes};
+  }
+
+  Project project;
+  std::deque<SituationRun> runs;
+};
+
+/// What holds a place of the arm up from a height on: a stop or a spring under it, a cable above.
+struct Support {
+  double s = 0.0;          ///< along the arm [m]
+  double stiffness = 0.0;  ///< [N/m]
+  double height = 0.0;     ///< [m]
+  bool both_ways = false, from_above = false;
+};
+
+/// An arm of 4 m, a box, clamped to a hub that moves up and down, with a load beside its tip.
+struct Arm {
+  double hub = 300.0, load = 30.0, inertia = 1.0;  ///< [kg, kg m^2]
+  Vector2d centre{0.1, -0.2};
+  double start = 0.0, rate = 0.0;  ///< of the hub [m, m/s]
+  std::vector<Support> supports = {};
+  std::string driver = "", more = "";
+  double duration = 1.0;  ///< [s]
+
+  std::string beam() const {
+    return R"(
+[sections.arm]
+kind = "box"
+width = "120 mm"
+height = "160 mm"
+flange = "8 mm"
+web = "6 mm"
+[[beam.segments]]
+length = "4 m"
+section = "arm"
+[material]
+steel = "S355"
+[strength]
+required = 1.0
+)" + more;
+  }
+  std::string motion() const {
+    return driver.empty() ? fmt::format("[motion]\nduration = \"{:.15g} s\"\n", duration) : driver;
+  }
+  /// `place`: of a point by its way along and its height.
+  template <class Place>
+  std::string forces(const Place& place) const {
+    std::string text;
+    int number = 0;
+    for (const Support& of : supports) {
+      constexpr double rod = 2.0;
+      ++number;
+      const std::string at = of.s == 0.0 ? "hub.o" : fmt::format("arm.at{}", number);
+      text +=
+          fmt::format(R"([forces.support{}]
+kind = "spring"
+connect = ["ground", "{}"]
+at = {}
+stiffness = "{:.15g} N/m"
+free_length = "{:.15g} m"
+acts = "{}"
+)",
+                      number, at, place(of.s, of.from_above ? of.height + rod : of.height - rod),
+                      of.stiffness, rod,
+                      of.both_ways    ? "both ways"
+                      : of.from_above ? "pulling"
+                                      : "pushing");
+    }
+    return text;
+  }
+  template <class Place>
+  std::string points(const Place& place) const {
+    std::string text = fmt::format("heel = {}, tip = {}", place(0.0, 0.0), place(4.0, 0.0));
+    int number = 0;
+    for (const Support& of : supports)
+      text += fmt::format(", at{} = {}", ++number, place(of.s, 0.0));
+    return text;
+  }
+
+  MovedInPlane in_plane() const {
+    const auto place = [](double along, double up) {
+      return fmt::format("[\"{:.15g} m\", \"{:.15g} m\"]", along, up);
+    };
+    const auto sketch = [&](double along) {
+      return fmt::format(
+          "{{ at = {}, angle = \"0 deg\", velocity = [\"0 m/s\", \"{:.15g} m/s\"] }}",
+          place(along, start), rate);
+    };
+    return MovedInPlane(fmt::format(R"([case]
+name = "arm"
+kind = "planar"
+[mechanism]
+gravity = ["0 m/s^2", "-9.81 m/s^2"]
+[bodies.hub]
+mass = "{:.15g} kg"
+inertia = "1 kg m^2"
+points = {{ o = ["0 m", "0 m"] }}
+sketch = {}
+[bodies.arm]
+points = {{ {} }}
+sketch = {}
+[bodies.load]
+mass = "{:.15g} kg"
+inertia = "{:.15g} kg m^2"
+centre = {}
+points = {{ c = ["0 m", "0 m"] }}
+sketch = {}
+[joints.fall]
+kind = "slider"
+point = "hub.o"
+through = ["0 m", "0 m"]
+direction = "90 deg"
+[joints.root]
+kind = "rigid"
+connect = ["hub.o", "arm.heel"]
+[joints.tip]
+kind = "rigid"
+connect = ["arm.tip", "load.c"]
+)",
+                                    hub, sketch(0.0), points(place), sketch(0.0), load, inertia,
+                                    place(centre.x(), centre.y()), sketch(4.0)) +
+                        forces(place) + motion() +
+                        "[beam]\nbody = \"arm\"\ndensity = \"7850 kg/m^3\"\n" + beam());
+  }
+
+  test::space_arm::Moved in_space() const {
+    const auto place = [](double along, double up) {
+      return fmt::format("[\"{:.15g} m\", \"0 m\", \"{:.15g} m\"]", along, up);
+    };
+    return test::space_arm::Moved(
+        fmt::format(R"([case]
+name = "arm"
+kind = "spatial"
+[mechanism]
+gravity = ["0 m/s^2", "0 m/s^2", "-9.81 m/s^2"]
+[bodies.hub]
+mass = "{:.15g} kg"
+points = {{ o = ["0 m", "0 m", "0 m"] }}
+[bodies.arm]
+points = {{ {} }}
+[bodies.load]
+mass = "{:.15g} kg"
+centre = {}
+inertia = ["1 kg m^2", "{:.15g} kg m^2", "1.5 kg m^2"]
+points = {{ c = ["0 m", "0 m", "0 m"] }}
+[joints.fall]
+kind = "prismatic"
+connect = ["ground", "hub.o"]
+at = ["0 m", "0 m", "0 m"]
+axis = "z"
+moved_by = "forces"
+start = "{:.15g} m"
+start_rate = "{:.15g} m/s"
+[joints.root]
+kind = "fixed"
+connect = ["hub.o", "arm.heel"]
+[joints.tip]
+kind = "fixed"
+connect = ["arm.tip", "load.c"]
+)",
+                    hub, points(place), load, place(centre.x(), centre.y()), inertia, start, rate) +
+        forces(place) + motion() +
+        "[beam]\nbody = \"arm\"\nstart = \"heel\"\naxis = \"x\"\nz = \"z\"\ndensity = \"7850 "
+        "kg/m^3\"\n" +
+        beam());
+  }
+};
+
+/// The same by sixty ordinary elements, of which the heel moves up and down alone: 25 of its modes
+/// without supports, by Runge and Kutta, the others as they follow statically. Of a hub that is
+/// driven they are of the arm on it.
+///
+///     q'' + w^2 q = -(g + z_0'') by mass + sum of support k max(0, h - y)
+class ArmElements {
+ public:
+  using Lift = std::function<double(double time, int rate)>;
+
+  ArmElements(const TaperedBeam& beam, const Arm& of, Lift driven = {})
+      : of_(of),
+        driven_(std::move(driven)),
+        whole_(
+            test::space_elements::assembled(beam, of.load, {of.centre.x(), 0.0, of.centre.y()},
+                                            Eigen::Vector3d(1.0, of.inertia, 1.5).asDiagonal())) {
+    whole_.M(2, 2) += of.hub;
+    h_ = beam.length().value() / 60.0;
+    element_ = test::space_elements::element(section_at(beam, {si<Length>(0.5 * h_)}), h_,
+                                             beam.density.value());
+    // Along, up and turning.
+    for (Index i = 0; i < whole_.M.rows(); ++i)
+      if (i % 2 == 0 && i != 0 && i != 4 && !(driven_ && i == 2)) free_.push_back(i);
+    up_ = VectorXd::Zero(whole_.M.rows());
+    for (Index i = 2; i < up_.size(); i += 6) up_[i] = 1.0;
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(whole_.K(free_, free_),
+                                                                    whole_.M(free_, free_));
+    squares_ = solver.eigenvalues().cwiseMax(0.0);
+    shapes_ = MatrixXd::Zero(up_.size(), squares_.size());
+    for (std::size_t i = 0; i < free_.size(); ++i)
+      shapes_.row(free_[i]) = solver.eigenvectors().row(static_cast<Index>(i));
+    by_mass_ = shapes_.transpose() * whole_.M * up_;
+  }
+
+  /// At equal steps the moment at a node [N m], the heights of all supports' places [m].
+  struct Instant {
+    double time = 0.0, moment = 0.0;
+    VectorXd heights;
+  };
+  std::vector<Instant> moved(double length, Index node, Index steps, Index every) const {
+    const double h = length / static_cast<double>(steps);
+    const auto count_of = static_cast<Index>(of_.supports.size());
+    MatrixXd places(count_of, squares_.size());
+    for (Index k = 0; k < count_of; ++k) {
+      const auto at =
+          static_cast<Index>(std::lround(of_.supports[static_cast<std::size_t>(k)].s / h_));
+      places.row(k) = shapes_.row(6 * at + 2);
+    }
+    const auto lift = [&](double t, int rate) { return driven_ ? driven_(t, rate) : 0.0; };
+    const auto forces_at = [&](double t, const VectorXd& q, Index modes) -> VectorXd {
+      VectorXd sum = -(g + lift(t, 2)) * by_mass_.head(modes);
+      for (Index k = 0; k < count_of; ++k) {
+        const Support& of = of_.supports[static_cast<std::size_t>(k)];
+        const double below = of.height - lift(t, 0) - places.row(k).head(count).dot(q);
+        if (of.both_ways || below > 0.0)
+          sum += of.stiffness * below * places.row(k).head(modes).transpose();
+      }
+      return sum;
+    };
+    const auto acceleration_at = [&](double t, const VectorXd& q) -> VectorXd {
+      return forces_at(t, q, count) - squares_.head(count).cwiseProduct(q);
+    };
+    const Index others = squares_.size() - count;
+    VectorXd q = VectorXd::Zero(count), speed = q;
+    if (driven_) {
+      // At rest under its weight.
+      q = -g * by_mass_.head(count).cwiseQuotient(squares_.head(count));
+    } else {
+      q = of_.start * by_mass_.head(count);
+      speed = of_.rate * by_mass_.head(count);
+    }
+    std::vector<Instant> instants;
+    for (Index i = 0; i <= steps; ++i) {
+      const double t = h * static_cast<double>(i);
+      const VectorXd a = acceleration_at(t, q);
+      if (i % every == 0) {
+        const VectorXd follows = forces_at(t, q, squares_.size())
+                                     .tail(others)
+                                     .cwiseQuotient(squares_.tail(others)),
+                       y = shapes_.leftCols(count) * q + shapes_.rightCols(others) * follows,
+                       moving = shapes_.leftCols(count) * a + lift(t, 2) * up_;
+        instants.push_back({t, moment_at(node, y, moving),
+                            places.leftCols(count) * q + lift(t, 0) * VectorXd::Ones(count_of)});
+      }
+      const VectorXd b = acceleration_at(t + 0.5 * h, q + 0.5 * h * speed),
+                     c = acceleration_at(t + 0.5 * h, q + 0.5 * h * speed + 0.25 * h * h * a),
+                     d = acceleration_at(t + h, q + h * speed + 0.5 * h * h * b);
+      q += h * speed + h * h / 6.0 * (a + b + c);
+      speed += h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
+    }
+    return instants;
+  }
+  double station(Index node) const { return static_cast<double>(node) * h_; }
+
+ private:
+  static constexpr Index count = 25;
+
+  double moment_at(Index node, const VectorXd& y, const VectorXd& acceleration) const {
+    const VectorXd ends = y.segment<12>(6 * node);
+    const VectorXd moving = (acceleration + g * up_).segment<12>(6 * node);
+    return -(element_.K * ends + element_.M * moving)[4];
+  }
+
+  Arm of_;
+  Lift driven_;
+  test::space_elements::Assembled whole_;
+  test::space_elements::Element element_;
+  double h_ = 0.0;
+  std::vector<Index> free_;
+  VectorXd up_, squares_, by_mass_;
+  MatrixXd shapes_;
+};
+
+/// How far apart moments are, and of rigid bodies, by the largest.
+struct Apart {
+  double found = 0.0, rigid = 0.0, largest = 0.0;
+
+  void add(double expected, double by_modes, double by_rigid) {
+    largest = std::max(largest, std::abs(expected));
+    found = std::max(found, std::abs(by_modes - expected));
+    rigid = std::max(rigid, std::abs(by_rigid - expected));
+  }
+};
+
+constexpr Index node = 15;
+
+/// What is left over on a beam of this length beside a force of this size.
+double unbalanced(const BeamLoads& loads, double length, double size) {
+  const Imbalance left = imbalance_of(loads);
+  return std::max(left.force.norm(), left.moment.norm() / length) / size;
+}
+
+/// Of modes in the plane from those in space.
+Apart apart_from_space(const Arm& arm) {
+  const MovedInPlane plane = arm.in_plane();
+  const test::space_arm::Moved space = arm.in_space();
+  const ElasticMotion elastic = plane.by(5, 24);
+  // Those out of the plane and of torsion as well, which nothing moves.
+  const ElasticMotionInSpace expected = space.by(12, 24);
+  Apart apart;
+  for (int i = 0; i <= 300; ++i) {
+    const Time time = si<Time>(arm.duration * i / 300.0);
+    const BeamLoads loads = elastic.loads_at(time);
+    CHECK(unbalanced(loads, 4.0, 1e3) < 1e-9);
+    apart.add(bending(expected.loads_at(time), 1.0), bending(loads, 1.0),
+              bending(plane.rigid().loads_at(time), 1.0));
+  }
+  return apart;
+}
+
+}  // namespace
+
+TEST_CASE("an arm that bounces on a spring or a stop of the plane vibrates as in space",
+          "[elastic_by_forces_in_plane]") {
+  Arm bouncing;
+  bouncing.supports = {{0.0, 2e5, 0.0, true}};
+  bouncing.start = 0.03;
+  bouncing.rate = -0.4;
+  Arm stopped;
+  stopped.supports = {{0.0, 2.1e5, 0.0}};
+  stopped.start = 0.05;
+  stopped.duration = 0.5;
+  for (const Arm& arm : {bouncing, stopped}) {
+    const Apart apart = apart_from_space(arm);
+    INFO("largest " << apart.largest << ", apart " << apart.found << ", of rigid bodies "
+                    << apart.rigid);
+    CHECK(apart.found < 1e-3 * apart.largest);
+    CHECK(apart.rigid > 0.1 * apart.largest);
+  }
+}
+
+// Elements know when vibration itself touches what is there: a second order of how far it is
+// elsewhere by how far it is pressed.
+TEST_CASE("an arm that falls onto a stop or into a cable of the plane does what elements do",
+          "[elastic_by_forces_in_plane]") {
+  Arm stopped;
+  stopped.hub = 3000.0;
+  stopped.supports = {{0.0, 2.1e6, 0.0}};
+  stopped.start = 0.05;
+  stopped.duration = 0.5;
+  Arm caught;
+  caught.supports = {{1.6, 4e4, 0.0, false, true}};
+  caught.start = 0.05;
+  caught.duration = 0.7;
+  for (const Arm& arm : {stopped, caught}) {
+    const MovedInPlane moved = arm.in_plane();
+    REQUIRE(moved.motion().changes.size() >= 2);
+    const ElasticMotion elastic = moved.by(5, 16);
+    const ArmElements elements(moved.project.beam, arm);
+    planar::StatesAround states(planar_of(moved.project), moved.motion());
+    Apart apart;
+    double pressed = 0.0, elsewhere = 0.0;
+    for (const auto& [time, moment, heights] : elements.moved(arm.duration, node, 70000, 175)) {
+      const BeamLoads loads = elastic.loads_at(si<Time>(time));
+      CHECK(unbalanced(loads, 4.0, 1e3) < 1e-9);
+      apart.add(moment, bending(loads, elements.station(node)),
+                bending(moved.rigid().loads_at(si<Time>(time)), elements.station(node)));
+      const double z = states.at(time).q[1];
+      pressed = std::max(pressed, arm.supports.front().height - z);
+      elsewhere = std::max(elsewhere, std::abs(heights[0] - z));
+    }
+    const double second_order = std::pow(elsewhere / pressed, 2);
+    INFO("largest " << apart.largest << ", apart " << apart.found << ", of rigid bodies "
+                    << apart.rigid << ", second order " << second_order);
+    CHECK(apart.found < (5e-3 + 3.0 * second_order) * apart.largest);
+    CHECK(apart.rigid > 0.1 * apart.largest);
+  }
+}
+
+// The hub is let down once, from rest to rest; half-way a cable takes hold of the arm at 2 m.
+TEST_CASE("a driven arm that a cable begins to hold does what elements do",
+          "[elastic_by_forces_in_plane]") {
+  Arm lowered;
+  lowered.driver = R"([drivers.lowering]
+point = "hub.o"
+coordinate = "y"
+kind = "smooth step"
+from = "0.3 m"
+to = "0 m"
+end = "0.6 s"
+)";
+  lowered.start = 0.3;
+  lowered.supports = {{2.0, 4e4, 0.15, false, true}};
+  const MovedInPlane moved = lowered.in_plane();
+  REQUIRE_FALSE(moved.motion().closed);
+  REQUIRE(moved.motion().changes.size() == 1);
+  const ElasticMotion elastic = moved.by(5, 16);
+  REQUIRE(elastic.transient());
+  const StepDriver step{0.3, 0.0, 0.0, 0.6};
+  const ArmElements elements(moved.project.beam, lowered, [&](double t, int rate) {
+    const DriverState at = driver_at(step, std::min(t, 0.6));
+    return rate == 0 ? at.value : t < 0.6 ? at.acceleration : 0.0;
+  });
+  const double watched = elastic.transient()->times().back();
+  CHECK(watched > 0.65);
+  Apart apart;
+  for (const auto& [time, moment, heights] : elements.moved(watched, node, 80000, 200)) {
+    const BeamLoads loads = elastic.loads_at(si<Time>(time));
+    CHECK(unbalanced(loads, 4.0, 1e3) < 1e-9);
+    apart.add(moment, bending(loads, elements.station(node)),
+              bending(moved.rigid().loads_at(si<Time>(time)), elements.station(node)));
+  }
+  INFO("largest " << apart.largest << ", apart " << apart.found << ", of rigid bodies "
+                  << apart.rigid);
+  CHECK(apart.found < 5e-3 * apart.largest);
+  CHECK(apart.rigid > 0.05 * apart.largest);
+}
+
+namespace {
+
+using test::slender::Beam;
+using test::slender::L;
+
+/// A beam that hangs from a hub on a hinge of the ground, or of the end of a rod that hangs itself,
+/// and a couple on the hub that comes once. `hinged`: the beam turns on the hub against a spring.
+struct Pendulum {
+  double spring = 5e6;  ///< [N m/rad]
+  double couple = 2e4;  ///< [N m]
+  bool on_rod = false;
+  double turn = 0.0;  ///< of all of it and of its weight [rad]
+  static constexpr double rod = 3.0;
+
+  Beam made(bool hinged) const {
+    Beam of;
+    const Eigen::Rotation2Dd about(turn);
+    of.mechanism.gravity = about * Vector2d(0.0, -g);
+    const double hangs = turn - 0.5 * pi;
+    const Vector2d hinge = on_rod ? Vector2d(about * Vector2d(0.0, -rod)) : Vector2d(0.0, 0.0);
+    Body& beam = of.mechanism.bodies.front();
+    beam.sketch.centre = hinge + about * Vector2d(0.0, -0.5 * L);
+    beam.sketch.angle = hangs;
+    Body hub;
+    hub.name = "hub";
+    hub.mass = 40.0;
+    hub.inertia = 500.0;
+    hub.sketch.centre = hinge;
+    hub.sketch.angle = hangs;
+    of.mechanism.bodies.push_back(hub);
+    if (on_rod) {
+      Body carrying;
+      carrying.name = "rod";
+      carrying.mass = 200.0;
+      carrying.inertia = 150.0;
+      carrying.sketch.centre = 0.5 * hinge;
+      carrying.sketch.angle = hangs;
+      of.mechanism.bodies.push_back(carrying);
+      of.mechanism.joints.push_back({"top", planar::Pin{{2, {-0.5 * rod, 0.0}}, {}}});
+      of.mechanism.joints.push_back({"hinge", planar::Pin{{1, {0.0, 0.0}}, {2, {0.5 * rod, 0.0}}}});
+    } else {
+      of.mechanism.joints.push_back({"hinge", planar::Pin{{1, {0.0, 0.0}}, {}}});
+    }
+    const planar::Attachment at_hub{1, {0.0, 0.0}};
+    if (hinged) {
+      of.mechanism.joints.push_back({"root", planar::Pin{of.start(), at_hub}});
+      planar::TorsionSpring between;
+      between.a = of.start();
+      between.b = at_hub;
+      between.stiffness = spring;
+      of.mechanism.forces.push_back({"between", between});
+    } else {
+      of.mechanism.joints.push_back({"root", planar::Rigid{of.start(), at_hub}});
+    }
+    planar::Couple turning;
+    turning.a = at_hub;
+    turning.size = TableDriver{TableCurve({0.0, 0.1, 0.15, 1.0, 1.05, 3.0},
+                                          {0.0, 0.0, couple, couple, 0.0, 0.0},
+                                          Interpolation::linear, Beyond::hold)};
+    of.mechanism.forces.push_back({"turning", turning});
+    of.mechanism.duration.length = 2.0;
+    of.solve(768);
+    return of;
+  }
+
+  /// Of a beam far stiffer than its root, which gives way.
+  ElasticMotion elastic(const Beam& of) const {
+    constexpr double stiff = 1e6;
+    ElasticBody body = of.elastic(stiff * test::slender::E, stiff * test::slender::G);
+    planar::ElasticJoint root;
+    root.joint = planar::joint_index(of.mechanism, "root");
+    root.turning_stiffness = spring;
+    body.joints = {root};
+    return {of.rigid(), body, 1};
+  }
+};
+
+/// From the pendulum whose root turns, which knows no small motions.
+Apart apart_from_pendulum(const Pendulum& pendulum) {
+  const Beam rigid = pendulum.made(false), hinged = pendulum.made(true);
+  const ElasticMotion elastic = pendulum.elastic(rigid);
+  Apart apart;
+  double turned = 0.0;
+  for (int i = 0; i <= 400; ++i) {
+    const Time time = si<Time>(2.0 * i / 400.0);
+    const BeamLoads expected = hinged.rigid().loads(time), found = elastic.loads_at(time),
+                    stiff = rigid.rigid().loads(time);
+    CHECK(unbalanced(found, L, 1e3) < 1e-9);
+    for (const double s : {0.0, 0.4 * L})
+      apart.add(bending(expected, s), bending(found, s), bending(stiff, s));
+    turned = std::max(turned, std::abs(rigid.finder->at(time.value()).v[2]));
+  }
+  // It turns far, and fast enough that what turning adds counts.
+  CHECK(turned > 1.5);
+  return apart;
+}
+
+}  // namespace
+
+TEST_CASE("a root that gives way turns as a pendulum of two bodies does",
+          "[elastic_by_forces_in_plane]") {
+  for (const bool on_rod : {false, true}) {
+    Pendulum pendulum;
+    pendulum.on_rod = on_rod;
+    const Apart soft = apart_from_pendulum(pendulum);
+    INFO("on rod " << on_rod << ", largest " << soft.largest << ", apart " << soft.found
+                   << ", of rigid bodies " << soft.rigid);
+    CHECK(soft.found < 5e-3 * soft.largest);
+    CHECK(soft.rigid > 0.15 * soft.largest);
+  }
+}
+
+TEST_CASE("a turned pendulum has the same loads", "[elastic_by_forces_in_plane]") {
+  Pendulum straight, turned;
+  turned.turn = 0.7;
+  const Beam one = straight.made(false), other = turned.made(false);
+  const ElasticMotion elastic = straight.elastic(one), elsewhere = turned.elastic(other);
+  double largest = 0.0, apart = 0.0;
+  for (int i = 0; i <= 50; ++i) {
+    const Time time = si<Time>(2.0 * i / 50.0);
+    const double moment = bending(elastic.loads_at(time), 0.0);
+    largest = std::max(largest, std::abs(moment));
+    apart = std::max(apart, std::abs(bending(elsewhere.loads_at(time), 0.0) - moment));
+  }
+  CHECK(apart < 1e-5 * largest);
+}
+
+// A column of 12 m on a spring, its foot guided, under a mass of 1.5 times pi^2 E I/(4 L^2).
+TEST_CASE("a column that forces move and that buckles is refused by its name",
+          "[elastic_by_forces_in_plane]") {
+  for (const bool buckles : {true, false}) {
+    Beam of;
+    const double critical = pi * pi * test::slender::E * test::slender::I / (4.0 * L * L);
+    Body& beam = of.mechanism.bodies.front();
+    beam.sketch.centre = {0.0, 0.5 * L};
+    beam.sketch.angle = 0.5 * pi;
+    Body top;
+    top.name = "top";
+    top.mass = (buckles ? 1.5 : 0.2) * critical / g;
+    top.inertia = 1.0;
+    top.sketch.centre = {0.0, L};
+    of.mechanism.bodies.push_back(top);
+    planar::Slider foot;
+    foot.point = of.start();
+    foot.direction = 0.5 * pi;
+    foot.angle = 0.5 * pi;
+    planar::Spring below;
+    below.a = of.start();
+    below.b = {planar::ground, {0.0, -1.0}};
+    below.free_length = 1.0;
+    below.stiffness = 1e6;
+    of.mechanism.gravity = {0.0, -g};
+    of.mechanism.joints = {
+        {"foot", foot}, {"head", planar::Rigid{{1, {0.0, 0.0}}, {0, {0.5 * L, 0.0}}, -0.5 * pi}}};
+    of.mechanism.forces = {{"below", below}};
+    of.mechanism.duration.length = 0.2;
+    of.solve(96);
+    if (buckles)
+      CHECK_THROWS_WITH(ElasticMotion(of.rigid(), of.elastic(), 2), Catch::Contains("buckles"));
+    else
+      CHECK_NOTHROW(ElasticMotion(of.rigid(), of.elastic(), 2));
+  }
+}
+
+TEST_CASE("cases of the plane that forces move are verified with modes of their beam",
+          "[elastic_by_forces_in_plane]") {
+  Arm arm;
+  arm.hub = 3000.0;
+  arm.supports = {{0.0, 2.1e6, 0.0}};
+  arm.start = 0.05;
+  arm.duration = 0.3;
+  arm.more = "[model]\ndamping = { ratio = 0.02, at = \"8 Hz\" }\n";
+  const Project project = arm.in_plane().project;
+  const ModelChoice choice = choose_model(project);
+  INFO(choice.reason);
+  CHECK(choice.chosen.level == ModelLevel::modal);
+  REQUIRE(choice.weighed.back().found);
+  CHECK(*choice.weighed.back().found < choice.tolerance);
+  CHECK(choice.weighed.front().error > 0.1);
+}
+
+}  // namespace elastic_by_forces_in_plane_test
