@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -107,6 +108,22 @@ std::optional<WeighedInSpace> weigh_in_space(const Project& project,
     return std::nullopt;
   }
   return WeighedInSpace{std::move(estimate), against};
+}
+
+/// Which modes a larger tolerance would admit, of those that can be looked at.
+std::string admitted_by_more(const ModelChoice& choice,
+                             const std::function<bool(std::size_t modes)>& seen) {
+  const ModelEstimate* best = nullptr;
+  for (const ModelEstimate& of : choice.weighed) {
+    if (of.model.level != ModelLevel::modal || of.found) continue;
+    if (of.error > choice.tolerance && (best == nullptr || of.error < best->error) &&
+        seen(static_cast<std::size_t>(of.model.modes)))
+      best = &of;
+  }
+  if (best == nullptr || best->error > 0.5 * choice.weighed.front().error) return "";
+  return fmt::format("; {} mode{} estimated to miss {}, which a larger [model] tolerance admits",
+                     best->model.modes, best->model.modes == 1 ? " is" : "s are",
+                     percent_text(best->error));
 }
 
 /// Whether rigid bodies are enough, or bent ones where the second order asks for them, which the
@@ -220,6 +237,9 @@ ModelChoice choose_in_space(const Project& project, const std::deque<SituationRu
          {},
          {}});
   }
+  why += admitted_by_more(choice, [&](std::size_t modes) {
+    return too_fast(rigid, estimate.frequencies, modes + 1, !forces_move(rigid)).empty();
+  });
   choice.weighed.resize(1);
   choice.reason += fmt::format("; no modes of the beam are used: {}", why);
   return choice;

@@ -210,8 +210,9 @@ std::vector<double> changes_in(const Mechanism& mechanism, const Motion& motion,
       solver.integrates() ? solver.changes()
                           : changes_by_drivers(mechanism, motion.begin, motion.period, at);
   std::sort(changes.begin(), changes.end());
-  std::erase_if(
-      changes, [&](double at) { return at <= motion.begin || at >= motion.begin + motion.period; });
+  std::erase_if(changes, [&](double time) {
+    return time <= motion.begin || time >= motion.begin + motion.period;
+  });
   if (changes.size() <= most_changes) return changes;
   throw AnalysisError(
       {fmt::format("stops, cables and pins in their clearance begin and end to act {} times, more "
