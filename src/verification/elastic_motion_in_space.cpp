@@ -25,13 +25,20 @@ std::vector<bool> acting_springs(const spatial::Mechanism& mechanism, const spat
 }
 
 /// What is known of the modes in a posture beside their equations, of k modes:
-/// eta + K^-1 C eta' - K^-1 p times their loads, eta' times those by rate.
+/// eta + K^-1 C eta' - K^-1 p times their loads, eta' times those by rate, and what is taken over.
 struct LoadsOfModes {
   Eigen::MatrixXd viscous;     ///< K^-1 C of the material
   Eigen::VectorXd statically;  ///< K^-1 p
   Eigen::MatrixXd loads;       ///< a row for each mode
   Eigen::MatrixXd by_rate;     ///< likewise, of dampers, or of no rows
-  Eigen::MatrixXd gaps;        ///< likewise
+  Eigen::VectorXd taken_over;  ///< or nothing
+  Eigen::MatrixXd gaps;        ///< a row for each mode
+
+  /// Which of these there are.
+  struct Kinds {
+    bool damped = false, taken_over = false;
+    Eigen::Index contacts = 0;
+  };
 
   /// The largest gap, or what is none beside the motion of a mode.
   double largest_gap() const {
@@ -41,21 +48,29 @@ struct LoadsOfModes {
 
   Eigen::VectorXd packed() const {
     Eigen::VectorXd all(viscous.size() + statically.size() + loads.size() + by_rate.size() +
-                        gaps.size());
-    all << viscous.reshaped(), statically, loads.reshaped(), by_rate.reshaped(), gaps.reshaped();
+                        taken_over.size() + gaps.size());
+    all << viscous.reshaped(), statically, loads.reshaped(), by_rate.reshaped(), taken_over,
+        gaps.reshaped();
     return all;
   }
-  static LoadsOfModes unpacked(const Eigen::VectorXd& all, Eigen::Index k, bool damped,
-                               Eigen::Index contacts) {
-    const Eigen::Index left = all.size() - k * k - k - k * contacts,
-                       size = damped ? left / 2 : left;
-    const auto rows_from = [&](Eigen::Index at, Eigen::Index count) -> Eigen::MatrixXd {
-      return all.segment(at, count).reshaped(k, count / k);
+  static LoadsOfModes unpacked(const Eigen::VectorXd& all, Eigen::Index k, const Kinds& kinds) {
+    const Eigen::Index left = all.size() - k * k - k - k * kinds.contacts,
+                       rows = k * (kinds.damped ? 2 : 1) + (kinds.taken_over ? 1 : 0),
+                       numbers = left / rows;
+    Eigen::Index at = 0;
+    const auto next = [&](Eigen::Index count, Eigen::Index columns) -> Eigen::MatrixXd {
+      const Eigen::MatrixXd part = all.segment(at, count * columns).reshaped(count, columns);
+      at += part.size();
+      return part;
     };
-    const Eigen::Index first = k * k + k;
-    return {rows_from(0, k * k), all.segment(k * k, k), rows_from(first, size),
-            damped ? rows_from(first + size, size) : Eigen::MatrixXd(),
-            rows_from(first + left, k * contacts)};
+    LoadsOfModes of;
+    of.viscous = next(k, k);
+    of.statically = next(k, 1);
+    of.loads = next(k, numbers);
+    of.by_rate = next(kinds.damped ? k : 0, numbers);
+    of.taken_over = next(kinds.taken_over ? numbers : 0, 1);
+    of.gaps = next(k, kinds.contacts);
+    return of;
   }
 };
 
@@ -99,6 +114,7 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
     refuse_vibration(why + otherwise);
 
   damped_ = stopped.is_damped();
+  forced_ = stopped.freedoms() > 0;
   contacts_ = static_cast<Eigen::Index>(contacts_of(chain.mechanism()).size());
   numbers_ =
       LoadNumbers(joints_sliding_along(chain.mechanism(), stopped.placements().front().body));
@@ -137,6 +153,7 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
     modal.of_size = std::move(at.turning.of_size);
     posture.loads = modal.turn.transpose() * numbers;
     if (damped_) posture.by_rate = modal.turn.transpose() * by_rate;
+    if (at.taken_over) posture.taken_over = numbers_.of(*at.taken_over).transpose();
     posture.gaps = modal.turn.transpose() * at.gaps.transpose();
     return posture;
   };
@@ -173,7 +190,7 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
   };
   solve_once(posture_at, motion, std::move(passed));
   const auto gaps_at = [&](double time, Eigen::Index k) {
-    return LoadsOfModes::unpacked(once_->beside_at(time), k, damped_, contacts_).gaps;
+    return LoadsOfModes::unpacked(once_->beside_at(time), k, {damped_, forced_, contacts_}).gaps;
   };
   check_contacts(chain, states, once_->response(), gaps_at, project.model.tolerance);
 }
@@ -212,8 +229,11 @@ void ElasticMotionInSpace::solve_once(const PostureAt& posture_at, const OpenMot
     const Eigen::VectorXd flexibility = flexibilities_of(modal.squares);
     const LoadsOfModes beside{
         turn.transpose() * flexibility.asDiagonal() * modal.of_material * turn,
-        turn.transpose() * modal.force.cwiseProduct(flexibility), std::move(at.loads),
-        std::move(at.by_rate), std::move(at.gaps)};
+        turn.transpose() * modal.force.cwiseProduct(flexibility),
+        std::move(at.loads),
+        std::move(at.by_rate),
+        std::move(at.taken_over),
+        std::move(at.gaps)};
     return PassedPosture{std::move(at.modal), beside.packed()};
   };
   passed.accuracy = [&](const Eigen::VectorXd& largest) { return allowed_of(largest, k); };
@@ -235,12 +255,14 @@ Eigen::VectorXd ElasticMotionInSpace::allowed_of(const Eigen::VectorXd& largest,
   const auto valued = [&](const Eigen::VectorXd& of) -> Eigen::VectorXd {
     return part * of.cwiseMax(hardly * of.maxCoeff());
   };
-  const LoadsOfModes beside =
-      LoadsOfModes::unpacked(largest.tail(largest.size() - 2 * k * k - k), k, damped_, contacts_);
+  const LoadsOfModes beside = LoadsOfModes::unpacked(largest.tail(largest.size() - 2 * k * k - k),
+                                                     k, {damped_, forced_, contacts_});
   const Eigen::VectorXd arms = numbers_.arms();
   LoadsOfModes of_beside{Eigen::MatrixXd::Constant(k, k, part * beside.viscous.maxCoeff()),
-                         valued(beside.statically), Eigen::MatrixXd(k, arms.size()),
+                         valued(beside.statically),
+                         Eigen::MatrixXd(k, arms.size()),
                          Eigen::MatrixXd(damped_ ? k : 0, arms.size()),
+                         Eigen::VectorXd(),
                          Eigen::MatrixXd::Constant(k, contacts_, part * beside.largest_gap())};
   // Of every row a part of the most that it does, or, where that is nothing, of all.
   const auto of_rows = [&](const Eigen::MatrixXd& rows, Eigen::MatrixXd& errors) {
@@ -254,6 +276,16 @@ Eigen::VectorXd ElasticMotionInSpace::allowed_of(const Eigen::VectorXd& largest,
   };
   of_rows(beside.loads, of_beside.loads);
   if (damped_) of_rows(beside.by_rate, of_beside.by_rate);
+  if (forced_) {
+    // Where hardly anything is taken over a part of what modes do statically.
+    const double most = std::max((beside.taken_over.cwiseProduct(arms)).maxCoeff(),
+                                 (beside.loads * arms.asDiagonal())
+                                     .rowwise()
+                                     .maxCoeff()
+                                     .cwiseProduct(beside.statically)
+                                     .maxCoeff());
+    of_beside.taken_over = part * most * arms.cwiseInverse();
+  }
   const Eigen::VectorXd of_forces = valued(largest.segment(2 * k * k, k));
   const Eigen::MatrixXd of_damping = part * root * root.transpose(),
                         of_stiffness = part * omega * omega.transpose();
@@ -274,12 +306,13 @@ LoadSpan ElasticMotionInSpace::span_of(const LoadSpan& rigid) const {
 Eigen::VectorXd ElasticMotionInSpace::vibrating_at(double time) const {
   if (!once_) return trigonometric_at(loads_, (time - begin_) / period_);
   const ModalState state = once_->response().at(time);
-  const LoadsOfModes of =
-      LoadsOfModes::unpacked(once_->beside_at(time), state.eta.size(), damped_, contacts_);
+  const LoadsOfModes of = LoadsOfModes::unpacked(once_->beside_at(time), state.eta.size(),
+                                                 {damped_, forced_, contacts_});
   Eigen::VectorXd numbers = Eigen::VectorXd::Zero(numbers_.arms().size());
   numbers.head(of.loads.cols()) =
       of.loads.transpose() * (state.eta + of.viscous * state.speed - of.statically);
   if (damped_) numbers.head(of.by_rate.cols()) += of.by_rate.transpose() * state.speed;
+  numbers.head(of.taken_over.size()) += of.taken_over;
   return numbers;
 }
 

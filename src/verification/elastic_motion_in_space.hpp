@@ -76,8 +76,9 @@ class ElasticMotionInSpace {
   struct Posture {
     ModalPosture modal;
     Eigen::MatrixXd loads;
-    Eigen::MatrixXd by_rate;  ///< of dampers, per rate of the modes; of no rows without them
-    Eigen::MatrixXd gaps;     ///< of springs that act from a length on, a row for each mode
+    Eigen::MatrixXd by_rate;     ///< of dampers, per rate of the modes; of no rows without them
+    Eigen::VectorXd taken_over;  ///< by springs and joints, where forces move the mechanism
+    Eigen::MatrixXd gaps;        ///< of springs that act from a length on, a row for each mode
   };
   using PostureAt = std::function<Posture(double time)>;
 
@@ -93,6 +94,7 @@ class ElasticMotionInSpace {
   LoadNumbers numbers_;
   Eigen::MatrixXd loads_;      ///< of the modes, a row for each instant of a motion that repeats
   bool damped_ = false;        ///< whether joints, springs or rods are
+  bool forced_ = false;        ///< whether forces move the mechanism
   Eigen::Index contacts_ = 0;  ///< springs that act from a length on
   Eigen::MatrixXd eta_, dynamic_;
   std::shared_ptr<const ModalTransient> once_;

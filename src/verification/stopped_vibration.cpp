@@ -236,6 +236,8 @@ ModesInMotion StoppedVibration::modes_in_motion(const spatial::State& state,
   if (scene.may_move > 0) press_free(scene, result.modes, frames, result.turning);
   result.dampers = frame::damped_ties_of(scene, result.modes, ties_);
   const Eigen::VectorXd cuts = cuts_of_scene(scene);
+  if (scene.may_move > 0)
+    result.taken_over = frame::taken_over_of(scene, cuts, result.modes, ties_);
   const auto size = static_cast<Eigen::Index>(result.modes.size());
   result.force.resize(size);
   result.damping.resize(size, size);

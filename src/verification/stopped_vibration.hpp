@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "boxbeam/mechanism/frame/beam_vibration.hpp"
@@ -27,6 +28,9 @@ struct ModesInMotion {
   Eigen::MatrixXd gaps;     ///< of springs that act from a length on, a row for each [m]
   /// Of joints, springs and rods; the rest of the damping is that of the material.
   std::vector<frame::DampedTie> dampers;
+  /// Where forces move it, what springs and joints take over from the verified beam as it bends
+  /// statically.
+  std::optional<BeamLoads> taken_over;
   frame::TurningTerms turning;
   /// Motion of the beams and of the bodies in their own axes, by roots of masses: a column per
   /// mode. Tells modes of different postures apart.

@@ -8,6 +8,7 @@
 #include <functional>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "boxbeam/core/error.hpp"
@@ -35,6 +36,7 @@ struct Falling {
   double start = 0.0, rate = 0.0;   ///< above its free length [m, m/s]
   std::string acts = "both ways";
   double damping = 0.0, at_tip = 0.0;  ///< of the spring, and of a damper below the tip [N s/m]
+  double under_tip = 1e-3;             ///< stiffness there [N/m]
   double duration = 1.0;               ///< [s]
   std::string driver = "";             ///< moves the hub instead of forces
   Vector3d centre{0.1, 0.3, -0.2};
@@ -75,7 +77,7 @@ acts = "{}"
 kind = "spring"
 connect = ["ground", "arm.tip"]
 at = ["4 m", "0 m", "-1 m"]
-stiffness = "1e-3 N/m"
+stiffness = "{:.15g} N/m"
 free_length = "1 m"
 damping = "{:.15g} N s/m"
 {}
@@ -85,7 +87,7 @@ damping = "{:.15g} N s/m"
                                      "m\"\nstart_rate = \"{:.15g} m/s\"",
                                      start, rate)
                        : "",
-        stiffness, damping, acts, at_tip,
+        stiffness, damping, acts, under_tip, at_tip,
         driver.empty() ? fmt::format("[motion]\nduration = \"{:.15g} s\"", duration) : driver);
   }
   Moved moved() const {
@@ -136,6 +138,7 @@ class FallingElements {
   VectorXd moved_by(double acceleration, double at_heel, double at_tip) const {
     MatrixXd K = whole_.K(free_, free_);
     K(0, 0) += of_.stiffness;
+    K(K.rows() - 4, K.cols() - 4) += of_.under_tip;
     VectorXd force = -acceleration * (whole_.M * up_);
     force[2] += at_heel;
     force[force.size() - 4] += at_tip;
@@ -271,18 +274,19 @@ struct Bounce {
       double pushed = -of.stiffness * z - of.damping * heel.dot(speed);
       if (of.acts == "pushing") pushed = z < 0.0 ? std::max(0.0, pushed) : 0.0;
       return -squares.cwiseProduct(at) - g * by_mass + pushed * heel -
-             of.at_tip * tip.dot(speed) * tip;
+             (of.under_tip * tip.dot(at) + of.at_tip * tip.dot(speed)) * tip;
     };
     VectorXd at = of.start * by_mass, speed = of.rate * by_mass;
     if (of.acts == "both ways") {
       // The rigid motion begins with z, z' and m z'' = -m g - k z - (c + c_t) z'.
-      const double m = elements.mass(), c = of.damping + of.at_tip, z = of.start, v = of.rate,
-                   a = -g - (of.stiffness * z + c * v) / m, j = -(of.stiffness * v + c * a) / m;
+      const double m = elements.mass(), k = of.stiffness + of.under_tip, c = of.damping + of.at_tip,
+                   z = of.start, v = of.rate, a = -g - (k * z + c * v) / m,
+                   j = -(k * v + c * a) / m;
       const MatrixXd weights = free.shapes.leftCols(count).transpose();
       at += weights * elements.inertia(elements.moved_by(a + g, -of.stiffness * z - of.damping * v,
-                                                         -of.at_tip * v));
+                                                         -of.under_tip * z - of.at_tip * v));
       speed += weights * elements.inertia(elements.moved_by(j, -of.stiffness * v - of.damping * a,
-                                                            -of.at_tip * a));
+                                                            -of.under_tip * v - of.at_tip * a));
     }
     for (Index i = 0; i <= steps; ++i) {
       const VectorXd a = acceleration_at(at, speed);
@@ -424,12 +428,17 @@ TEST_CASE("vibration that lets go of a stop by itself is refused with its place 
   }
 }
 
-// Below the spring's dampers bear in series with the arm, at its tip beside it.
-TEST_CASE("dampers at heel and tip act where they are", "[elastic_by_forces]") {
-  for (const auto& [below, tip] : {std::pair{4000.0, 0.0}, {0.0, 800.0}, {4000.0, 800.0}}) {
+// Below the heel springs and dampers bear in series with the arm, at its tip beside it.
+TEST_CASE("springs and dampers at heel and tip act where they are", "[elastic_by_forces]") {
+  for (const auto& [below, tip, under_tip] : {std::tuple{4000.0, 0.0, 0.0},
+                                              {0.0, 800.0, 0.0},
+                                              {4000.0, 800.0, 0.0},
+                                              {0.0, 0.0, 1e5},
+                                              {4000.0, 800.0, 4e5}}) {
     Falling falling;
     falling.damping = below;
     falling.at_tip = tip;
+    if (under_tip > 0.0) falling.under_tip = under_tip;
     falling.rate = -0.5;
     falling.duration = 0.8;
     const Moved moved = falling.moved();
@@ -457,8 +466,8 @@ TEST_CASE("dampers at heel and tip act where they are", "[elastic_by_forces]") {
       }
       parts.push_back(worst);
     }
-    INFO("below " << below << ", tip " << tip << ": " << parts[0] << ", " << parts[1] << ", "
-                  << parts[2]);
+    INFO("below " << below << ", tip " << tip << ", under it " << under_tip << ": " << parts[0]
+                  << ", " << parts[1] << ", " << parts[2]);
     CHECK(parts[1] < 1e-2);
     CHECK(parts[2] < 5e-3);
   }

@@ -230,4 +230,24 @@ void refuse_to_stand(const VibratingScene& scene) {
   throw AnalysisError({what, "beam", {}, {}, {}});
 }
 
+MatrixXd in_beam_axes(const VibratingScene& scene, const SceneRows& rows, MatrixXd motions) {
+  for (std::size_t b = 0; b < scene.beams.size(); ++b) {
+    const auto triples = static_cast<Index>(2 * scene.beams[b].beam->nodes().size());
+    const Matrix3d into = scene.beams[b].axes.transpose();
+    for (auto motion : motions.colwise()) {
+      auto own = motion.segment(rows.beams[b], 3 * triples).reshaped(3, triples);
+      own = (into * own).eval();
+    }
+  }
+  return motions;
+}
+
+MatrixXd motions_of(const std::vector<BeamMode>& modes) {
+  if (modes.empty()) return {};
+  MatrixXd motions(modes.front().motion.size(), static_cast<Index>(modes.size()));
+  for (Index j = 0; j < motions.cols(); ++j)
+    motions.col(j) = modes[static_cast<std::size_t>(j)].motion;
+  return motions;
+}
+
 }  // namespace boxbeam::frame

@@ -45,6 +45,11 @@ struct ForcesOfMotion {
 };
 ForcesOfMotion forces_of(const HeldScene& held, const Eigen::VectorXd& moved);
 
+/// The motions of modes, in the axes of the scene, and as coordinates; a column for each.
+Eigen::MatrixXd motions_of(const std::vector<BeamMode>& modes);
+Eigen::MatrixXd in_beam_axes(const VibratingScene& scene, const SceneRows& rows,
+                             Eigen::MatrixXd motions);
+
 /// A scene that is moved by forces and by the inertia of accelerations, elastically; `applied`: on
 /// the coordinates, but for that inertia.
 struct MovedScene {

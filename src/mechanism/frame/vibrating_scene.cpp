@@ -97,30 +97,6 @@ void unload(BeamMode& mode) {
   }
 }
 
-bool is_damped(const Tie& tie) { return tie.damping > 0.0; }
-
-/// Of shifts and turns in the axes of the scene the coordinates, a column for each motion.
-MatrixXd in_beam_axes(const VibratingScene& scene, const SceneRows& rows, MatrixXd motions) {
-  for (std::size_t b = 0; b < scene.beams.size(); ++b) {
-    const auto triples = static_cast<Index>(2 * scene.beams[b].beam->nodes().size());
-    const Matrix3d into = scene.beams[b].axes.transpose();
-    for (auto motion : motions.colwise()) {
-      auto own = motion.segment(rows.beams[b], 3 * triples).reshaped(3, triples);
-      own = (into * own).eval();
-    }
-  }
-  return motions;
-}
-
-/// A column for each mode, in the axes of the scene.
-MatrixXd motions_of(const std::vector<BeamMode>& modes) {
-  if (modes.empty()) return {};
-  MatrixXd motions(modes.front().motion.size(), static_cast<Index>(modes.size()));
-  for (Index j = 0; j < motions.cols(); ++j)
-    motions.col(j) = modes[static_cast<std::size_t>(j)].motion;
-  return motions;
-}
-
 /// Its loads and what viscosity does in it, the energy in its ties and the work on those that give
 /// way.
 void add_forces(const HeldScene& held, const VectorXd& coordinates, double omega, BeamMode& mode) {
@@ -193,42 +169,6 @@ std::vector<BeamMode> modes_of(const VibratingScene& scene, std::size_t count, K
     if (omega == 0.0) unload(mode);
   }
   return modes;
-}
-
-std::vector<DampedTie> damped_ties_of(const VibratingScene& scene,
-                                      const std::vector<BeamMode>& modes, KeptTies& last) {
-  if (std::none_of(scene.ties.begin(), scene.ties.end(), is_damped)) return {};
-  const HeldScene held(scene, {}, last);
-  const SceneRows& rows = held.rows();
-  const double shift = shift_of(scene);
-  const auto standing = standing_with(held, shift);
-  if (!standing) refuse_to_stand(scene);
-  const MatrixXd motions = in_beam_axes(scene, rows, motions_of(modes));
-  std::vector<DampedTie> all;
-  for (const Tied& tied : held.ties().elastic) {
-    if (!is_damped(*tied.tie)) continue;
-    DampedTie& of = all.emplace_back();
-    of.damping = tied.tie->damping;
-    MovedScene pulled{VectorXd::Zero(rows.size), VectorXd::Zero(rows.size),
-                      VectorXd::Zero(rows.size)};
-    for (const auto& [row, per] : tied.gap.parts) pulled.applied.segment<6>(row) -= per;
-    of.gaps = -(motions.transpose() * pulled.applied);
-    pulled.accelerations = -(motions * of.gaps);
-    const VectorXd left = pulled.applied - inertia_of(scene, rows, pulled.accelerations);
-    // With a shift each round leaves of every mode the part that the shift is of its square with
-    // it.
-    constexpr int most_rounds = 60;
-    constexpr double same = 1e-10;
-    for (int round = 0; round < most_rounds; ++round) {
-      const VectorXd before = pulled.moved;
-      pulled.moved = standing->moved_by(left + shift * inertia_of(scene, rows, before));
-      if (shift == 0.0 || (pulled.moved - before).norm() <= same * pulled.moved.norm()) break;
-    }
-    CutForceDiagram cut;
-    add_loads_on_first(held, pulled, forces_of(held, pulled.moved).elastic, of.loads, cut);
-    add_tie_load(held, *tied.tie, -1.0, of.loads);
-  }
-  return all;
 }
 
 MatrixXd gaps_of(const VibratingScene& scene, const std::vector<BeamMode>& modes,

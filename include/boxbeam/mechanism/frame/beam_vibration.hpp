@@ -30,6 +30,8 @@ struct Tie {
     /// The beams are members 0, 1, ..., the bodies follow; in the axes of a scene.
     Place at;
     Vector6 per = Vector6::Zero();
+    /// Whether its place moves along a beam with the posture: there between nodes.
+    bool slides = false;
   };
   std::vector<End> ends;
   double stiffness = std::numeric_limits<double>::infinity();  ///< infinite: rigid
@@ -104,6 +106,7 @@ class VibratingBeam {
   using Matrix12 = Eigen::Matrix<double, 12, 12>;
   using Leaning = Eigen::Matrix<double, 12, 5>;
   struct Sample {
+    double at = 0.0;  ///< from 0 to 1 in its piece
     double weight = 0.0;
     Eigen::Matrix<double, 6, 12> cut, strain, motion;   ///< per motion of the ends
     double mass = 0.0;                                  ///< per length [kg/m]
@@ -116,6 +119,10 @@ class VibratingBeam {
     double from = 0.0, to = 0.0;
     Matrix12 stiffness = Matrix12::Zero(), mass = Matrix12::Zero();
     std::vector<Sample> samples;
+    /// Shift and turn of a section between the ends, per motion of these: by a polynomial of degree
+    /// 5 nearest to that at its samples, in an even piece as it is.
+    Eigen::Matrix<double, 6, 12> motion_at(double s) const;
+
     /// Its leaning as c_0 + c_1 u + c_2 u^2, u from 0 to 1, which on an even piece it is; else by
     /// least squares through its samples.
     std::array<Leaning, 3> leaning;
@@ -136,6 +143,7 @@ class VibratingBeam {
   const std::vector<double>& nodes() const { return nodes_; }
   const std::vector<Piece>& pieces() const { return pieces_; }  ///< one between two nodes
   std::size_t node_of(double s) const;                          ///< the nearest
+  std::size_t piece_at(double s) const;                         ///< the last that reaches there
 
   /// Where cut forces are taken for `BeamMode::work`.
   const std::vector<Station>& stations() const { return stations_; }
@@ -205,6 +213,18 @@ struct DampedTie {
 /// `modes`: those that are followed.
 std::vector<DampedTie> damped_ties_of(const VibratingScene& scene,
                                       const std::vector<BeamMode>& modes, KeptTies& last);
+
+/// What ties take over from the first beam where a scene that is free to move bends statically
+/// under loads whose cut forces in rigid beams and ties that give way are these (as of
+/// `BeamMode::work`), K y = B^T c: its loads beside those, in balance. `modes`: all that are soft
+/// among them.
+BeamLoads taken_over_of(const VibratingScene& scene, const Eigen::VectorXd& cuts,
+                        const std::vector<BeamMode>& modes, KeptTies& last);
+
+/// The gap that each mode makes of ties that may be others than those of the scene: a row for each
+/// tie.
+Eigen::MatrixXd gaps_of(const VibratingScene& scene, const std::vector<BeamMode>& modes,
+                        const std::vector<Tie>& ties);
 
 /// phi_i^T K_g phi_j of the axial forces of the beams.
 Eigen::MatrixXd geometric_stiffness_of(const VibratingScene& scene,
