@@ -124,7 +124,14 @@ std::optional<VibrationEstimate> estimate_in_plane(const Project& project,
         choice);
     return std::nullopt;
   }
-  VibrationEstimate estimate = worst_estimate(project, rigid);
+  VibrationEstimate estimate;
+  try {
+    estimate = worst_estimate(project, rigid);
+  } catch (const AnalysisError& error) {
+    if (!forces_decide(rigid)) throw;
+    choose_unvibrated(project, error.failure().what, choice);
+    return std::nullopt;
+  }
   if (estimate.frequencies.empty()) {
     choice.reason = "rigid bodies: no load and no mass is there that could make the beam vibrate";
     return std::nullopt;

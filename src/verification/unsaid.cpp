@@ -121,6 +121,7 @@ bool has_weld_at(const Project& project, Length s) {
                      [&](const WeldInput& of) { return abs(of.s - s) <= near; });
 }
 
+/// Whether forces move what carries the beam.
 bool forces_move(const Project& project, const SituationRun& run) {
   if (const auto* const space = std::get_if<spatial::Mechanism>(&project.mechanism))
     return std::any_of(space->joints.begin(), space->joints.end(), spatial::is_forced);
@@ -132,8 +133,7 @@ bool forces_move(const Project& project, const SituationRun& run) {
 /// elastic links vibrate after a sudden start, or a rate or a polynomial has not come to its end.
 bool goes_on(const Project& project, const SituationRun& run) {
   if (run.loads.closed() || run.loads.is_recorded()) return false;
-  if (run.situation->sudden_start || changes_at_end(project, run)) return true;
-  return forces_move(project, run);
+  return run.situation->sudden_start || changes_at_end(project, run) || forces_move(project, run);
 }
 
 /// What of the vibration in a motion that does not repeat is not looked at: before it, where the
@@ -144,15 +144,13 @@ std::vector<NotJudged> vibration_beside_of(const Project& project, const ModelCh
   if (!motion) return {};
   std::vector<NotJudged> beside;
   if (!motion->rests_before) {
+    const bool forced = forces_move(project, run);
     beside.push_back(
         {Criterion::yield, "vibration at the beginning",
-         fmt::format(
-             "at {:.6g} s bodies move already{}: the beam follows its loads without a free "
-             "vibration then, and what a blow or a motion before leaves in it is not "
-             "looked at; let {}",
-             motion->begin, forces_move(project, run) ? ", or forces begin to move them" : "",
-             forces_move(project, run) ? "the motion begin where little acts"
-                                       : "drivers begin with a step or a table from rest")});
+         fmt::format("at {:.6g} s {}: the beam follows its loads without a free vibration then, "
+                     "and what a blow or a motion before leaves in it is not looked at{}",
+                     motion->begin, forced ? "forces move bodies" : "bodies move already",
+                     forced ? "" : "; let drivers begin with a step or a table from rest")});
   }
   const Time end = si<Time>(motion->end());
   const Time last = run.loads.begin() + run.loads.period();
@@ -296,6 +294,12 @@ std::vector<NotJudged> unestimated_vibration_of(const Project& project, const Mo
                          percent_text(missed), percent_text(model.tolerance),
                          model.frequencies.front())}};
   }
+  // Of what forces move the estimate itself may find why there is none.
+  const bool unknown =
+      planar && obstacle.empty() && model.weighed.empty() && model.frequencies.empty() &&
+      std::any_of(runs.begin(), runs.end(),
+                  [&](const SituationRun& run) { return forces_move(project, run); });
+  if (unknown) obstacle = model.reason;
   if (planar && obstacle.empty()) return vibration_beside_of(project, model, runs, changes);
   if (std::none_of(runs.begin(), runs.end(), changes)) return {};
   if (obstacle.empty() && space != nullptr)

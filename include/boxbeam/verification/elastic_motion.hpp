@@ -73,7 +73,8 @@ LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic, Lo
 /// not repeat, modes change at once, and the coordinates go over into those of the new ones by
 /// phi_new^T M phi_old. It does when the rigid motion says so: left out is how much earlier or
 /// later vibration makes it, of the order of (d/p)^2 of the impulse, d how far its ends are
-/// elsewhere by elasticity and p how far they are pressed; and the loss of an impact's law.
+/// elsewhere by elasticity and p how far they are pressed, and c d of it where the force c v of a
+/// damper is there at once; and the loss of an impact's law.
 /// Sources: Shabana, Dynamics of Multibody Systems (2005), chapter 5; Trefethen, Spectral Methods
 /// in MATLAB (2000), chapter 3; Schönemann, Psychometrika 31 (1966).
 class ElasticMotion {
