@@ -493,7 +493,7 @@ MUTATIONS = [
     *_in("src/mechanism/frame", "static_parts.cpp",
          ("damper-beside", "pulled.accelerations = -(motions * of.gaps);", "pulled.accelerations.setZero();",
           "modes bear their part of a damper's force", "elastic_by_forces_test"),
-         ("taken-over", "tied.tie->rigid.value_or(0.0) - tied.tie->stiffness", "tied.tie->rigid.value_or(0.0) + tied.tie->stiffness",
+         ("taken-over-in-space", "tied.tie->rigid.value_or(0.0) - tied.tie->stiffness", "tied.tie->rigid.value_or(0.0) + tied.tie->stiffness",
           "springs beside the beam take over from it", "elastic_by_forces_test")),
     *_in("src/verification", "followed_modes.cpp",
          ("momentum-goes-on", "masses_between(scene, from_here.modes, ahead.modes) * turn", "turn",
