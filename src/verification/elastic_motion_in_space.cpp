@@ -99,6 +99,9 @@ std::string obstacle_to_modes(const spatial::Mechanism& mechanism,
             joint.name, meshed);
     }
   }
+  for (const spatial::Spring& spring : mechanism.springs)
+    if (spring.clearance)
+      return fmt::format("joint {} has a clearance, in which it is held by no mode", spring.name);
   return "";
 }
 
@@ -158,6 +161,7 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
     return posture;
   };
   if (span.closed) {
+    if (forced_) refuse_vibration("forces decide a motion that repeats" + otherwise);
     std::vector<double> borders{begin_};
     for (const Time& at : span.breaks) borders.push_back(at.value());
     borders.push_back(begin_ + period_);

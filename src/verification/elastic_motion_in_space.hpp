@@ -101,8 +101,8 @@ class ElasticMotionInSpace {
   double lowest_ = 1e300;
 };
 
-/// Why modes of the beams do not hold in their motion: teeth; "" where they do. `beams`: the
-/// elastic ones, the verified one first.
+/// Why modes of the beams do not hold in their motion: teeth, or clearance; "" where they do.
+/// `beams`: the elastic ones, the verified one first.
 std::string obstacle_to_modes(const spatial::Mechanism& mechanism,
                               const std::vector<spatial::BeamPlacement>& beams);
 
