@@ -195,7 +195,7 @@ MUTATIONS = [
          ("screw-turns", "return (turned(state) - near.turned).cwiseAbs().maxCoeff() <= most;", "return true;",
           "a screw that closes a loop loses no turn", "screw_test")),
     *_in("src/mechanism/spatial", "loops.cpp",
-         ("loop-branch", "return branch_ == 0 || J->sign_of_determinant() == branch_;", "return true;",
+         ("loop-branch", "return branch_ == 0 || J.sign_of_determinant() == branch_;", "return true;",
           "the branch of the start is kept", "loops_test")),
     *_in("src/mechanism/spatial", "forced_steps.cpp",
          ("forced-change", "step.changes = *acting != acting_in(tree.mechanism(), state) ||", "step.changes =",

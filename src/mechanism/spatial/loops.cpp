@@ -111,28 +111,23 @@ Eigen::VectorXd Loops::open(const Tree& tree, const State& state, const Rows& ro
   return values;
 }
 
-/// Newton's method from the state's free coordinates, with the same Jacobian as long as it leaves
-/// next to nothing of a small error; whether it converges to the branch of the start. `first`: its
-/// first correction.
+/// Newton's method from the state's free coordinates; whether it converges to the branch of the
+/// start. `first`: its first correction.
 bool Loops::converge(const Tree& tree, State& state, Eigen::VectorXd& q, double& first) const {
   constexpr int most = 12;
-  constexpr double converged = 1e-11;  // what it leaves is round-off
-  constexpr double small = 1e-4, left = 1e-2;
-  std::optional<LoopFactors> J;
-  double last = 1.0;
+  constexpr double converged = 1e-11;  // squared by the step that follows it
   first = 0.0;
   for (int step = 0; step < most; ++step) {
     tree.place(state);
     if (free_.joints.empty()) return true;
-    if (last > small) J.emplace(factors(tree, state));
-    const Eigen::VectorXd correction = J->solve(-open(tree, state, chosen_));
+    const LoopFactors J = factors(tree, state);
+    const Eigen::VectorXd correction = J.solve(-open(tree, state, chosen_));
     const double size = correction.cwiseAbs().maxCoeff();
     if (!(size < 1.0)) return false;
     if (step == 0) first = size;
     q += free_.scale.cwiseProduct(correction);
     set(state, {state.time, q, {}, {}});
-    if (size < converged) return branch_ == 0 || J->sign_of_determinant() == branch_;
-    last = size > left * last ? 1.0 : size;
+    if (size < converged) return branch_ == 0 || J.sign_of_determinant() == branch_;
   }
   return false;
 }
