@@ -245,16 +245,20 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
         rubbing, missed, against);
     return choice;
   }
-  const std::string why = climb_modes(estimate, climb, choice);
+  std::string why = climb_modes(estimate, climb, choice);
   if (why.empty() && choice.chosen.level != ModelLevel::modal) return choice;
   if (choice.chosen.level == ModelLevel::modal) {
     choice.counts_second_order = true;
     return choice;
   }
+  if (!refused.empty()) {
+    why = refused;
+    choice.weighed.resize(1);
+  }
   if (forced && project.model.demand == ModelDemand::automatic) {
     choice.weighed.resize(1);
     choice.reason = fmt::format("rigid bodies: {}; {}; no modes of the beam are used: {}", against,
-                                missed, refused.empty() ? why : refused);
+                                missed, why);
     return choice;
   }
   throw AnalysisError(

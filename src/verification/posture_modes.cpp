@@ -156,7 +156,7 @@ Eigen::RowVectorXd gaps_across(const PostureModes& modes, const flexible::Struct
   return gaps;
 }
 
-PostureModes described(const LoadedPosture& posture, flexible::ModalModel model) {
+PostureModes described_modes(const LoadedPosture& posture, flexible::ModalModel model) {
   const flexible::Structure& structure = posture.structure;
   const auto beam_index = static_cast<std::size_t>(posture.beam_link);
   const flexible::Link& beam = posture.links->links[beam_index];
@@ -206,7 +206,7 @@ PostureModes modes_in_posture(const LoadedPosture& posture, std::size_t count, s
   if (may > 0 && free_motions_of(model) > may)
     refuse_vibration(
         "the mechanism is free to move by more than what forces move, or without mass");
-  return described(posture, std::move(model));
+  return described_modes(posture, std::move(model));
 }
 
 PostureModes straining_modes_in(const LoadedPosture& posture, std::size_t count, std::size_t may) {
@@ -217,7 +217,7 @@ PostureModes straining_modes_in(const LoadedPosture& posture, std::size_t count,
   const auto first = static_cast<Eigen::Index>(free),
              size = static_cast<Eigen::Index>(model.modes.size());
   model.damping = model.damping.block(first, first, size, size).eval();
-  return described(posture, std::move(model));
+  return described_modes(posture, std::move(model));
 }
 
 Eigen::MatrixXd geometric_stiffness_of(const PostureModes& modes, const LoadedPosture& straight,
