@@ -17,8 +17,8 @@ bool is_damped(const Tie& tie) { return tie.damping > 0.0; }
 /// of every other mode the part that the shift is of its square with it.
 VectorXd moved_by_others(const HeldScene& held, const StandingScene& standing, double shift,
                          const VectorXd& forces) {
-  constexpr int most_rounds = 60;
-  constexpr double same = 1e-10;
+  constexpr int most_rounds = 100;
+  constexpr double same = 1e-15;
   VectorXd moved = VectorXd::Zero(forces.size());
   for (int round = 0; round < most_rounds; ++round) {
     const VectorXd before = moved;
