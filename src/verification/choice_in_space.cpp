@@ -221,7 +221,8 @@ ModelChoice choose_in_space(const Project& project, const std::deque<SituationRu
       choice.reason +=
           "; what it leaves unbalanced on the bent beam is computed in the plane only, and not "
           "known";
-      if (has_springs(rigid))
+      // Where forces move the mechanism it is in the loads.
+      if (has_springs(rigid) && !forces_move(rigid))
         choice.reason += ", nor is what springs take over when the beam bends";
       return choice;
     }
