@@ -40,9 +40,11 @@ namespace boxbeam {
 /// their places: what is in balance at the instants is so between them. Modes whose frequencies are
 /// alike come together. Left out: the change of the modes with the posture, of the order of
 /// (omega_rotation/omega_1)^2 times the part of a mode's mass that is not the verified beam's; what
-/// springs beside beams take over when these bend statically; what the axial force does to a beam
-/// that bends statically, and its vibrating part. Sources: Shabana, Dynamics of Multibody Systems
-/// (2005), chapter 5; as `ElasticMotion`.
+/// springs beside beams take over when these bend statically, but where forces move the mechanism
+/// (`frame::taken_over_of`); what the axial force does to a beam that bends statically, and its
+/// vibrating part; (s'/(L omega_1))^2 of a joint that slides along the beam with s'; the impulse c
+/// d of a damper whose force is there at once at a contact that vibration shifts by d. Sources:
+/// Shabana, Dynamics of Multibody Systems (2005), chapter 5; as `ElasticMotion`.
 class ElasticMotionInSpace {
  public:
   /// `rigid`: loads on the rigid beam, before and behind a span that does not repeat those of the
