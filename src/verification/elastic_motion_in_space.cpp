@@ -59,7 +59,7 @@ struct LoadsOfModes {
                        numbers = left / rows;
     Eigen::Index at = 0;
     const auto next = [&](Eigen::Index count, Eigen::Index columns) -> Eigen::MatrixXd {
-      const Eigen::MatrixXd part = all.segment(at, count * columns).reshaped(count, columns);
+      Eigen::MatrixXd part = all.segment(at, count * columns).reshaped(count, columns);
       at += part.size();
       return part;
     };

@@ -273,7 +273,6 @@ TEST_CASE("what is not estimated is said with its reason", "[model_choice]") {
     return choice.reason;
   };
   CHECK_THAT(reason_of("sections/sledge-rig/published.toml"), Catch::Contains("Newton chain"));
-  CHECK_THAT(reason_of("sections/landing-gear/touchdown.toml"), Catch::Contains("forces decide"));
 }
 
 TEST_CASE("the slender rig vibrates with its lowest mode", "[model_choice]") {
