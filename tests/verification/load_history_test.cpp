@@ -184,6 +184,40 @@ TEST_CASE("a load that slides along the beam: M peaks as it passes a station (in
   }
 }
 
+TEST_CASE("a load at uneven speed is met with few instants more than one at even speed") {
+  // M at s_0 is largest when P stands there, P s_0 (L - s_0)/L. By halvings alone, down to the last
+  // bit of its time, each meeting took some 40 more, and three are looked for.
+  const TaperedBeam beam = metre_of_tube();
+  const double L = beam.length().value();
+  constexpr double P = 700.0;
+  const auto asked_with = [&](const auto& place_at) {
+    int asked = 0;
+    const LoadHistory loads({Time{}, 2.0 * second, 40, false}, [&](Time time) {
+      ++asked;
+      const double s = L * place_at(time.value());
+      BeamLoads at;
+      at.points = {{Length{}, {0.0, 0.0, P * (L - s) / L}, Eigen::Vector3d::Zero()},
+                   {si<Length>(s), {0.0, 0.0, -P}, Eigen::Vector3d::Zero()},
+                   {si<Length>(L), {0.0, 0.0, P * s / L}, Eigen::Vector3d::Zero()}};
+      at.lines = unloaded_lines(beam);
+      return at;
+    });
+    const double s_0 = 0.711 * L;
+    const StationHistory history(loads, {si<Length>(s_0)});
+    asked = 0;
+    const auto bending = [](const CutForces& cut) { return cut.M_y.value(); };
+    const double low = -history.largest([&](const CutForces& c) { return -bending(c); }).value;
+    const double high = history.largest(bending).value;
+    CHECK(std::max(std::abs(low), std::abs(high)) ==
+          Approx(P * s_0 * (L - s_0) / L).epsilon(1e-10));
+    return asked;
+  };
+  const int even = asked_with([](double t) { return 0.07 + 0.43 * t; });
+  const int uneven = asked_with([](double t) { return 0.5 - 0.45 * std::cos(0.5 * pi * t); });
+  INFO(even << " and " << uneven);
+  CHECK(uneven < even + 60);
+}
+
 TEST_CASE("an extreme at a passage is found though an instant before it stands higher") {
   // The right support bears P s/L = g(t), a wave that dips at the instant before the passage and is
   // higher there than at the instants before; V is that until the load has passed.
