@@ -269,7 +269,8 @@ ModalPosture ElasticMotion::passed_in(const planar::State& state, const BeamLoad
   if (freedoms() > 0) press_free(state, rigid, loaded, at, frame);
   ModalPosture posture;
   posture.squares = squares_of(at);
-  posture.damping = posture.of_material = at.damping;
+  posture.damping = at.damping;
+  posture.of_material = damping_of_material(at, aligned.dampers);
   posture.of_rate = std::move(frame.of_rate);
   posture.of_size = std::move(frame.of_size);
   posture.force = modal_loads(at, loaded);
@@ -305,6 +306,7 @@ void ElasticMotion::solve_periodic() {
   ModalMotion solved = solve_modal_motion(postures, motion.period);
   eta_ = std::move(solved.eta);
   dynamic_ = std::move(solved.dynamic);
+  speed_ = std::move(solved.speed);
 }
 
 void ElasticMotion::solve_once() {
@@ -418,11 +420,12 @@ ElasticMotion::Aligned ElasticMotion::aligned_at(const LoadedPosture& posture, d
   if (strained > 0)
     turn.bottomRightCorner(strained, strained) =
         turn_between(modes.shapes.rightCols(strained), of.shapes.rightCols(strained), time);
-  return {std::move(modes), std::move(turn)};
+  std::vector<JointDamper> dampers = dampers_in(posture, modes);
+  return {std::move(modes), std::move(turn), std::move(dampers)};
 }
 
-Eigen::VectorXd ElasticMotion::dynamic_at(double time) const {
-  return trigonometric_at(dynamic_, (time - rigid_.motion->begin) / rigid_.motion->period);
+Eigen::VectorXd ElasticMotion::periodic_at(const Eigen::MatrixXd& values, double time) const {
+  return trigonometric_at(values, (time - rigid_.motion->begin) / rigid_.motion->period);
 }
 
 ElasticMotion::Moment ElasticMotion::moment_at(double time) const {
@@ -445,7 +448,8 @@ ElasticMotion::Moment ElasticMotion::moment_at(double time) const {
 
 ElasticMotion::Added ElasticMotion::added_in(const LoadedPosture& posture, const Aligned& aligned,
                                              double time) const {
-  Added added{time, second_order_of(posture).loads, {}};
+  Added added{time, second_order_of(posture).loads, {}, aligned.dampers};
+  for (JointDamper& of : added.dampers) of.gaps = aligned.turn.transpose() * of.gaps;
   for (Eigen::Index m = 0; m < aligned.turn.cols(); ++m) {
     BeamLoads& of = added.modes.emplace_back(aligned.modes.loads.front());
     for (PointLoad& load : of.points) {
@@ -476,11 +480,15 @@ std::optional<BeamLoads> ElasticMotion::loads_between(double time) const {
   double place = (time - rigid_.motion->begin) / rigid_.motion->period * count;
   place -= count * std::floor(place / count);
   const auto nearest = static_cast<std::size_t>(std::lround(place)) % n;
-  const Eigen::VectorXd dynamic = dynamic_at(time);
+  const Eigen::VectorXd dynamic = periodic_at(dynamic_, time);
+  Eigen::VectorXd speed;
+  if (!added_.front().dampers.empty()) speed = periodic_at(speed_, time);
   const auto add_to = [&](BeamLoads& sum, double factor, const Added& of) {
     add_mode(sum, factor, of.bent);
     for (std::size_t m = 0; m < of.modes.size(); ++m)
       add_mode(sum, factor * dynamic[static_cast<Eigen::Index>(m)], of.modes[m]);
+    for (const JointDamper& damper : of.dampers)
+      add_mode(sum, factor * damper.damping * damper.gaps.dot(speed), damper.loads);
   };
   const auto rigid_on = [&](const BeamLoads& finer) {
     BeamLoads loads = rigid_.loads(si<Time>(time));
@@ -522,20 +530,24 @@ BeamLoads ElasticMotion::loads_at(Time time) const {
       transient_ && !axial_ && time.value() > rigid_.motion->begin + rigid_.motion->period;
   if (behind && !at_end_) at_end_ = std::make_shared<const Moment>(moment_at(time.value()));
   const Moment now = behind ? *at_end_ : moment_at(time.value());
-  const auto& [at, turn] = now.aligned;
-  Eigen::VectorXd sizes;
+  const auto& [at, turn, dampers] = now.aligned;
+  Eigen::VectorXd sizes, speed;
   if (transient_) {
     const ModalState state = transient_->response().at(time.value());
-    const Eigen::VectorXd viscous = at.damping * (turn * state.speed);
+    speed = turn * state.speed;
+    const Eigen::VectorXd viscous = damping_of_material(at, dampers) * speed;
     sizes =
         turn * state.eta + viscous.cwiseProduct(flexibilities_of(squares_of(at))) - now.statically;
   } else {
-    sizes = turn * dynamic_at(time.value());
+    sizes = turn * periodic_at(dynamic_, time.value());
+    if (!dampers.empty()) speed = turn * periodic_at(speed_, time.value());
   }
   BeamLoads loads = now.bent;
   for (std::size_t j = 0; j < count_; ++j) {
     add_mode(loads, sizes[static_cast<Eigen::Index>(j)], at.loads[j]);
   }
+  for (const JointDamper& damper : dampers)
+    add_mode(loads, damper.damping * damper.gaps.dot(speed), damper.loads);
   return loads;
 }
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "boxbeam/core/angle.hpp"
+#include "boxbeam/mechanism/flexible/beam_loads.hpp"
 #include "modal_motion.hpp"
 
 namespace boxbeam {
@@ -156,6 +158,11 @@ Eigen::RowVectorXd gaps_across(const PostureModes& modes, const flexible::Struct
   return gaps;
 }
 
+bool is_damped_joint(const flexible::Joint& joint) {
+  return std::any_of(joint.damping.begin(), joint.damping.end(),
+                     [](double of) { return of != 0.0; });
+}
+
 PostureModes described_modes(const LoadedPosture& posture, flexible::ModalModel model) {
   const flexible::Structure& structure = posture.structure;
   const auto beam_index = static_cast<std::size_t>(posture.beam_link);
@@ -218,6 +225,44 @@ PostureModes straining_modes_in(const LoadedPosture& posture, std::size_t count,
              size = static_cast<Eigen::Index>(model.modes.size());
   model.damping = model.damping.block(first, first, size, size).eval();
   return described_modes(posture, std::move(model));
+}
+
+std::vector<JointDamper> dampers_in(const LoadedPosture& posture, const PostureModes& modes) {
+  const std::vector<flexible::Joint>& joints = posture.links->joints;
+  if (std::none_of(joints.begin(), joints.end(), is_damped_joint)) return {};
+  std::vector<JointDamper> all;
+  for (const flexible::DampedWay& way :
+       flexible::damped_ways_of({&posture.structure, modes.motions, {}})) {
+    JointDamper& of = all.emplace_back();
+    of.damping = way.damping;
+    of.gaps = way.gaps;
+    of.loads = loads_in_motion(posture, way.pulled, 0.0);
+    // The work of f on a mode is -gap: that part of it the inertia of the mode bears.
+    flexible::Deformation<double> moving = way.pulled;
+    for (Eigen::Matrix3Xd& link : moving.motion) link.setZero();
+    moving.joints.setZero();
+    for (std::size_t j = 0; j < modes.motions.size(); ++j) {
+      const double gap = way.gaps[static_cast<Eigen::Index>(j)];
+      const double omega = full_turn * modes.frequencies[j];
+      if (omega > 0.0) {
+        flexible::add(of.loads, gap / (omega * omega), modes.loads[j]);
+        continue;
+      }
+      for (std::size_t k = 0; k < moving.motion.size(); ++k)
+        moving.motion[k] += gap * modes.motions[j].shape.motion[k];
+    }
+    constexpr double unit = 1.0 / full_turn;  // inertia of these accelerations
+    if (modes.frequencies.front() == 0.0)
+      flexible::add(of.loads, 1.0, loads_in_motion(posture, moving, unit));
+  }
+  return all;
+}
+
+Eigen::MatrixXd damping_of_material(const PostureModes& modes,
+                                    const std::vector<JointDamper>& dampers) {
+  Eigen::MatrixXd damping = modes.damping;
+  for (const JointDamper& of : dampers) damping -= of.damping * of.gaps * of.gaps.transpose();
+  return damping;
 }
 
 Eigen::MatrixXd geometric_stiffness_of(const PostureModes& modes, const LoadedPosture& straight,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -68,6 +69,11 @@ struct Arm {
   std::vector<Support> supports = {};
   std::string driver = "", more = "";
   double duration = 1.0;  ///< [s]
+  /// A motion of the hub that repeats, in the place of forces [m, Hz].
+  struct Shaken {
+    double amplitude = 0.0, frequency = 0.0;
+  };
+  std::optional<Shaken> shaken = {};
 
   std::string beam() const {
     return R"(
@@ -86,7 +92,13 @@ steel = "S355"
 required = 1.0
 )" + more;
   }
-  std::string motion() const {
+  /// `moved`: which coordinate of the hub a driver moves.
+  std::string motion(const std::string& moved) const {
+    if (shaken)
+      return fmt::format(
+          "[drivers.fall]\n{}\nkind = \"harmonic\"\nmean = \"0 m\"\namplitude = \"{:.15g} "
+          "m\"\nfrequency = \"{:.15g} Hz\"\n",
+          moved, shaken->amplitude, shaken->frequency);
     return driver.empty() ? fmt::format("[motion]\nduration = \"{:.15g} s\"\n", duration) : driver;
   }
   /// `place`: of a point by its way along and its height.
@@ -167,7 +179,7 @@ connect = ["arm.tip", "load.c"]
 )",
                                     hub, sketch(0.0), points(place), sketch(0.0), load, inertia,
                                     place(centre.x(), centre.y()), sketch(4.0)) +
-                        forces(place) + motion() +
+                        forces(place) + motion("point = \"hub.o\"\ncoordinate = \"y\"") +
                         "[beam]\nbody = \"arm\"\ndensity = \"7850 kg/m^3\"\n" + beam());
   }
 
@@ -196,9 +208,7 @@ kind = "prismatic"
 connect = ["ground", "hub.o"]
 at = ["0 m", "0 m", "0 m"]
 axis = "z"
-moved_by = "forces"
-start = "{:.15g} m"
-start_rate = "{:.15g} m/s"
+{}
 [joints.root]
 kind = "fixed"
 connect = ["hub.o", "arm.heel"]
@@ -206,8 +216,12 @@ connect = ["hub.o", "arm.heel"]
 kind = "fixed"
 connect = ["arm.tip", "load.c"]
 )",
-                    hub, points(place), load, place(centre.x(), centre.y()), inertia, start, rate) +
-        forces(place) + motion() +
+                    hub, points(place), load, place(centre.x(), centre.y()), inertia,
+                    shaken ? std::string()
+                           : fmt::format("moved_by = \"forces\"\nstart = \"{:.15g} "
+                                         "m\"\nstart_rate = \"{:.15g} m/s\"",
+                                         start, rate)) +
+        forces(place) + motion("joint = \"fall\"") +
         "[beam]\nbody = \"arm\"\nstart = \"heel\"\naxis = \"x\"\nz = \"z\"\ndensity = \"7850 "
         "kg/m^3\"\n" +
         beam());
@@ -350,20 +364,22 @@ double unbalanced(const BeamLoads& loads, double length, double size) {
   return std::max(left.force.norm(), left.moment.norm() / length) / size;
 }
 
-/// Of modes in the plane from those in space.
-Apart apart_from_space(const Arm& arm) {
+/// Of modes in the plane from those in space, at a place of the arm.
+Apart apart_from_space(const Arm& arm, double s = 1.0) {
   const MovedInPlane plane = arm.in_plane();
   const test::space_arm::Moved space = arm.in_space();
+  REQUIRE(plane.rigid().closed() == arm.shaken.has_value());
   const ElasticMotion elastic = plane.by(5, 24);
   // Those out of the plane and of torsion as well, which nothing moves.
   const ElasticMotionInSpace expected = space.by(12, 24);
+  const double duration = arm.shaken ? 1.0 / arm.shaken->frequency : arm.duration;
   Apart apart;
   for (int i = 0; i <= 300; ++i) {
-    const Time time = si<Time>(arm.duration * i / 300.0);
+    const Time time = si<Time>(duration * i / 300.0);
     const BeamLoads loads = elastic.loads_at(time);
     CHECK(unbalanced(loads, 4.0, 1e3) < 1e-9);
-    apart.add(bending(expected.loads_at(time), 1.0), bending(loads, 1.0),
-              bending(plane.rigid().loads_at(time), 1.0));
+    apart.add(bending(expected.loads_at(time), s), bending(loads, s),
+              bending(plane.rigid().loads_at(time), s));
   }
   return apart;
 }
@@ -386,6 +402,33 @@ TEST_CASE("an arm that bounces on a spring or a stop of the plane vibrates as in
                     << apart.rigid);
     CHECK(apart.found < 1e-3 * apart.largest);
     CHECK(apart.rigid > 0.1 * apart.largest);
+  }
+}
+
+// Below the hub dampers bear in series with the arm, elsewhere beside it. Without a spring the arm
+// falls: then of a damper's force what is free bears its part. In space they are held against
+// elements (elastic_by_forces_test).
+TEST_CASE("dampers beside an arm of the plane act where they are, as in space",
+          "[elastic_by_forces_in_plane]") {
+  const Support at_hub{0.0, 2e5, 0.0, true, false, 4e3}, at_tip{4.0, 1.0, 0.0, true, false, 1.5e3},
+      stiff_at_tip{4.0, 4e5, 0.0, true, false, 3e3}, between{1.6, 1.0, 0.0, true, false, 2e3};
+  for (const std::vector<Support>& supports :
+       {std::vector{at_hub}, {at_tip}, {stiff_at_tip}, {at_hub, at_tip}, {between, at_tip}}) {
+    for (const bool shaken : {false, true}) {
+      Arm arm;
+      arm.supports = supports;
+      arm.rate = shaken ? 0.0 : -0.5;
+      arm.duration = 0.8;
+      if (shaken) arm.shaken = {0.01, 5.0};
+      for (const double s : {1.0, 3.0}) {
+        const Apart apart = apart_from_space(arm, s);
+        INFO("first at " << supports.front().s << " of " << supports.size() << ", shaken " << shaken
+                         << ", s " << s << ": largest " << apart.largest << ", apart "
+                         << apart.found << ", of rigid bodies " << apart.rigid);
+        CHECK(apart.found < 5e-3 * apart.largest);
+        CHECK(apart.rigid > 0.05 * apart.largest);
+      }
+    }
   }
 }
 

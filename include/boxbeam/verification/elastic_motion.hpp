@@ -53,12 +53,15 @@ LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic, Lo
 ///
 /// To the loads of the beam that bends statically (`second_order_of`) come those
 /// of the modes' own inertia, -K^-1 (eta'' + F' eta' + F eta): what elasticity and viscosity bear
-/// together beyond the static part,
+/// together beyond the static part, and every damper c acts where it is (`JointDamper`),
 ///
-///     sum over modes of (eta + K^-1 C eta' - K^-1 p)_j times (joint forces and inertia of mode j)
+///     sum over modes of (eta + K^-1 C_m eta' - K^-1 p)_j times (joint forces and inertia of mode
+///     j)
+///     + sum over dampers of c gap' times (loads for a unit of its force)
 ///
-/// which are in balance. Left out: the change of the modes with the posture, of the order of
-/// (omega_rotation/omega_1)^2 times the part of a mode's mass that is not the beam's.
+/// which are in balance, C_m of the strained material. Left out: the change of the modes with the
+/// posture, of the order of (omega_rotation/omega_1)^2 times the part of a mode's mass that is not
+/// the beam's.
 ///
 /// Where forces move the mechanism the modes are those of it free to move, its springs and dampers
 /// as they act then, and K that without axial forces. So many modes as forces move ways may move
@@ -93,8 +96,8 @@ class ElasticMotion {
   /// (`ModalTransient`). Throws AnalysisError where it holds too many periods.
   LoadSpan span_of(const LoadSpan& rigid) const;
 
-  /// Modal coordinates with their viscous part, less their static one, at the instants of a motion
-  /// that repeats, a row for each [sqrt(kg) m].
+  /// Modal coordinates with the viscous part of the material, less their static one, at the
+  /// instants of a motion that repeats, a row for each [sqrt(kg) m].
   const Eigen::MatrixXd& dynamic_part() const { return dynamic_; }
   /// Modal coordinates at these instants [sqrt(kg) m].
   const Eigen::MatrixXd& coordinates() const { return eta_; }
@@ -103,10 +106,11 @@ class ElasticMotion {
   double lowest_frequency() const { return lowest_; }  ///< over the motion [Hz]
 
  private:
-  /// Modes of a posture, turned to the basis at the beginning.
+  /// Modes of a posture, turned to the basis at the beginning, and dampers by them.
   struct Aligned {
     PostureModes modes;
     Eigen::MatrixXd turn;
+    std::vector<JointDamper> dampers;
   };
   /// What makes the loads of an instant: those of the bent beam, and modes.
   struct Moment {
@@ -132,15 +136,17 @@ class ElasticMotion {
   double beside_changes(double time) const;
   Moment moment_at(double time) const;
   /// What elasticity adds at an instant of a motion that repeats: bending, and what each mode of
-  /// the basis does per unit, turned from the posture's own.
+  /// the basis does per unit, turned from the posture's own, and dampers by this basis.
   struct Added {
     double time = 0.0;  ///< [s]
     BeamLoads bent;
     std::vector<BeamLoads> modes;
+    std::vector<JointDamper> dampers;
   };
   Added added_in(const LoadedPosture& posture, const Aligned& aligned, double time) const;
   std::optional<BeamLoads> loads_between(double time) const;
-  Eigen::VectorXd dynamic_at(double time) const;
+  /// Between its instants, of values in a motion that repeats.
+  Eigen::VectorXd periodic_at(const Eigen::MatrixXd& values, double time) const;
   void solve_periodic();
   void solve_once();
 
@@ -156,7 +162,7 @@ class ElasticMotion {
     Eigen::Index free = 0;            ///< so many of them, the first, move without force
   };
   std::vector<Passage> passages_;
-  Eigen::MatrixXd eta_, dynamic_;
+  Eigen::MatrixXd eta_, dynamic_, speed_;
   std::shared_ptr<const ModalTransient> transient_;
   double lowest_ = 1e300;
   mutable std::shared_ptr<const Moment> at_end_;  ///< at rest behind the end

@@ -45,6 +45,28 @@ PostureModes modes_in_posture(const LoadedPosture& posture, std::size_t count, s
 /// The same without those of what moves without force.
 PostureModes straining_modes_in(const LoadedPosture& posture, std::size_t count, std::size_t may);
 
+/// A damper of a spring or a joint, which draws its ends together by `damping` times the rate of
+/// its gap: of modes eta that is by their `gaps` times eta'. What modes that are not followed do
+/// under it they do statically.
+struct JointDamper {
+  double damping = 0.0;  ///< [N s/m, N m s/rad]
+  Eigen::VectorXd gaps;  ///< of the modes
+  /// What acts on the beam for a unit of its force in balance: this force, the inertia with which
+  /// the modes bear their part of it, and joints, as of `PostureModes::loads`:
+  ///
+  ///     K y = (1 - M Phi Phi^T) f
+  ///
+  /// Source: Cornwell, Craig, Johnson, Earthquake Engineering and Structural Dynamics 11 (1983).
+  BeamLoads loads;
+};
+
+/// `modes`: those that are followed, all of frequency zero among them.
+std::vector<JointDamper> dampers_in(const LoadedPosture& posture, const PostureModes& modes);
+
+/// phi^T C phi without dampers: of what is in the strained material [1/s].
+Eigen::MatrixXd damping_of_material(const PostureModes& modes,
+                                    const std::vector<JointDamper>& dampers);
+
 /// phi_i^T K_g phi_j, K_g of all that presses a mechanism. `straight`: its posture without, of
 /// which the modes are; `pressed`: the same with it.
 Eigen::MatrixXd geometric_stiffness_of(const PostureModes& modes, const LoadedPosture& straight,

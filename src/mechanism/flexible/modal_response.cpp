@@ -320,6 +320,33 @@ Deformation<double> static_response_of(const ModalModel& model, const LinkColumn
   return StaticSolver(model).solve(loads);
 }
 
+std::vector<DampedWay> damped_ways_of(const ModalModel& model) {
+  const Structure& structure = *model.structure;
+  std::vector<Damper> dampers;
+  for (std::size_t j = 0; j < structure.joints.size(); ++j)
+    add_damper_of_joint(structure, j, dampers);
+  if (dampers.empty()) return {};
+  const StaticSolver solver(model);
+  std::vector<DampedWay> ways;
+  for (const Damper& damper : dampers) {
+    Eigen::Matrix3Xd gaps(3, static_cast<Index>(model.modes.size()));
+    for (Index j = 0; j < gaps.cols(); ++j)
+      gaps.col(j) = strain_of(structure, damper, model.modes[static_cast<std::size_t>(j)].shape);
+    for (Index axis = 0; axis < 3; ++axis) {
+      if (damper.c(axis, axis) == 0.0) continue;
+      LinkColumns<double> pull = no_loads<double>(structure);
+      for (const Damper::End& end : damper.ends)
+        pull[end.link].col(static_cast<Index>(end.element)) -= end.G.row(axis).transpose();
+      DampedWay& way = ways.emplace_back();
+      way.damping = damper.c(axis, axis);
+      way.gaps = gaps.row(axis).transpose();
+      way.pulled = solver.solve(std::move(pull));
+      way.pulled.joints(axis, static_cast<Index>(damper.joint)) += 1.0;
+    }
+  }
+  return ways;
+}
+
 ModalModel modal_model_of(const Structure& structure, std::size_t count) {
   ModalModel model{&structure, modes_of(structure, count), {}};
   const auto size = static_cast<Index>(model.modes.size());

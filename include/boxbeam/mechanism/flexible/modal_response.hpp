@@ -28,6 +28,16 @@ ModalModel modal_model_of(const Structure& structure, std::size_t count);
 /// any part in them. Throws AnalysisError where the model leaves such motions out.
 Deformation<double> static_response_of(const ModalModel& model, const LinkColumns<double>& loads);
 
+/// A way along or about its axes in which a joint damps: it draws its ends together by `damping`
+/// times the rate of its gap.
+struct DampedWay {
+  double damping = 0.0;  ///< [N s/m, N m s/rad]
+  Eigen::VectorXd gaps;  ///< of the modes
+  /// Under a unit of its force, which is in the joint's, by `static_response_of`.
+  Deformation<double> pulled;
+};
+std::vector<DampedWay> damped_ways_of(const ModalModel& model);
+
 /// Response to the structure's harmonic loads. `static_correction` false: the modes alone.
 /// Throws AnalysisError within a millionth of the frequency of a mode that the loads excite and
 /// nothing damps, and with static correction where the model leaves out motions without strain.
