@@ -63,13 +63,6 @@ std::string obstacle_to_modes_in_space(const Project& project,
   return "";
 }
 
-bool has_springs(const std::deque<SituationRun>& runs) {
-  return std::any_of(runs.begin(), runs.end(), [](const SituationRun& run) {
-    const spatial::Mechanism& mechanism = chain_of(run).mechanism();
-    return !mechanism.springs.empty() || !mechanism.torsion_springs.empty();
-  });
-}
-
 /// A beam in space whose vibration is known.
 struct WeighedInSpace {
   VibrationEstimate estimate;
@@ -221,9 +214,6 @@ ModelChoice choose_in_space(const Project& project, const std::deque<SituationRu
       choice.reason +=
           "; what it leaves unbalanced on the bent beam is computed in the plane only, and not "
           "known";
-      // Where forces move the mechanism it is in the loads.
-      if (has_springs(rigid) && !forces_move(rigid))
-        choice.reason += ", nor is what springs take over when the beam bends";
       return choice;
     }
     if (!refused.empty()) why = refused;

@@ -117,7 +117,7 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
     refuse_vibration(why + otherwise);
 
   damped_ = stopped.is_damped();
-  forced_ = stopped.freedoms() > 0;
+  takes_over_ = stopped.takes_over();
   contacts_ = static_cast<Eigen::Index>(contacts_of(chain.mechanism()).size());
   numbers_ =
       LoadNumbers(joints_sliding_along(chain.mechanism(), stopped.placements().front().body));
@@ -161,7 +161,7 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
     return posture;
   };
   if (span.closed) {
-    if (forced_) refuse_vibration("forces decide a motion that repeats" + otherwise);
+    if (stopped.freedoms() > 0) refuse_vibration("forces decide a motion that repeats" + otherwise);
     std::vector<double> borders{begin_};
     for (const Time& at : span.breaks) borders.push_back(at.value());
     borders.push_back(begin_ + period_);
@@ -194,7 +194,8 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
   };
   solve_once(posture_at, motion, std::move(passed));
   const auto gaps_at = [&](double time, Eigen::Index k) {
-    return LoadsOfModes::unpacked(once_->beside_at(time), k, {damped_, forced_, contacts_}).gaps;
+    return LoadsOfModes::unpacked(once_->beside_at(time), k, {damped_, takes_over_, contacts_})
+        .gaps;
   };
   check_contacts(chain, states, once_->response(), gaps_at, project.model.tolerance);
 }
@@ -202,6 +203,7 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
 void ElasticMotionInSpace::solve_periodic(const PostureAt& posture_at, Eigen::Index instants) {
   std::vector<ModalPosture> postures;
   std::vector<Eigen::MatrixXd> mode_loads, by_rate;
+  std::vector<Eigen::VectorXd> taken_over;
   for (Eigen::Index i = 0; i < instants; ++i) {
     Posture at =
         posture_at(begin_ + period_ * static_cast<double>(i) / static_cast<double>(instants));
@@ -209,6 +211,7 @@ void ElasticMotionInSpace::solve_periodic(const PostureAt& posture_at, Eigen::In
     postures.push_back(std::move(at.modal));
     mode_loads.push_back(std::move(at.loads));
     by_rate.push_back(std::move(at.by_rate));
+    taken_over.push_back(std::move(at.taken_over));
   }
   ModalMotion solved = solve_modal_motion(postures, period_);
   eta_ = std::move(solved.eta);
@@ -219,6 +222,8 @@ void ElasticMotionInSpace::solve_periodic(const PostureAt& posture_at, Eigen::In
     loads_.row(i).head(of.cols()) = dynamic_.row(i) * of;
     if (damped_)
       loads_.row(i).head(of.cols()) += solved.speed.row(i) * by_rate[static_cast<std::size_t>(i)];
+    const Eigen::VectorXd& statically = taken_over[static_cast<std::size_t>(i)];
+    loads_.row(i).head(statically.size()) += statically.transpose();
   }
 }
 
@@ -260,7 +265,7 @@ Eigen::VectorXd ElasticMotionInSpace::allowed_of(const Eigen::VectorXd& largest,
     return part * of.cwiseMax(hardly * of.maxCoeff());
   };
   const LoadsOfModes beside = LoadsOfModes::unpacked(largest.tail(largest.size() - 2 * k * k - k),
-                                                     k, {damped_, forced_, contacts_});
+                                                     k, {damped_, takes_over_, contacts_});
   const Eigen::VectorXd arms = numbers_.arms();
   LoadsOfModes of_beside{Eigen::MatrixXd::Constant(k, k, part * beside.viscous.maxCoeff()),
                          valued(beside.statically),
@@ -280,7 +285,7 @@ Eigen::VectorXd ElasticMotionInSpace::allowed_of(const Eigen::VectorXd& largest,
   };
   of_rows(beside.loads, of_beside.loads);
   if (damped_) of_rows(beside.by_rate, of_beside.by_rate);
-  if (forced_) {
+  if (takes_over_) {
     // Where hardly anything is taken over a part of what modes do statically.
     const double most = std::max((beside.taken_over.cwiseProduct(arms)).maxCoeff(),
                                  (beside.loads * arms.asDiagonal())
@@ -311,7 +316,7 @@ Eigen::VectorXd ElasticMotionInSpace::vibrating_at(double time) const {
   if (!once_) return trigonometric_at(loads_, (time - begin_) / period_);
   const ModalState state = once_->response().at(time);
   const LoadsOfModes of = LoadsOfModes::unpacked(once_->beside_at(time), state.eta.size(),
-                                                 {damped_, forced_, contacts_});
+                                                 {damped_, takes_over_, contacts_});
   Eigen::VectorXd numbers = Eigen::VectorXd::Zero(numbers_.arms().size());
   numbers.head(of.loads.cols()) =
       of.loads.transpose() * (state.eta + of.viscous * state.speed - of.statically);

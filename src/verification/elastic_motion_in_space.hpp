@@ -33,15 +33,15 @@ namespace boxbeam {
 ///
 ///     sum over modes of (eta + K^-1 C_m eta' - K^-1 p)_j times (tie forces and inertia of mode j)
 ///     + sum over dampers of c gap' times (`DampedTie`)
+///     + what springs and what gives way take over as the beams bend statically (`taken_over_of`)
 ///
 /// C_m of the beams' material, which are in balance. Between the instants they are trigonometric
 /// polynomials in time, in a motion that does not repeat the modes' forces polynomials on pieces
 /// (`ChebyshevCurve`), each number of them for itself, on the beam, where ties and pieces keep
 /// their places: what is in balance at the instants is so between them. Modes whose frequencies are
 /// alike come together. Left out: the change of the modes with the posture, of the order of
-/// (omega_rotation/omega_1)^2 times the part of a mode's mass that is not the verified beam's; what
-/// springs beside beams take over when these bend statically, but where forces move the mechanism
-/// (`frame::taken_over_of`); what the axial force does to a beam that bends statically, and its
+/// (omega_rotation/omega_1)^2 times the part of a mode's mass that is not the verified beam's;
+/// what the axial force does to a beam that bends statically, and its
 /// vibrating part; (s'/(L omega_1))^2 of a joint that slides along the beam with s'; the impulse c
 /// d of a damper whose force is there at once at a contact that vibration shifts by d. Sources:
 /// Shabana, Dynamics of Multibody Systems (2005), chapter 5; as `ElasticMotion`.
@@ -79,7 +79,7 @@ class ElasticMotionInSpace {
     ModalPosture modal;
     Eigen::MatrixXd loads;
     Eigen::MatrixXd by_rate;     ///< of dampers, per rate of the modes; of no rows without them
-    Eigen::VectorXd taken_over;  ///< by springs and joints, where forces move the mechanism
+    Eigen::VectorXd taken_over;  ///< by springs and what gives way; nothing without these
     Eigen::MatrixXd gaps;        ///< of springs that act from a length on, a row for each mode
   };
   using PostureAt = std::function<Posture(double time)>;
@@ -96,7 +96,7 @@ class ElasticMotionInSpace {
   LoadNumbers numbers_;
   Eigen::MatrixXd loads_;      ///< of the modes, a row for each instant of a motion that repeats
   bool damped_ = false;        ///< whether joints, springs or rods are
-  bool forced_ = false;        ///< whether forces move the mechanism
+  bool takes_over_ = false;    ///< whether anything takes loads over from the beam
   Eigen::Index contacts_ = 0;  ///< springs that act from a length on
   Eigen::MatrixXd eta_, dynamic_;
   std::shared_ptr<const ModalTransient> once_;

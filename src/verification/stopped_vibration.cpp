@@ -164,8 +164,9 @@ StoppedVibration::SceneWithContacts StoppedVibration::contacts_in(
   if (!beside_.empty() || !giving_.empty()) wrenches = chain_->joint_wrenches(state);
   StoppedScene stopped = stopped_scene(chain_->mechanism(), state, placements_, giving_, wrenches);
   leave_out_resting(members_, placements_.size(), stopped);
+  const std::size_t may_move = freedoms();
   return {{beams_in(state, rigid, wrenches), std::move(stopped.bodies), std::move(stopped.ties),
-           freedoms()},
+           may_move, may_move == 0},
           std::move(stopped.contacts)};
 }
 
@@ -180,6 +181,12 @@ bool StoppedVibration::is_damped() const {
   return giving_.is_damped() ||
          std::any_of(mechanism.springs.begin(), mechanism.springs.end(), damped) ||
          std::any_of(mechanism.torsion_springs.begin(), mechanism.torsion_springs.end(), damped);
+}
+
+bool StoppedVibration::takes_over() const {
+  const spatial::Mechanism& mechanism = chain_->mechanism();
+  return freedoms() > 0 || !giving_.empty() || !mechanism.springs.empty() ||
+         !mechanism.torsion_springs.empty();
 }
 
 std::size_t StoppedVibration::freedoms() const {
@@ -210,7 +217,7 @@ Eigen::VectorXd StoppedVibration::rigid_cuts(const spatial::State& state,
 ModesInMotion StoppedVibration::modes_in_motion(const spatial::State& state,
                                                 const CutForceDiagram& rigid, std::size_t count) {
   const spatial::Mechanism& mechanism = chain_->mechanism();
-  const auto [scene, contacts] = contacts_in(state, rigid);
+  auto [scene, contacts] = contacts_in(state, rigid);
   ModesInMotion result;
   result.modes = frame::modes_of(scene, count, ties_);
   result.gaps = frame::gaps_of(scene, result.modes, contacts);
@@ -236,8 +243,11 @@ ModesInMotion StoppedVibration::modes_in_motion(const spatial::State& state,
   if (scene.may_move > 0) press_free(scene, result.modes, frames, result.turning);
   result.dampers = frame::damped_ties_of(scene, result.modes, ties_);
   const Eigen::VectorXd cuts = cuts_of_scene(scene);
-  if (scene.may_move > 0)
+  if (takes_over()) {
+    // What axial forces do to a beam that bends statically is left out.
+    scene.pressed = false;
     result.taken_over = frame::taken_over_of(scene, cuts, result.modes, ties_);
+  }
   const auto size = static_cast<Eigen::Index>(result.modes.size());
   result.force.resize(size);
   result.damping.resize(size, size);

@@ -28,8 +28,8 @@ struct ModesInMotion {
   Eigen::MatrixXd gaps;     ///< of springs that act from a length on, a row for each [m]
   /// Of joints, springs and rods; the rest of the damping is that of the material.
   std::vector<frame::DampedTie> dampers;
-  /// Where forces move it, what springs and joints take over from the verified beam as it bends
-  /// statically.
+  /// What springs and joints take over from the verified beam as it bends statically, where they
+  /// do (`StoppedVibration::takes_over`).
   std::optional<BeamLoads> taken_over;
   frame::TurningTerms turning;
   /// Motion of the beams and of the bodies in their own axes, by roots of masses: a column per
@@ -56,6 +56,10 @@ class StoppedVibration {
 
   /// Whether any joint, rod or spring has a damper.
   bool is_damped() const;
+
+  /// Whether anything can take loads over from a beam that bends: springs, joints and rods that
+  /// give way, or bodies that forces move.
+  bool takes_over() const;
 
   /// In the posture of a state, `rigid` the verified beam's cut forces then. Throws AnalysisError
   /// where the stopped mechanism is free to move otherwise, or buckles. Where forces move it those

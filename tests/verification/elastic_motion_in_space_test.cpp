@@ -468,10 +468,11 @@ TEST_CASE("where modes do not hold bodies stay rigid, and elastic ones are refus
 
 namespace {
 
-/// A scene by chance: an arm at the end of driven joints, or luffed by a driven strut in a loop.
+/// A scene by chance: an arm at the end of driven joints, or luffed by a driven strut in a loop;
+/// some with a spring beside it, softer or stiffer than the arm.
 struct Scene {
   std::string text;
-  bool closed = false;
+  bool closed = false, sprung = false;
 };
 
 Scene scene_by_chance(unsigned seed) {
@@ -545,6 +546,24 @@ connect = ["arm.tip", "load.c"]
 )",
                         between(20, 250), between(-0.2, 0.4), between(-0.5, 0.5),
                         between(-0.5, 0.5), between(4, 8), between(5, 8), between(6, 9));
+  scene.sprung = between(0, 1) < 0.4;
+  if (scene.sprung) {
+    const bool grounded = between(0, 1) < 0.5;
+    joints += fmt::format(R"(
+[forces.stay]
+kind = "spring"
+connect = ["{}", "arm.{}"]
+stiffness = "{} N/m"
+free_length = "{} m"
+damping = "{} N s/m"
+)",
+                          grounded ? "ground" : "column.s", between(0, 1) < 0.7 ? "tip" : "mid",
+                          std::pow(10.0, between(3.0, 6.0)), between(2.0, 4.0),
+                          between(0, 1) < 0.5 ? 0.0 : between(0.0, 500.0));
+    if (grounded)
+      joints += fmt::format("at = [\"{} m\", \"{} m\", \"{} m\"]\n", between(1, 4), between(-2, 2),
+                            between(-3, -2));
+  }
   scene.text = arm(joints, "density = \"7850 kg/m^3\"\n",
                    fmt::format("[model]\ntolerance = 0.02\ndamping = {{ ratio = {}, at = \"6 Hz\" "
                                "}}\n",
@@ -560,7 +579,7 @@ double apart(const MatrixXd& model, const MatrixXd& better) {
 }
 
 struct Judged {
-  int rigid = 0, modal = 0, unproven = 0, closed = 0;
+  int rigid = 0, modal = 0, unproven = 0, closed = 0, sprung = 0;
   double worst = 0.0;
 };
 
@@ -582,6 +601,7 @@ void judge(unsigned seed, Judged& sum) {
   }
   ++(rigid ? sum.rigid : sum.modal);
   sum.closed += scene.closed ? 1 : 0;
+  sum.sprung += scene.sprung ? 1 : 0;
   LoadSpan span = of.rigid().span();
   const ElasticMotionInSpace best = of.by(12, 32);
   const LoadHistory better(span, [&](Time time) { return best.loads_at(time); });
@@ -605,9 +625,11 @@ TEST_CASE("what is chosen for two hundred scenes by chance is within the toleran
   Judged sum;
   for (unsigned seed = 1; seed <= 200; ++seed) judge(seed, sum);
   WARN(sum.rigid << " rigid, " << sum.modal << " by modes, " << sum.closed << " of them closed, "
-                 << sum.unproven << " without a model; worst " << sum.worst);
+                 << sum.sprung << " with a spring, " << sum.unproven << " without a model; worst "
+                 << sum.worst);
   CHECK(sum.modal >= 50);
   CHECK(sum.closed >= 30);
+  CHECK(sum.sprung >= 30);
 }
 
 }  // namespace elastic_motion_in_space_test

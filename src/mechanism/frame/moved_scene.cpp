@@ -128,7 +128,7 @@ Matrix12 geometric_stiffness_of(const PosedBeam& posed, const VibratingBeam::Pie
 
 Matrix12 pressed_stiffness_of(const VibratingScene& scene, const PosedBeam& posed,
                               const VibratingBeam::Piece& piece) {
-  if (scene.may_move > 0) return Matrix12::Zero();
+  if (!scene.pressed) return Matrix12::Zero();
   return geometric_stiffness_of(posed, piece);
 }
 

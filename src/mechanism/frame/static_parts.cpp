@@ -28,6 +28,21 @@ VectorXd moved_by_others(const HeldScene& held, const StandingScene& standing, d
   return moved;
 }
 
+/// What forces move of a scene that stands with a shift alone: of the modes that are given, all
+/// that are soft, by their frequencies, and of the others.
+VectorXd moved_beside_shift(const HeldScene& held, const StandingScene& standing, double shift,
+                            const std::vector<BeamMode>& modes, const VectorXd& forces) {
+  const MatrixXd motions = in_beam_axes(held.scene(), held.rows(), motions_of(modes));
+  const VectorXd work = motions.transpose() * forces;
+  VectorXd of_modes(work.size());
+  for (Index j = 0; j < work.size(); ++j) {
+    const double omega = full_turn * modes[static_cast<std::size_t>(j)].frequency;
+    of_modes[j] = omega > 0.0 ? work[j] / (omega * omega) : 0.0;
+  }
+  const VectorXd left = forces - inertia_of(held.scene(), held.rows(), motions * work);
+  return motions * of_modes + moved_by_others(held, standing, shift, left);
+}
+
 /// B^T c: the forces on the coordinates that strain as these cut forces do.
 VectorXd straining_forces(const HeldScene& held, const VectorXd& cuts) {
   VectorXd forces = VectorXd::Zero(held.rows().size);
@@ -83,19 +98,12 @@ std::vector<DampedTie> damped_ties_of(const VibratingScene& scene,
 BeamLoads taken_over_of(const VibratingScene& scene, const VectorXd& cuts,
                         const std::vector<BeamMode>& modes, KeptTies& last) {
   const HeldScene held(scene, {}, last);
-  const SceneRows& rows = held.rows();
   const double shift = shift_of(scene);
   const auto standing = standing_with(held, shift);
   if (!standing) refuse_to_stand(scene);
-  const MatrixXd motions = in_beam_axes(scene, rows, motions_of(modes));
-  const VectorXd forces = straining_forces(held, cuts), work = motions.transpose() * forces;
-  VectorXd of_modes(work.size());
-  for (Index j = 0; j < work.size(); ++j) {
-    const double omega = full_turn * modes[static_cast<std::size_t>(j)].frequency;
-    of_modes[j] = omega > 0.0 ? work[j] / (omega * omega) : 0.0;
-  }
-  const VectorXd left = forces - inertia_of(scene, rows, motions * work);
-  const VectorXd moved = motions * of_modes + moved_by_others(held, *standing, shift, left);
+  const VectorXd forces = straining_forces(held, cuts),
+                 moved = shift > 0.0 ? moved_beside_shift(held, *standing, shift, modes, forces)
+                                     : standing->moved_by(forces).col(0);
   BeamLoads loads;
   // On the modes' pieces nothing but ties acts.
   loads.lines = modes.front().loads.lines;

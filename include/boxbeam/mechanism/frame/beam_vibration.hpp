@@ -176,9 +176,12 @@ struct VibratingScene {
   std::vector<RigidMass> bodies = {};
   std::vector<Tie> ties = {};
   /// So many of its motions may need no force: modes of frequency zero, which come first, strain
-  /// nothing and load nothing. Then axial forces are left out of all (`geometric_stiffness_of`):
-  /// what they do to whole bodies is only right with the turns of all that presses these.
+  /// nothing and load nothing.
   std::size_t may_move = 0;
+  /// Whether axial forces soften and stiffen the beams. Not where it is free to move: what they do
+  /// to whole bodies is only right with the turns of all that presses these
+  /// (`geometric_stiffness_of`).
+  bool pressed = true;
 };
 
 struct EliminatedTies;
@@ -214,10 +217,10 @@ struct DampedTie {
 std::vector<DampedTie> damped_ties_of(const VibratingScene& scene,
                                       const std::vector<BeamMode>& modes, KeptTies& last);
 
-/// What ties take over from the first beam where a scene that is free to move bends statically
-/// under loads whose cut forces in rigid beams and ties that give way are these (as of
-/// `BeamMode::work`), K y = B^T c: its loads beside those, in balance. `modes`: all that are soft
-/// among them.
+/// What ties take over from the first beam where a scene bends statically under loads whose cut
+/// forces in rigid beams and ties that give way are these (as of `BeamMode::work`), K y = B^T c:
+/// its loads beside those, in balance. `modes`: of a scene that is free to move all that are soft
+/// among them. Precondition: it is not pressed.
 BeamLoads taken_over_of(const VibratingScene& scene, const Eigen::VectorXd& cuts,
                         const std::vector<BeamMode>& modes, KeptTies& last);
 
