@@ -199,7 +199,11 @@ ModelChoice choose_in_space(const Project& project, const std::deque<SituationRu
     if (!periods.empty()) refused = periods;
     return !periods.empty();
   };
-  const Climb climb{misses, against, found_by, unseen};
+  // Far below the tolerance a posture's statics of the second order is not worth its cost.
+  constexpr double worth_bending = 0.1;
+  const bool bends_twice = of_bending > worth_bending * choice.tolerance ||
+                           is_pressed_in_space(project, choice.second_order);
+  const Climb climb{misses, against, found_by, unseen, bends_twice};
   if (modes_are_needless(project, estimate, climb, why.empty(), refused, of_bending, choice))
     return choice;
   // A few modes do not hold what friction that turns round excites, nor how it damps it.
@@ -211,6 +215,10 @@ ModelChoice choose_in_space(const Project& project, const std::deque<SituationRu
   if (why.empty()) {
     why = climb_modes(estimate, climb, choice);
     if (choice.chosen.level == ModelLevel::modal) {
+      choice.counts_second_order = bends_twice;
+      if (bends_twice)
+        choice.reason +=
+            "; what bends statically does so by the second order" + left_out_of_bending(project);
       choice.reason +=
           "; what it leaves unbalanced on the bent beam is computed in the plane only, and not "
           "known";

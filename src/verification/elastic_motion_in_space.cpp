@@ -107,8 +107,11 @@ std::string obstacle_to_modes(const spatial::Mechanism& mechanism,
 
 ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial::Chain& chain,
                                            const LoadSpan& span, LoadsAt rigid, std::size_t modes,
-                                           int parts)
-    : rigid_(std::move(rigid)), begin_(span.begin.value()), period_(span.period.value()) {
+                                           int parts, LoadsAt bent)
+    : rigid_(std::move(rigid)),
+      bent_(std::move(bent)),
+      begin_(span.begin.value()),
+      period_(span.period.value()) {
   const std::string otherwise =
       "; use --model rigid to have the loads of rigid bodies all the same";
   StoppedVibration stopped(project, chain, parts);
@@ -117,7 +120,7 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
     refuse_vibration(why + otherwise);
 
   damped_ = stopped.is_damped();
-  takes_over_ = stopped.takes_over();
+  takes_over_ = !bent_ && stopped.takes_over();
   contacts_ = static_cast<Eigen::Index>(contacts_of(chain.mechanism()).size());
   numbers_ =
       LoadNumbers(joints_sliding_along(chain.mechanism(), stopped.placements().front().body));
@@ -156,7 +159,7 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
     modal.of_size = std::move(at.turning.of_size);
     posture.loads = modal.turn.transpose() * numbers;
     if (damped_) posture.by_rate = modal.turn.transpose() * by_rate;
-    if (at.taken_over) posture.taken_over = numbers_.of(*at.taken_over).transpose();
+    if (takes_over_) posture.taken_over = numbers_.of(*at.taken_over).transpose();
     posture.gaps = modal.turn.transpose() * at.gaps.transpose();
     return posture;
   };
@@ -326,30 +329,32 @@ Eigen::VectorXd ElasticMotionInSpace::vibrating_at(double time) const {
 }
 
 BeamLoads ElasticMotionInSpace::loads_at(Time time) const {
-  BeamLoads loads = rigid_(time);
+  BeamLoads loads = bent_ ? bent_(time) : rigid_(time);
   add_bending(numbers_.loads_of(vibrating_at(time.value()), loads), loads);
   return loads;
 }
 
 LoadHistory elastic_loads_in_space(const Project& project, const spatial::Chain& chain,
                                    const LoadSpan& span, const ElasticModel& model, LoadsAt rigid) {
-  const auto states = [&chain, &span] {
-    return std::make_shared<const spatial::StatesAround>(
+  const auto bent = [&](int parts) {
+    const auto states = std::make_shared<const spatial::StatesAround>(
         chain,
         spatial::Motion{span.begin.value(), span.period.value(), span.closed, span.instants});
+    return bent_statically_in_space(
+        project, chain, [states](double time) { return states->at(time); }, parts, rigid);
   };
   switch (model.level) {
     case ModelLevel::rigid: return {span, std::move(rigid)};
-    case ModelLevel::quasi_static:
-      return {span, bent_statically_in_space(
-                        project, chain, [of = states()](double time) { return of->at(time); },
-                        model.parts, std::move(rigid))};
+    case ModelLevel::quasi_static: return {span, bent(model.parts)};
     case ModelLevel::modal:
     case ModelLevel::flexible: break;
   }
   require_few_instants(span.instants);
+  // By few parts modes are right, axial forces on the bent axis are not.
+  constexpr int least_bent = 16;
   auto of = std::make_shared<const ElasticMotionInSpace>(
-      project, chain, span, std::move(rigid), static_cast<std::size_t>(model.modes), model.parts);
+      project, chain, span, rigid, static_cast<std::size_t>(model.modes), model.parts,
+      model.bends_twice ? bent(std::max(least_bent, model.parts)) : LoadsAt());
   return {of->span_of(span), [of](Time time) { return of->loads_at(time); }};
 }
 

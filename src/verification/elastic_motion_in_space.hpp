@@ -35,27 +35,30 @@ namespace boxbeam {
 ///     + sum over dampers of c gap' times (`DampedTie`)
 ///     + what springs and what gives way take over as the beams bend statically (`taken_over_of`)
 ///
-/// C_m of the beams' material, which are in balance. Between the instants they are trigonometric
+/// or, where that is given, in place of the last what static bending of the second order does;
+/// C_m of the beams' material; all are in balance. Between the instants they are trigonometric
 /// polynomials in time, in a motion that does not repeat the modes' forces polynomials on pieces
 /// (`ChebyshevCurve`), each number of them for itself, on the beam, where ties and pieces keep
 /// their places: what is in balance at the instants is so between them. Modes whose frequencies are
 /// alike come together. Left out: the change of the modes with the posture, of the order of
-/// (omega_rotation/omega_1)^2 times the part of a mode's mass that is not the verified beam's;
-/// what the axial force does to a beam that bends statically, and its
-/// vibrating part; (s'/(L omega_1))^2 of a joint that slides along the beam with s'; the impulse c
-/// d of a damper whose force is there at once at a contact that vibration shifts by d. Sources:
+/// (omega_rotation/omega_1)^2 times the part of a mode's mass that is not the verified beam's; the
+/// vibrating part of the axial force, and without the second order its static part on a beam that
+/// bends statically; (s'/(L omega_1))^2 of a joint that slides along the beam with s'; the impulse
+/// c d of a damper whose force is there at once at a contact that vibration shifts by d. Sources:
 /// Shabana, Dynamics of Multibody Systems (2005), chapter 5; as `ElasticMotion`.
 class ElasticMotionInSpace {
  public:
   /// `rigid`: loads on the rigid beam, before and behind a span that does not repeat those of the
   /// mechanism held there. `modes`: at least so many, where there are; `parts`: of the beam.
+  /// `bent`: as `rigid`, with what static bending of the second order does
+  /// (`bent_statically_in_space`), in place of what is taken over by the first.
   /// `project` and `chain` stay for the time of the call, the names of joints longer. Throws
   /// AnalysisError where teeth mesh with an elastic beam, the stopped
   /// mechanism is free to move or buckles, a harmonic of a motion that repeats meets a natural
   /// frequency of an undamped beam, modes change beyond recognition, a stop or a cable begins or
   /// ends to act in a motion that repeats, or vibration itself lets one act.
   ElasticMotionInSpace(const Project& project, const spatial::Chain& chain, const LoadSpan& span,
-                       LoadsAt rigid, std::size_t modes, int parts);
+                       LoadsAt rigid, std::size_t modes, int parts, LoadsAt bent = {});
 
   /// Loads on the beam at any time; of a motion that does not repeat between its beginning and the
   /// end of `span_of`.
@@ -91,7 +94,7 @@ class ElasticMotionInSpace {
 
   Eigen::VectorXd vibrating_at(double time) const;
 
-  LoadsAt rigid_;
+  LoadsAt rigid_, bent_;  ///< the second or nothing
   double begin_, period_;
   LoadNumbers numbers_;
   Eigen::MatrixXd loads_;      ///< of the modes, a row for each instant of a motion that repeats

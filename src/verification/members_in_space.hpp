@@ -79,4 +79,7 @@ class GivingWay {
   std::vector<Line> lines_;
 };
 
+/// Whether springs, or joints and rods that give way, may take loads over from a beam that bends.
+bool gives_way_beside(const spatial::Mechanism& mechanism, const GivingWay& giving);
+
 }  // namespace boxbeam

@@ -59,7 +59,7 @@ std::string climb_modes(const VibrationEstimate& estimate, const Climb& climb,
                         ModelChoice& choice) {
   for (std::size_t k = 1; k < estimate.without_modes.size(); ++k) {
     ModelEstimate& by_modes = choice.weighed.emplace_back();
-    by_modes.model = {ModelLevel::modal, static_cast<int>(k), 8, {}, false};
+    by_modes.model = {ModelLevel::modal, static_cast<int>(k), 8, {}, false, climb.bends_twice};
     by_modes.error = estimate.without_modes[k];
     by_modes.basis =
         fmt::format("modes left out, and {} that the beam's rotation couples with its vibration",

@@ -41,6 +41,7 @@ struct Climb {
   std::function<double(const ElasticModel&)> found_by;
   /// Says of so many modes why they cannot be looked at; of those that can it is false.
   std::function<bool(std::size_t)> unseen = {};
+  bool bends_twice = false;  ///< `ElasticModel`
 };
 
 /// Sets the first modes that are known to be within the tolerance; else why none are, "" where that

@@ -10,6 +10,7 @@
 #include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
 #include "boxbeam/verification/planar_links.hpp"
+#include "members_in_space.hpp"
 #include "vibration_in_space.hpp"
 
 namespace boxbeam {
@@ -119,14 +120,17 @@ bool is_beyond_tolerance(const ModelChoice& model) {
 std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& model) {
   std::vector<Gate> gates;
   const bool neighbours = !project.pins.empty() || !project.rods.empty();
-  // Static bending in space hardly changes forces of pins and rods, which no moment reaches.
-  const bool bent_in_space = model.chosen.level == ModelLevel::quasi_static &&
-                             std::holds_alternative<spatial::Mechanism>(project.mechanism);
-  if (neighbours && model.chosen.level != ModelLevel::rigid && !bent_in_space) {
+  // Where nothing takes loads over, static bending in space hardly changes forces of pins and rods,
+  // which no moment reaches.
+  const auto* const in_space = std::get_if<spatial::Mechanism>(&project.mechanism);
+  const bool bends = model.chosen.level == ModelLevel::quasi_static && in_space != nullptr;
+  if (neighbours && model.chosen.level != ModelLevel::rigid &&
+      !(bends && !gives_way_beside(*in_space, GivingWay(project)))) {
     gates.push_back({"", "",
-                     "pins and rods are checked with the reactions of rigid bodies, in which the "
-                     "beam's vibration is missing: their forces may be larger, and those that pass "
-                     "are not proven",
+                     fmt::format("pins and rods are checked with the reactions of rigid bodies, in "
+                                 "which the beam's {} is missing: their forces may be larger, and "
+                                 "those that pass are not proven",
+                                 bends ? "bending" : "vibration"),
                      true});
   }
   look_at_second_order(project, model, gates);

@@ -184,9 +184,7 @@ bool StoppedVibration::is_damped() const {
 }
 
 bool StoppedVibration::takes_over() const {
-  const spatial::Mechanism& mechanism = chain_->mechanism();
-  return freedoms() > 0 || !giving_.empty() || !mechanism.springs.empty() ||
-         !mechanism.torsion_springs.empty();
+  return freedoms() > 0 || gives_way_beside(chain_->mechanism(), giving_);
 }
 
 std::size_t StoppedVibration::freedoms() const {

@@ -45,13 +45,14 @@ double difference_between(const Eigen::MatrixXd& model, const Eigen::MatrixXd& o
 /// A modal model with another mode and twice the parts; of rigid bodies one with one mode.
 ElasticModel better_than(const ElasticModel& model) {
   constexpr int parts = 8;
-  return {ModelLevel::modal, model.modes + 1, std::max(parts, 2 * model.parts), {}, false};
+  return {ModelLevel::modal, model.modes + 1, std::max(parts, 2 * model.parts), {}, false,
+          model.bends_twice};
 }
 
 bool are_same(const ElasticModel& some, const ElasticModel& other) {
-  const auto& [level, modes, parts, element, axial] = some;
+  const auto& [level, modes, parts, element, axial, bends_twice] = some;
   return level == other.level && modes == other.modes && parts == other.parts &&
-         element == other.element && axial == other.axial;
+         element == other.element && axial == other.axial && bends_twice == other.bends_twice;
 }
 
 }  // namespace

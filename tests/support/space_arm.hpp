@@ -11,8 +11,10 @@
 #include <vector>
 
 #include "boxbeam/mechanism/common/driver.hpp"
+#include "boxbeam/mechanism/spatial/rest.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "catch.hpp"
+#include "src/verification/bent_in_space.hpp"
 #include "src/verification/elastic_motion_in_space.hpp"
 
 /// An arm in mechanisms of space, and what its loads are compared by.
@@ -143,6 +145,23 @@ struct Moved {
     if (instants > 0) span.instants = instants;
     return {project, chain(), span, [this](boxbeam::Time time) { return rigid().loads_at(time); },
             modes,   parts};
+  }
+  /// The same with statics of the second order.
+  boxbeam::ElasticMotionInSpace bent_by(std::size_t modes, int parts,
+                                        std::size_t instants = 0) const {
+    boxbeam::LoadSpan span = rigid().span();
+    if (instants > 0) span.instants = instants;
+    const auto of_rigid = [this](boxbeam::Time time) { return rigid().loads_at(time); };
+    return {project, chain(), span, of_rigid, modes, parts, bent(parts)};
+  }
+  boxbeam::LoadsAt bent(int parts) const {
+    const boxbeam::LoadSpan& span = rigid().span();
+    const auto states = std::make_shared<const boxbeam::spatial::StatesAround>(
+        chain(), boxbeam::spatial::Motion{span.begin.value(), span.period.value(), span.closed,
+                                          span.instants});
+    return boxbeam::bent_statically_in_space(
+        project, chain(), [states](double time) { return states->at(time); }, parts,
+        [this](boxbeam::Time time) { return rigid().loads_at(time); });
   }
   std::vector<boxbeam::frame::BeamMode> modes(int parts, std::size_t count) const {
     boxbeam::StoppedVibration stopped(project, chain(), parts);

@@ -15,6 +15,7 @@
 #include "support/cantilever.hpp"
 #include "support/changed_rig.hpp"
 #include "support/held_bar.hpp"
+#include "support/luffing_boom.hpp"
 #include "support/rig.hpp"
 
 namespace gates_test {
@@ -319,6 +320,19 @@ TEST_CASE("pins of rigid bodies prove nothing beside a beam that vibrates", "[mo
   REQUIRE(gates.size() == 1);
   CHECK(gates.front().blocks);
   CHECK(contains(gates.front().finding, "pins and rods"));
+}
+
+TEST_CASE("in space bending moves forces of pins where a spring takes over", "[model_choice]") {
+  ModelChoice bent;
+  bent.chosen = {ModelLevel::quasi_static, 0, 16, {}, false};
+  Project project = parse_project("boom.toml", test::luffing_in_space(190.0, 120.0));
+  project.pins.emplace_back();
+  CHECK(model_gates_of(project, bent).empty());
+  std::get<spatial::Mechanism>(project.mechanism).springs.emplace_back();
+  const std::vector<Gate> gates = model_gates_of(project, bent);
+  REQUIRE(gates.size() == 1);
+  CHECK(gates.front().blocks);
+  CHECK(contains(gates.front().finding, "the beam's bending is missing"));
 }
 
 TEST_CASE("a model beyond the tolerance blocks, demanded or for want of a better one",

@@ -31,6 +31,8 @@ struct ElasticModel {
   std::optional<flexible::Element> element;  ///< nothing: as the case says
   /// Bending links are taken with their elasticity along the axis as well.
   bool axial = false;
+  /// Of `modal` in space: what bends statically does so by the second order.
+  bool bends_twice = false;
 };
 
 /// A model that was weighed.

@@ -1,0 +1,154 @@
+// Vibration in space of a beam that is pressed: what bends statically does so by the second order.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/verification/verify.hpp"
+#include "catch.hpp"
+#include "support/space_arm.hpp"
+
+namespace pressed_vibration_in_space_test {
+
+using namespace boxbeam;
+using namespace test::space_arm;
+
+namespace {
+
+constexpr double pi = std::numbers::pi, E = 210e9, L = 4.0, mass = 100.0, amplitude = 0.01;
+
+/// A light arm on a hub that is shaken across it, along y or z, with a mass on its tip, which is
+/// pressed by a part of the critical force and pushed aside.
+struct Pressed {
+  bool along_z = true;
+  double part = 0.3;     ///< of the critical force
+  double ratio = 0.5;    ///< of frequencies
+  double aside = 500.0;  ///< [N]
+
+  double EI() const {
+    const SectionProperties of = properties_of(
+        {symmetric_box(0.12 * metre, 0.16 * metre, 0.008 * metre, 0.006 * metre), {}});
+    return E * (along_z ? of.I_y : of.I_z).value();
+  }
+  double press() const { return part * std::pow(pi / (2.0 * L), 2) * EI(); }
+  /// tan u/u, by which a force across and the pressing one on the bent arm make more at the root.
+  double grown() const {
+    const double u = 0.5 * pi * std::sqrt(part);
+    return std::tan(u) / u;
+  }
+  /// P/(L (tan u/u - 1)), Timoshenko and Gere, Theory of Elastic Stability (1961), section 1.3.
+  double omega_1() const { return std::sqrt(press() / (L * (grown() - 1.0)) / mass); }
+  double omega() const { return ratio * omega_1(); }
+  /// At the root.
+  double moment(double time) const {
+    const double shaken =
+        mass * omega() * omega() * amplitude / (1.0 - ratio * ratio) * std::sin(omega() * time);
+    return grown() * L * (aside + shaken);
+  }
+
+  std::string text(const std::string& model = "") const {
+    const char* const across = along_z ? "z" : "y";
+    return arm(fmt::format(R"(
+[bodies.hub]
+mass = "1 kg"
+points = {{ o = ["0 m", "0 m", "0 m"] }}
+[bodies.load]
+mass = "{:.17g} kg"
+centre = ["0 m", "0 m", "0 m"]
+inertia = ["1e-6 kg m^2", "1e-6 kg m^2", "1e-6 kg m^2"]
+points = {{ c = ["0 m", "0 m", "0 m"] }}
+[joints.slide]
+kind = "prismatic"
+connect = ["ground", "hub.o"]
+at = ["0 m", "0 m", "0 m"]
+axis = "{}"
+[joints.root]
+kind = "fixed"
+connect = ["hub.o", "arm.heel"]
+[joints.tip]
+kind = "fixed"
+connect = ["arm.tip", "load.c"]
+[forces.press]
+kind = "force"
+point = "arm.tip"
+direction = [-1, 0, 0]
+size = "{:.17g} N"
+[forces.aside]
+kind = "force"
+point = "arm.tip"
+direction = [0, {}, {}]
+size = "{:.17g} N"
+[drivers.shake]
+joint = "slide"
+kind = "harmonic"
+mean = "0 m"
+amplitude = "{:.17g} m"
+frequency = "{:.17g} Hz"
+)",
+                           mass, across, press(), along_z ? 0 : 1, along_z ? 1 : 0, aside,
+                           amplitude, omega() / (2.0 * pi)),
+               light, model);
+  }
+};
+
+/// As stiff in shear as nothing is.
+Project without_shear(const Pressed& of) {
+  Project project = parse_project("arm.toml", of.text());
+  project.model.youngs_modulus = E;
+  project.model.shear_modulus = 1e6 * 8.1e10;
+  return project;
+}
+
+}  // namespace
+
+// One degree of freedom: m d'' + k_P d = -m x'' + Q. The moment at the root is tan u/u L times the
+// force across, k_P d.
+TEST_CASE("a pressed arm whose hub is shaken across it vibrates as the beam-column says",
+          "[pressed_vibration]") {
+  for (const bool along_z : {true, false}) {
+    for (const double part : {0.05, 0.3, 0.6}) {
+      // Across it would buckle.
+      if (along_z && part > 0.5) continue;
+      for (const double ratio : {0.3, 0.7, 1.6}) {
+        const Pressed pressed{along_z, part, ratio};
+        const Moved moved(without_shear(pressed));
+        const ElasticMotionInSpace straight = moved.by(4, 16), bent = moved.bent_by(4, 16);
+        const int at = along_z ? 4 : 5;
+        const double sign = cuts_of(moved.rigid().loads_at(Time()), 0.0)[at] > 0.0 ? 1.0 : -1.0;
+        double largest = 0.0, apart = 0.0, first = 0.0;
+        for (int i = 0; i < 24; ++i) {
+          const Time time = moved.at(i / 24.0);
+          const double expected = sign * pressed.moment(time.value());
+          largest = std::max(largest, std::abs(expected));
+          apart = std::max(apart, std::abs(cuts_of(bent.loads_at(time), 0.0)[at] - expected));
+          first = std::max(first, std::abs(cuts_of(straight.loads_at(time), 0.0)[at] - expected));
+        }
+        INFO("along " << (along_z ? "z" : "y") << ", pressed by " << part << ", at " << ratio
+                      << ": largest " << largest << ", apart " << apart << ", without " << first);
+        CHECK(apart < 1e-6 * largest);
+        // Of the force aside alone what the second order adds.
+        CHECK(first > 0.9 * pressed.aside * L * (pressed.grown() - 1.0));
+      }
+    }
+  }
+}
+
+TEST_CASE("modes in space are chosen with statics of the second order where an arm is pressed",
+          "[pressed_vibration]") {
+  const Pressed pressed{true, 0.3, 0.5};
+  const Verification of = verify(parse_project("arm.toml", pressed.text()));
+  INFO(of.model.reason);
+  CHECK(of.model.chosen.level == ModelLevel::modal);
+  CHECK(of.model.chosen.bends_twice);
+  CHECK(of.model.counts_second_order);
+  CHECK_THAT(of.model.reason, Catch::Contains("second order"));
+  for (const Gate& gate : of.gates) {
+    INFO(gate.finding);
+    CHECK_THAT(gate.finding, !Catch::Contains("theory of the first order does not hold"));
+  }
+}
+
+}  // namespace pressed_vibration_in_space_test
