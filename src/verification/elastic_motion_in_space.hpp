@@ -33,7 +33,7 @@ namespace boxbeam {
 ///
 ///     sum over modes of (eta + K^-1 C_m eta' - K^-1 p)_j times (tie forces and inertia of mode j)
 ///     + sum over dampers of c gap' times (`DampedTie`)
-///     + what springs and what gives way take over as the beams bend statically (`taken_over_of`)
+///     + what springs take over as the beams bend statically (`taken_over_of`)
 ///
 /// or, where that is given, in place of the last what static bending of the second order does;
 /// C_m of the beams' material; all are in balance. Between the instants they are trigonometric
@@ -82,7 +82,7 @@ class ElasticMotionInSpace {
     ModalPosture modal;
     Eigen::MatrixXd loads;
     Eigen::MatrixXd by_rate;     ///< of dampers, per rate of the modes; of no rows without them
-    Eigen::VectorXd taken_over;  ///< by springs and what gives way; nothing without these
+    Eigen::VectorXd taken_over;  ///< by springs; nothing without these
     Eigen::MatrixXd gaps;        ///< of springs that act from a length on, a row for each mode
   };
   using PostureAt = std::function<Posture(double time)>;

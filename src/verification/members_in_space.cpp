@@ -361,8 +361,8 @@ WaysToGive GivingWay::of(const spatial::ClosingJoint& joint, double length) cons
   return {};
 }
 
-bool gives_way_beside(const spatial::Mechanism& mechanism, const GivingWay& giving) {
-  return !giving.empty() || !mechanism.springs.empty() || !mechanism.torsion_springs.empty();
+bool has_springs(const spatial::Mechanism& mechanism) {
+  return !mechanism.springs.empty() || !mechanism.torsion_springs.empty();
 }
 
 }  // namespace boxbeam

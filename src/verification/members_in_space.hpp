@@ -79,7 +79,8 @@ class GivingWay {
   std::vector<Line> lines_;
 };
 
-/// Whether springs, or joints and rods that give way, may take loads over from a beam that bends.
-bool gives_way_beside(const spatial::Mechanism& mechanism, const GivingWay& giving);
+/// Whether springs may take loads over from a beam that bends: all else is held in one way, and
+/// bears what balance says.
+bool has_springs(const spatial::Mechanism& mechanism);
 
 }  // namespace boxbeam

@@ -125,7 +125,7 @@ std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& mode
   const auto* const in_space = std::get_if<spatial::Mechanism>(&project.mechanism);
   const bool bends = model.chosen.level == ModelLevel::quasi_static && in_space != nullptr;
   if (neighbours && model.chosen.level != ModelLevel::rigid &&
-      !(bends && !gives_way_beside(*in_space, GivingWay(project)))) {
+      !(bends && !has_springs(*in_space))) {
     gates.push_back({"", "",
                      fmt::format("pins and rods are checked with the reactions of rigid bodies, in "
                                  "which the beam's {} is missing: their forces may be larger, and "

@@ -184,7 +184,7 @@ bool StoppedVibration::is_damped() const {
 }
 
 bool StoppedVibration::takes_over() const {
-  return freedoms() > 0 || gives_way_beside(chain_->mechanism(), giving_);
+  return freedoms() > 0 || has_springs(chain_->mechanism());
 }
 
 std::size_t StoppedVibration::freedoms() const {

@@ -57,8 +57,8 @@ class StoppedVibration {
   /// Whether any joint, rod or spring has a damper.
   bool is_damped() const;
 
-  /// Whether anything can take loads over from a beam that bends: springs, joints and rods that
-  /// give way, or bodies that forces move.
+  /// Whether anything can take loads over from a beam that bends: springs, or bodies that forces
+  /// move.
   bool takes_over() const;
 
   /// In the posture of a state, `rigid` the verified beam's cut forces then. Throws AnalysisError

@@ -580,7 +580,7 @@ double apart(const MatrixXd& model, const MatrixXd& better) {
 }
 
 struct Judged {
-  int rigid = 0, modal = 0, unproven = 0, closed = 0, sprung = 0;
+  int rigid = 0, modal = 0, unproven = 0, closed = 0, sprung = 0, near_buckling = 0;
   double worst = 0.0;
 };
 
@@ -596,11 +596,16 @@ void judge(unsigned seed, Judged& sum) {
     const double part = std::fmod(0.37 * i + 0.011 * seed, 1.0);
     CHECK(imbalance(run.loads.loads_at(of.at(part)), 4.0) < 1e-9);
   }
+  // Nearer to buckling no verdict is given.
+  constexpr double proven = 0.7;
+  const SecondOrderEstimate& second = chosen.model.second_order;
+  if (std::max(second.in_plane.part, second.across ? second.across->part : 0.0) > proven) {
+    ++sum.near_buckling;
+    return;
+  }
   const bool rigid = chosen.model.chosen.level == ModelLevel::rigid;
   const std::vector<Gate> gates = model_gates_of(of.project, chosen.model);
-  const bool blocked =
-      std::any_of(gates.begin(), gates.end(), [](const Gate& gate) { return gate.blocks; });
-  if (blocked ||
+  if (std::any_of(gates.begin(), gates.end(), [](const Gate& gate) { return gate.blocks; }) ||
       (rigid && (chosen.model.weighed.empty() || chosen.model.weighed.front().error > 0.02))) {
     ++sum.unproven;
     return;
@@ -631,12 +636,12 @@ TEST_CASE("what is chosen for two hundred scenes by chance is within the toleran
   Judged sum;
   for (unsigned seed = 1; seed <= 200; ++seed) judge(seed, sum);
   WARN(sum.rigid << " rigid, " << sum.modal << " by modes, " << sum.closed << " of them closed, "
-                 << sum.sprung << " with a spring, " << sum.unproven << " without a model; worst "
-                 << sum.worst);
+                 << sum.sprung << " with a spring, " << sum.near_buckling << " near buckling, "
+                 << sum.unproven << " without a model; worst " << sum.worst);
   CHECK(sum.modal >= 50);
   CHECK(sum.closed >= 30);
   CHECK(sum.sprung >= 30);
-  CHECK(sum.unproven <= 20);
+  CHECK(sum.unproven <= 10);
 }
 
 }  // namespace elastic_motion_in_space_test
