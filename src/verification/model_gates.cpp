@@ -61,16 +61,17 @@ void look_at_second_order(const Project& project, const ModelChoice& model,
   // There an error of the axial force, such as the bent beam's shortening causes by the inertia of
   // what it moves, is amplified more than threefold: 1/(1 - 0.7).
   constexpr double proven = 0.7;
-  if (model.chosen.level == ModelLevel::modal && of.in_plane.part > proven &&
-      of.in_plane.part < 1.0) {
-    gates.push_back(
-        {"", "",
-         buckling_text(project, of.in_plane, "in the plane of motion") +
-             fmt::format(": above {} the beam's vibration is not proven, for the inertia "
-                         "that its shortening by bending causes is not in it",
-                         proven),
-         true});
-  }
+  const auto look_at_vibration = [&](const BucklingLoad& load, const char* plane) {
+    if (model.chosen.level != ModelLevel::modal || !(load.part > proven && load.part < 1.0)) return;
+    gates.push_back({"", "",
+                     buckling_text(project, load, plane) +
+                         fmt::format(": above {} the beam's vibration is not proven, for the "
+                                     "inertia that its shortening by bending causes is not in it",
+                                     proven),
+                     true});
+  };
+  look_at_vibration(of.in_plane, "in the plane of motion");
+  if (of.across && project.in_space) look_at_vibration(*of.across, "across it");
   // sin(0.1) is 0.2 % less than 0.1, the work of a turning force 0.4 % less than its square.
   constexpr double small = 0.1;
   if (counted && of.turn > small) {

@@ -151,4 +151,18 @@ TEST_CASE("modes in space are chosen with statics of the second order where an a
   }
 }
 
+// Pressed by 0.45 of what it bears along z, by 0.8 across.
+TEST_CASE("near buckling about either axis of an arm in space no vibration is proven",
+          "[pressed_vibration]") {
+  for (const bool along_z : {true, false}) {
+    const Pressed pressed{along_z, along_z ? 0.45 : 0.8, 0.5};
+    const Verification of = verify(parse_project("arm.toml", pressed.text()));
+    INFO(of.model.reason);
+    REQUIRE(of.model.chosen.level == ModelLevel::modal);
+    CHECK(std::any_of(of.gates.begin(), of.gates.end(), [](const Gate& gate) {
+      return gate.blocks && gate.finding.find("vibration is not proven") != std::string::npos;
+    }));
+  }
+}
+
 }  // namespace pressed_vibration_in_space_test
