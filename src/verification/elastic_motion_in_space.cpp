@@ -132,7 +132,7 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
     ModesInMotion at = followed.at(time);
     Posture posture;
     ModalPosture& modal = posture.modal;
-    modal.turn = followed.turn_of(at, time);
+    modal.turn = followed.turn_of(at.shapes, time);
     const auto k = static_cast<Eigen::Index>(followed.count());
     modal.squares.resize(k);
     Eigen::MatrixXd numbers;

@@ -22,11 +22,11 @@ class FollowedModes {
 
   /// Begins with those of the posture at a time, which are returned. Throws AnalysisError where
   /// there are none.
-  ModesInMotion begin_at(double time);
+  ModesOfPosture begin_at(double time);
   /// Those of another posture. Throws AnalysisError where there are fewer.
   ModesInMotion at(double time);
   /// From the basis they began in to their own. Throws AnalysisError where they are not recognised.
-  Eigen::MatrixXd turn_of(const ModesInMotion& modes, double time) const;
+  Eigen::MatrixXd turn_of(const Eigen::MatrixXd& shapes, double time) const;
   std::size_t count() const { return count_; }
 
   /// Borders between, at which the modes are to begin anew: those at which `acting_at` changes, and
@@ -39,6 +39,10 @@ class FollowedModes {
   Eigen::MatrixXd turned_at(const OpenMotion& motion, double border);
 
  private:
+  /// Those of another posture, without their motion through it.
+  ModesOfPosture still_at(double time);
+  void require_all(std::size_t found, double time) const;
+
   StoppedVibration* stopped_;
   StateAt state_at_;
   CutsAt cuts_at_;

@@ -1,5 +1,6 @@
 #include "vibrating_frame.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <utility>
 
