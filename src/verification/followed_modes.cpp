@@ -23,18 +23,18 @@ std::size_t whole_groups(const std::vector<frame::BeamMode>& modes, std::size_t 
 
 }  // namespace
 
-FollowedModes::FollowedModes(StoppedVibration& stopped, StateAt state_at, CutsAt cuts_at,
+FollowedModes::FollowedModes(StoppedVibration& stopped, StateAt state_at, CutsIn cuts_in,
                              std::size_t modes)
     : stopped_(&stopped),
       state_at_(std::move(state_at)),
-      cuts_at_(std::move(cuts_at)),
+      cuts_in_(std::move(cuts_in)),
       modes_(modes) {}
 
 ModesOfPosture FollowedModes::begin_at(double time) {
   /// Modes beyond those asked for, one of which may be alike.
   constexpr std::size_t more = 3;
   const std::size_t asked = stopped_->freedoms() + modes_;
-  ModesOfPosture first = stopped_->modes_with_shapes(state_at_(time), cuts_at_(time), asked + more);
+  ModesOfPosture first = shapes_at(time, asked + more);
   count_ = whole_groups(first.modes, asked);
   if (count_ == 0) refuse_vibration("without mass nothing vibrates; use --model rigid", time);
   first.modes.resize(count_);
@@ -43,13 +43,19 @@ ModesOfPosture FollowedModes::begin_at(double time) {
 }
 
 ModesInMotion FollowedModes::at(double time) {
-  ModesInMotion at = stopped_->modes_in_motion(state_at_(time), cuts_at_(time), count_);
+  const spatial::State state = state_at_(time);
+  ModesInMotion at = stopped_->modes_in_motion(state, cuts_in_(state), count_);
   require_all(at.modes.size(), time);
   return at;
 }
 
+ModesOfPosture FollowedModes::shapes_at(double time, std::size_t count) {
+  const spatial::State state = state_at_(time);
+  return stopped_->modes_with_shapes(state, cuts_in_(state), count);
+}
+
 ModesOfPosture FollowedModes::still_at(double time) {
-  ModesOfPosture at = stopped_->modes_with_shapes(state_at_(time), cuts_at_(time), count_);
+  ModesOfPosture at = shapes_at(time, count_);
   require_all(at.modes.size(), time);
   return at;
 }
@@ -68,8 +74,9 @@ Eigen::MatrixXd FollowedModes::turn_of(const Eigen::MatrixXd& shapes, double tim
 }
 
 std::vector<double> FollowedModes::changes_over(
-    OpenMotion& motion, const std::function<std::vector<bool>(double time)>& acting_at) {
-  constexpr double steps = 8.0, well_recognised = 0.97;
+    OpenMotion& motion, double instants,
+    const std::function<std::vector<bool>(double time)>& acting_at) {
+  constexpr double well_recognised = 0.97;
   std::vector<double> changes = changes_between(motion.borders, acting_at), more;
   double begun = motion.begin, last = begun;
   begin_at(begun);
@@ -79,7 +86,7 @@ std::vector<double> FollowedModes::changes_over(
       begun = last = from;
       begin_at(from + 1e-6 * length);
     }
-    const int parts = std::max(1, static_cast<int>(length / (steps * motion.step())));
+    const int parts = std::max(1, static_cast<int>(length / (instants * motion.step())));
     for (int part = 0; part < parts; ++part) {
       const double time = from + length * (part + 0.5) / parts;
       const Eigen::JacobiSVD<Eigen::MatrixXd> same(still_at(time).shapes.transpose() * reference_);
