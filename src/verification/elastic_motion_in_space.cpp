@@ -128,14 +128,19 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
   const auto acting_at = [&](double time) {
     return acting_springs(chain.mechanism(), states.at(time));
   };
+  const spatial::BeamBody body =
+      spatial::beam_body_of(project.beam, stopped.placements().front(), chain.mechanism());
   FollowedModes followed(
       stopped, [&](double time) { return states.at(time); },
-      [&](double time) { return cut_forces_of(rigid_(si<Time>(time))); }, modes);
+      [&](const spatial::State& state) {
+        return rigid_cut_forces(chain, state, body, chain.joint_wrenches(state));
+      },
+      modes);
   const auto posture_at = [&](double time) {
     ModesInMotion at = followed.at(time);
     Posture posture;
     ModalPosture& modal = posture.modal;
-    modal.turn = followed.turn_of(at, time);
+    modal.turn = followed.turn_of(at.shapes, time);
     const auto k = static_cast<Eigen::Index>(followed.count());
     modal.squares.resize(k);
     Eigen::MatrixXd numbers;
@@ -149,10 +154,12 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
     }
     modal.force = std::move(at.force);
     modal.damping = std::move(at.damping);
-    modal.of_material = modal.damping;
+    // Of a material without damping dampers would leave round-off, which no polynomial follows.
+    const bool yields = project.model.retardation > 0.0;
+    modal.of_material = yields ? modal.damping : Eigen::MatrixXd::Zero(k, k);
     Eigen::MatrixXd by_rate = Eigen::MatrixXd::Zero(damped_ ? k : 0, numbers.cols());
     for (const frame::DampedTie& of : at.dampers) {
-      modal.of_material -= of.damping * of.gaps * of.gaps.transpose();
+      if (yields) modal.of_material -= of.damping * of.gaps * of.gaps.transpose();
       by_rate += of.damping * of.gaps * numbers_.of(of.loads);
     }
     modal.of_rate = std::move(at.turning.of_rate);
@@ -181,10 +188,11 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
     return;
   }
   OpenMotion motion = open_motion_of(chain, span);
-  const std::vector<double> changes = followed.changes_over(motion, acting_at);
-  followed.begin_at(begin_);
   PassedOnce passed;
-  passed.changes = changes;
+  // Steps that forces decide are short beside how its posture and its loads change.
+  if (stopped.freedoms() > 0) passed.instants_to_a_piece = 32.0;
+  passed.changes = followed.changes_over(motion, passed.instants_to_a_piece, acting_at);
+  followed.begin_at(begin_);
   passed.turned_at = [&](double change) { return followed.turned_at(motion, change); };
   passed.resting = [&]() -> RestingModes {
     const double behind = motion.behind();

@@ -34,11 +34,13 @@ PeriodicDerivatives periodic_derivatives(Eigen::Index n) {
   return d;
 }
 
-/// p(x + by).
+/// p(x + by), by Horner's scheme again and again.
 template <int Degree>
-Polynomial<Degree> moved_by_length(const Polynomial<Degree>& p, double by, double length) {
+Polynomial<Degree> moved_by_length(Polynomial<Degree> p, double by) {
   if (by == 0.0) return p;
-  return interpolate<Degree>([&](double x) { return p(x + by); }, length);
+  for (std::size_t first = 0; first + 1 < p.size; ++first)
+    for (std::size_t k = p.size - 1; k-- > first;) p.c[k] += by * p.c[k + 1];
+  return p;
 }
 
 template <int Degree>
@@ -124,13 +126,12 @@ std::vector<LineLoad> on_stretches_of(const std::vector<LineLoad>& lines,
     line.start = piece.start;
     line.length = piece.length;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      line.force[axis] = moved_by_length(lines[at].force[axis], by, piece.length.value());
-      line.couple[axis] = moved_by_length(lines[at].couple[axis], by, piece.length.value());
+      line.force[axis] = moved_by_length(lines[at].force[axis], by);
+      line.couple[axis] = moved_by_length(lines[at].couple[axis], by);
     }
     for (std::size_t axis = 0; axis < 2; ++axis)
       for (std::size_t sense = 0; sense < 2; ++sense)
-        line.outside[axis][sense] =
-            moved_by_length(lines[at].outside[axis][sense], by, piece.length.value());
+        line.outside[axis][sense] = moved_by_length(lines[at].outside[axis][sense], by);
   }
   return result;
 }

@@ -27,19 +27,19 @@ ModalEquations unpacked_from(const Eigen::VectorXd& all, Eigen::Index k) {
 
 ModalTransient::ModalTransient(OpenMotion motion, const PassedOnce& passed)
     : motion_(std::move(motion)) {
-  constexpr double instants_to_a_piece = 8.0;
+  const double longest_piece = passed.instants_to_a_piece * motion_.step();
   std::vector<double> borders;
   auto change = passed.changes.begin();
   for (const double border : motion_.borders) {
     borders.push_back(border);
     if (change == passed.changes.end() || *change != border) continue;
-    respond(passed, borders, instants_to_a_piece * motion_.step());
+    respond(passed, borders, longest_piece);
     response_->turn(passed.turned_at(border));
     turned_ = response_->states().size() - 1;
     borders = {border};
     ++change;
   }
-  respond(passed, borders, instants_to_a_piece * motion_.step());
+  respond(passed, borders, longest_piece);
   if (!motion_.rests_behind) return;
   const double end = motion_.end(), watched = length_watched(passed.resting());
   respond(passed, {end, end + watched}, passed.vibrates_behind ? 0.5 / lowest_ : watched);
@@ -57,7 +57,8 @@ void ModalTransient::respond(const PassedOnce& passed, const std::vector<double>
     return packed_with(aligned(at.posture), at.beside);
   };
   // Behind the end postures change no faster than modes do.
-  const double shortest = response_ ? 0.5 / fastest_ : motion_.step();
+  const bool behind = borders.front() >= motion_.end();
+  const double shortest = behind ? 0.5 / fastest_ : motion_.step();
   ChebyshevCurve made(
       ask, ChebyshevCurve::Division{borders, longest_piece, std::min(shortest, longest_piece)},
       passed.accuracy);
@@ -65,8 +66,7 @@ void ModalTransient::respond(const PassedOnce& passed, const std::vector<double>
       passages_.emplace_back(Passage{borders.back(), std::move(made), modes}).curve;
   constexpr double steps_to_a_period = 20.0, steps_to_a_piece = 2.0;
   double longest_step = 1.0 / (steps_to_a_period * fastest_);
-  if (borders.front() < motion_.end())
-    longest_step = std::min(longest_step, curve.shortest_piece() / steps_to_a_piece);
+  if (!behind) longest_step = std::min(longest_step, curve.shortest_piece() / steps_to_a_piece);
   const auto equations = [&](double time) {
     return unpacked_from(curve.at(time, size_of_equations(modes)), modes);
   };

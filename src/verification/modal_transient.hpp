@@ -32,6 +32,8 @@ struct PassedOnce {
   /// Of C, K column by column, p and what is beside, as one column.
   ChebyshevCurve::Accuracy accuracy;
   std::function<RestingModes()> resting;
+  /// Of its pieces to begin with.
+  double instants_to_a_piece = 8.0;
   /// Whether postures change behind an end at rest, no faster than the modes.
   bool vibrates_behind = false;
   /// Of the borders those at which modes change at once, for others act from there on, ascending.
@@ -46,10 +48,10 @@ struct PassedOnce {
 ///
 /// (`TransientResponse`), at rest or under way without a free vibration (`state_at_begin`); C, K, p
 /// and what is asked beside them by polynomials between borders (`ChebyshevCurve`), from pieces of
-/// eight instants on. Where modes change at once, motion and momentum go on. Where the motion ends
-/// at rest the free vibration is followed until it is down to a twentieth of the largest stress
-/// that coordinates made, for three periods of the lowest mode at least where it does not die out,
-/// for one and a half in any case.
+/// so many instants on (`PassedOnce`). Where modes change at once, motion and momentum go on. Where
+/// the motion ends at rest the free vibration is followed until it is down to a twentieth of the
+/// largest stress that coordinates made, for three periods of the lowest mode at least where it
+/// does not die out, for one and a half in any case.
 class ModalTransient {
  public:
   /// Asks at construction only.

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
@@ -187,6 +188,14 @@ bool StoppedVibration::takes_over() const {
   return freedoms() > 0 || has_springs(chain_->mechanism());
 }
 
+std::vector<std::size_t> StoppedVibration::bodies_of_scene() const {
+  std::vector<std::size_t> bodies;
+  for (std::size_t i = 0; i < members_.size(); ++i)
+    if (members_[i] != frame::ground && members_[i] >= static_cast<int>(placements_.size()))
+      bodies.push_back(i);
+  return bodies;
+}
+
 std::size_t StoppedVibration::freedoms() const {
   const std::vector<spatial::Joint>& joints = chain_->mechanism().joints;
   return static_cast<std::size_t>(std::count_if(joints.begin(), joints.end(), spatial::is_forced));
@@ -197,7 +206,7 @@ std::vector<frame::BeamMode> StoppedVibration::modes(const spatial::State& state
                                                      std::size_t count) {
   const std::size_t moved = freedoms();
   std::vector<frame::BeamMode> modes =
-      frame::modes_of(scene_in(state, rigid), count + moved, ties_);
+      frame::modes_of(frame::FactoredScene(scene_in(state, rigid), ties_), count + moved);
   // Those of whole bodies on their springs strain the beams least.
   for (std::size_t k = 0; k < moved && !modes.empty(); ++k)
     modes.erase(std::min_element(modes.begin(), modes.end(),
@@ -212,39 +221,76 @@ Eigen::VectorXd StoppedVibration::rigid_cuts(const spatial::State& state,
   return cuts_of_scene(scene_in(state, rigid));
 }
 
-ModesInMotion StoppedVibration::modes_in_motion(const spatial::State& state,
-                                                const CutForceDiagram& rigid, std::size_t count) {
-  const spatial::Mechanism& mechanism = chain_->mechanism();
-  auto [scene, contacts] = contacts_in(state, rigid);
-  ModesInMotion result;
-  result.modes = frame::modes_of(scene, count, ties_);
-  result.gaps = frame::gaps_of(scene, result.modes, contacts);
+ModesOfPosture StoppedVibration::modes_with_shapes(frame::VibratingScene scene,
+                                                   const spatial::State& state, std::size_t count) {
+  const frame::FactoredScene factored(std::move(scene), ties_);
+  ModesOfPosture of{factored, frame::modes_of(factored, count), {}};
+  const std::vector<frame::RigidMass>& bodies = factored.scene().bodies;
   const spatial::BeamPlacement& first = placements_.front();
   const Matrix3d R_WB = state.bodies[static_cast<std::size_t>(first.body)].R_WB * first.axes;
-  const auto turning_of = [&](std::size_t body) {
-    const spatial::BodyMotion& of = state.bodies[body];
-    return frame::Turning{R_WB.transpose() * of.omega, R_WB.transpose() * of.alpha};
-  };
-  std::vector<frame::Turning> frames;
-  for (const spatial::BeamPlacement& of : placements_)
-    frames.push_back(turning_of(static_cast<std::size_t>(of.body)));
   /// Of the bodies, in the order of the scene: from its axes to their own, and roots of inertias.
   std::vector<Matrix3d> own, roots;
-  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
-    if (members_[i] == frame::ground || members_[i] < static_cast<int>(placements_.size()))
-      continue;
-    frames.push_back(turning_of(i));
+  for (const std::size_t i : bodies_of_scene()) {
     own.push_back(state.bodies[i].R_WB.transpose() * R_WB);
     roots.push_back(roots_[i]);
   }
+  const auto others = static_cast<Eigen::Index>(6 * own.size());
+  for (std::size_t k = 0; k < of.modes.size(); ++k) {
+    const frame::BeamMode& mode = of.modes[k];
+    const Eigen::VectorXd on_beams = frame::shape_on_beams(factored.scene(), mode);
+    if (k == 0)
+      of.shapes.resize(on_beams.size() + others, static_cast<Eigen::Index>(of.modes.size()));
+    Eigen::VectorXd beside = mode.motion.tail(others);
+    for (std::size_t b = 0; b < own.size(); ++b) {
+      const auto at = static_cast<Eigen::Index>(6 * b);
+      beside.segment<3>(at) = std::sqrt(bodies[b].mass) * (own[b] * beside.segment<3>(at)).eval();
+      beside.segment<3>(at + 3) = (roots[b] * own[b] * beside.segment<3>(at + 3)).eval();
+    }
+    of.shapes.col(static_cast<Eigen::Index>(k)) << on_beams, beside;
+  }
+  return of;
+}
+
+ModesOfPosture StoppedVibration::modes_with_shapes(const spatial::State& state,
+                                                   const CutForceDiagram& rigid,
+                                                   std::size_t count) {
+  return modes_with_shapes(scene_in(state, rigid), state, count);
+}
+
+ModesInMotion StoppedVibration::modes_in_motion(const spatial::State& state,
+                                                const CutForceDiagram& rigid, std::size_t count) {
+  SceneWithContacts all = contacts_in(state, rigid);
+  ModesOfPosture of = modes_with_shapes(std::move(all.scene), state, count);
+  const frame::VibratingScene& scene = of.scene.scene();
+  ModesInMotion result;
+  result.modes = std::move(of.modes);
+  result.shapes = std::move(of.shapes);
+  result.gaps = frame::gaps_of(scene, result.modes, all.contacts);
+  const spatial::BeamPlacement& first = placements_.front();
+  const Matrix3d R_WB = state.bodies[static_cast<std::size_t>(first.body)].R_WB * first.axes;
+  std::vector<frame::Turning> frames;
+  const auto add_turning_of = [&](std::size_t body) {
+    const spatial::BodyMotion& turning = state.bodies[body];
+    frames.push_back({R_WB.transpose() * turning.omega, R_WB.transpose() * turning.alpha});
+  };
+  for (const spatial::BeamPlacement& beam : placements_)
+    add_turning_of(static_cast<std::size_t>(beam.body));
+  for (const std::size_t body : bodies_of_scene()) add_turning_of(body);
   result.turning = frame::turning_terms_of(scene, result.modes, frames);
   if (scene.may_move > 0) press_free(scene, result.modes, frames, result.turning);
-  result.dampers = frame::damped_ties_of(scene, result.modes, ties_);
   const Eigen::VectorXd cuts = cuts_of_scene(scene);
-  if (takes_over()) {
+  std::optional<Eigen::VectorXd> bending;
+  if (scene.may_move > 0) bending = cuts;
+  frame::StaticParts parts = frame::static_parts_of(of.scene, result.modes, bending);
+  result.dampers = std::move(parts.dampers);
+  result.taken_over = std::move(parts.taken_over);
+  if (scene.may_move == 0 && takes_over()) {
     // What axial forces do to a beam that bends statically is left out.
-    scene.pressed = false;
-    result.taken_over = frame::taken_over_of(scene, cuts, result.modes, ties_);
+    frame::VibratingScene straight = scene;
+    straight.pressed = false;
+    result.taken_over =
+        frame::static_parts_of(frame::FactoredScene(std::move(straight), ties_), result.modes, cuts)
+            .taken_over;
   }
   const auto size = static_cast<Eigen::Index>(result.modes.size());
   result.force.resize(size);
@@ -254,17 +300,6 @@ ModesInMotion StoppedVibration::modes_in_motion(const spatial::State& state,
     for (Eigen::Index i = 0; i < size; ++i)
       result.damping(i, j) = result.modes[static_cast<std::size_t>(i)].motion.dot(mode.drag);
     result.force[j] = cuts.dot(mode.work);
-    const Eigen::VectorXd on_beams = frame::shape_on_beams(scene, mode);
-    const auto others = static_cast<Eigen::Index>(6 * own.size());
-    if (j == 0) result.shapes.resize(on_beams.size() + others, size);
-    Eigen::VectorXd beside = mode.motion.tail(others);
-    for (std::size_t b = 0; b < own.size(); ++b) {
-      const auto at = static_cast<Eigen::Index>(6 * b);
-      beside.segment<3>(at) =
-          std::sqrt(scene.bodies[b].mass) * (own[b] * beside.segment<3>(at)).eval();
-      beside.segment<3>(at + 3) = (roots[b] * own[b] * beside.segment<3>(at + 3)).eval();
-    }
-    result.shapes.col(j) << on_beams, beside;
   }
   return result;
 }

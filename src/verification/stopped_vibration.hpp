@@ -20,9 +20,19 @@ CutForceDiagram rigid_cut_forces(const spatial::Chain& chain, const spatial::Sta
 /// The six cut forces at stations, one station after the other.
 Eigen::VectorXd cuts_at(const CutForceDiagram& diagram, const std::vector<Station>& stations);
 
-/// Modes of a posture, with what a motion through it adds to their equations.
+/// Modes of a posture.
+struct ModesOfPosture {
+  frame::FactoredScene scene;
+  std::vector<frame::BeamMode> modes;
+  /// Motion of the beams and of the bodies in their own axes, by roots of masses: a column per
+  /// mode. Tells modes of different postures apart.
+  Eigen::MatrixXd shapes;
+};
+
+/// The same, with what a motion through it adds to their equations.
 struct ModesInMotion {
   std::vector<frame::BeamMode> modes;
+  Eigen::MatrixXd shapes;   ///< as of `ModesOfPosture`
   Eigen::VectorXd force;    ///< generalised, of the loads on the rigid beams
   Eigen::MatrixXd damping;  ///< phi^T C phi [1/s]
   Eigen::MatrixXd gaps;     ///< of springs that act from a length on, a row for each [m]
@@ -32,9 +42,6 @@ struct ModesInMotion {
   /// do (`StoppedVibration::takes_over`).
   std::optional<BeamLoads> taken_over;
   frame::TurningTerms turning;
-  /// Motion of the beams and of the bodies in their own axes, by roots of masses: a column per
-  /// mode. Tells modes of different postures apart.
-  Eigen::MatrixXd shapes;
 };
 
 /// Vibration of the beams of a mechanism in space, which is stopped in a posture: all beams of the
@@ -68,8 +75,13 @@ class StoppedVibration {
   std::vector<frame::BeamMode> modes(const spatial::State& state, const CutForceDiagram& rigid,
                                      std::size_t count);
 
-  /// The same modes of a posture that is passed in motion. Where forces move it, axial forces are
-  /// in what turning adds, between modes that are faster than twice the turning.
+  /// The lowest modes of a posture, those that move whole bodies among them; where forces move it
+  /// without axial forces.
+  ModesOfPosture modes_with_shapes(const spatial::State& state, const CutForceDiagram& rigid,
+                                   std::size_t count);
+
+  /// The same of a posture that is passed in motion. Where forces move it, axial forces are in what
+  /// turning adds, between modes that are faster than twice the turning.
   ModesInMotion modes_in_motion(const spatial::State& state, const CutForceDiagram& rigid,
                                 std::size_t count);
 
@@ -90,8 +102,13 @@ class StoppedVibration {
     std::vector<frame::Tie> contacts;
   };
   SceneWithContacts contacts_in(const spatial::State& state, const CutForceDiagram& rigid) const;
+  ModesOfPosture modes_with_shapes(frame::VibratingScene scene, const spatial::State& state,
+                                   std::size_t count);
   std::vector<frame::PosedBeam> beams_in(const spatial::State& state, const CutForceDiagram& rigid,
                                          const std::vector<spatial::Wrench>& wrenches) const;
+
+  /// The bodies behind the beams in a scene, in its order.
+  std::vector<std::size_t> bodies_of_scene() const;
 
   const spatial::Chain* chain_;
   GivingWay giving_;

@@ -491,6 +491,8 @@ MUTATIONS = [
          ("material-damping", "posed.beam->retardation() * piece.stiffness", "0.5 * posed.beam->retardation() * piece.stiffness",
           "what the material takes is what the drive does", "elastic_motion_in_space_test")),
     *_in("src/mechanism/frame", "static_parts.cpp",
+         ("moved-beside", "return moved - by_holding_ *", "return moved + by_holding_ *",
+          "what is moved statically is beside the modes, however it is held", "static_parts_test"),
          ("damper-beside", "pulled.accelerations = -(motions * of.gaps);", "pulled.accelerations.setZero();",
           "modes bear their part of a damper's force", "elastic_by_forces_test"),
          ("taken-over-in-space", "tied.tie->rigid.value_or(0.0) - tied.tie->stiffness", "tied.tie->rigid.value_or(0.0) + tied.tie->stiffness",

@@ -81,18 +81,23 @@ MatrixSum HeldScene::elastic_ties() const {
   return sum;
 }
 
-VectorXd HeldScene::tie_forces(const VectorXd& on_coordinates) const {
-  VectorXd on_kept(size_);
+MatrixXd HeldScene::on_kept(const MatrixXd& forces) const {
+  MatrixXd kept(size_, forces.cols());
   for (std::size_t i = 0; i < place_.size(); ++i) {
     if (place_[i] < 0) continue;
-    auto there = on_kept.segment<6>(place_[i]);
-    there = on_coordinates.segment<6>(static_cast<Index>(6 * i));
-    there.head<3>() *= ties_.length;
+    auto there = kept.middleRows<6>(place_[i]);
+    there = forces.middleRows<6>(static_cast<Index>(6 * i));
+    there.topRows<3>() *= ties_.length;
   }
-  return rigidly_->forces(on_kept).cwiseQuotient(norms_);
+  return kept;
 }
 
-std::optional<StandingScene> HeldScene::standing(const SceneStiffness& stiffness) const {
+VectorXd HeldScene::tie_forces(const VectorXd& on_coordinates) const {
+  return rigidly_->forces(on_kept(on_coordinates)).cwiseQuotient(norms_);
+}
+
+std::optional<StandingScene> HeldScene::standing(const SceneStiffness& stiffness,
+                                                 const MatrixXd& holding) const {
   StandingScene of(*this);
   MatrixSum sum = stiffness.beside;
   const double square = ties_.length * ties_.length;
@@ -117,7 +122,11 @@ std::optional<StandingScene> HeldScene::standing(const SceneStiffness& stiffness
     entry = {entry.row(), entry.col(),
              entry.value() * unit_of_row(entry.row(), ties_.length) *
                  unit_of_row(entry.col(), ties_.length)};
-  const MatrixXd left = rigidly_->reduced(sum.of_size(size_, size_));
+  MatrixXd left = rigidly_->reduced(sum.of_size(size_, size_));
+  if (holding.cols() > 0) {
+    const MatrixXd held = rigidly_->on_free(on_kept(holding)).colwise().normalized();
+    left += of.stiffest_ * held * held.transpose();
+  }
   of.factor_.compute(left);
   if (of.factor_.info() != Eigen::Success) return {};
   if (left.size() > 0) {
@@ -133,22 +142,14 @@ MatrixXd StandingScene::moved_by(MatrixXd forces) const {
     return forces.middleRows(held.rows_.beams[b], rows_of_nodes(held.scene_->beams[b]));
   };
   for (std::size_t b = 0; b < chains_.size(); ++b) chains_[b].carry_to_kept(beam_rows(b));
-  MatrixXd kept(held.size_, forces.cols());
-  const auto each_kept = [&](const auto& f) {
-    for (std::size_t i = 0; i < held.place_.size(); ++i)
-      if (held.place_[i] >= 0)
-        f(kept.middleRows<6>(held.place_[i]), forces.middleRows<6>(static_cast<Index>(6 * i)));
-  };
-  const double length = held.ties_.length;
-  each_kept([&](auto there, auto here) {
-    there = here;
-    there.template topRows<3>() *= length;
-  });
-  kept = held.rigidly_->motions(factor_.solve(held.rigidly_->on_free(kept)));
-  each_kept([&](auto there, auto here) {
-    here = there;
-    here.template topRows<3>() *= length;
-  });
+  const MatrixXd kept =
+      held.rigidly_->motions(factor_.solve(held.rigidly_->on_free(held.on_kept(forces))));
+  for (std::size_t i = 0; i < held.place_.size(); ++i) {
+    if (held.place_[i] < 0) continue;
+    auto here = forces.middleRows<6>(static_cast<Index>(6 * i));
+    here = kept.middleRows<6>(held.place_[i]);
+    here.topRows<3>() *= held.ties_.length;
+  }
   for (std::size_t b = 0; b < chains_.size(); ++b) chains_[b].move_between(beam_rows(b));
   return forces;
 }

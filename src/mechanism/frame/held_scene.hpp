@@ -42,11 +42,16 @@ class HeldScene {
   /// Sizes of rigid ties that do these forces.
   Eigen::VectorXd tie_forces(const Eigen::VectorXd& on_coordinates) const;
 
-  /// Factored; nothing where it moves without force or buckles.
-  std::optional<StandingScene> standing(const SceneStiffness& stiffness) const;
+  /// Factored; nothing where it moves without force or buckles. `holding`: forces on what is kept,
+  /// a column for each; it is held besides against them, as stiff as its stiffest.
+  std::optional<StandingScene> standing(const SceneStiffness& stiffness,
+                                        const Eigen::MatrixXd& holding = {}) const;
 
  private:
   friend class StandingScene;
+
+  /// Forces on what is kept, shifts as turns.
+  Eigen::MatrixXd on_kept(const Eigen::MatrixXd& forces) const;
 
   const VibratingScene* scene_;
   SceneRows rows_;

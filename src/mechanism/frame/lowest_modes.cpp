@@ -90,6 +90,7 @@ LowestModes lowest_modes_of(const ModeOperators& of, Index count, const VectorXd
   MatrixXd forces = of.inertia_of(motions_of_no_order(count + more, scale)),
            motions = of.moved_by(forces);
   MatrixXd parts = basis.add(motions, forces, of), by_ritz(0, 0);
+  Eigen::SelfAdjointEigenSolver<MatrixXd> solver;
   while (true) {
     const Index before = by_ritz.cols(), now = basis.count();
     if (now == before) break;
@@ -100,7 +101,7 @@ LowestModes lowest_modes_of(const ModeOperators& of, Index count, const VectorXd
     const MatrixXd beside = basis.motions().transpose() * forces;
     by_ritz.rightCols(now - before) = beside;
     by_ritz.bottomRows(now - before) = beside.transpose();
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(by_ritz);
+    solver.compute(by_ritz);
     parts = basis.add(motions, forces, of);
     bool found = now >= count;
     for (Index k = now; found && k-- > std::max<Index>(0, now - count);) {
@@ -112,7 +113,6 @@ LowestModes lowest_modes_of(const ModeOperators& of, Index count, const VectorXd
   }
   LowestModes modes;
   if (by_ritz.cols() == 0) return modes;
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(by_ritz);
   const Index all = by_ritz.cols();
   Index massive = 0;
   while (massive < std::min(count, all) &&

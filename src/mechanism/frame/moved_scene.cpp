@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/section/cut_forces.hpp"
@@ -209,7 +210,8 @@ double shift_of(const VibratingScene& scene) {
   return scene.may_move > 0 ? square_of_bending(scene) : 0.0;
 }
 
-std::optional<StandingScene> standing_with(const HeldScene& held, double shift) {
+std::optional<StandingScene> standing_with(const HeldScene& held, double shift,
+                                           const MatrixXd& holding) {
   const VibratingScene& scene = held.scene();
   SceneStiffness stiffness;
   for (const PosedBeam& posed : scene.beams) {
@@ -220,8 +222,20 @@ std::optional<StandingScene> standing_with(const HeldScene& held, double shift) 
   }
   stiffness.beside = held.elastic_ties();
   if (shift > 0.0) add_masses_of_bodies(held, shift, stiffness.beside);
-  return held.standing(stiffness);
+  return held.standing(stiffness, holding);
 }
+
+FactoredScene::Factors::Factors(VibratingScene of, KeptTies& last)
+    : scene(std::move(of)), held(scene, {}, last), shift(shift_of(scene)) {
+  if (held.free() == 0) return;
+  standing = standing_with(held, shift);
+  if (!standing) refuse_to_stand(scene);
+}
+
+FactoredScene::FactoredScene(VibratingScene scene, KeptTies& last)
+    : factors_(std::make_shared<const Factors>(std::move(scene), last)) {}
+
+const VibratingScene& FactoredScene::scene() const { return factors_->scene; }
 
 void refuse_to_stand(const VibratingScene& scene) {
   const char* const what = scene.may_move > 0

@@ -69,10 +69,24 @@ void add_tie_load(const HeldScene& held, const Tie& tie, double force, BeamLoads
 /// frequency of its beams [1/s^2].
 double shift_of(const VibratingScene& scene);
 
-/// Factored with its shift; nothing where it moves without force or mass, or buckles.
-std::optional<StandingScene> standing_with(const HeldScene& held, double shift);
+/// Factored with its shift; nothing where it moves without force or mass, or buckles. `holding`: as
+/// of `HeldScene::standing`.
+std::optional<StandingScene> standing_with(const HeldScene& held, double shift,
+                                           const Eigen::MatrixXd& holding = {});
 
 /// Throws the AnalysisError of a scene that does not stand.
 [[noreturn]] void refuse_to_stand(const VibratingScene& scene);
+
+/// Stays where it is made, for its parts look at each other.
+struct FactoredScene::Factors {
+  Factors(VibratingScene of, KeptTies& last);
+  Factors(const Factors&) = delete;
+  Factors& operator=(const Factors&) = delete;
+
+  VibratingScene scene;
+  HeldScene held;
+  double shift;                           ///< `shift_of`
+  std::optional<StandingScene> standing;  ///< with it; nothing where no motion is free
+};
 
 }  // namespace boxbeam::frame

@@ -1,3 +1,4 @@
+#include <Eigen/LU>
 #include <algorithm>
 
 #include "boxbeam/core/angle.hpp"
@@ -13,26 +14,54 @@ using Eigen::VectorXd;
 
 bool is_damped(const Tie& tie) { return tie.damping > 0.0; }
 
-/// What forces move that do no work in the modes that are followed. With a shift each round leaves
-/// of every other mode the part that the shift is of its square with it.
-VectorXd moved_by_others(const HeldScene& held, const StandingScene& standing, double shift,
-                         const VectorXd& forces) {
-  constexpr int most_rounds = 100;
-  constexpr double same = 1e-15;
-  VectorXd moved = VectorXd::Zero(forces.size());
-  for (int round = 0; round < most_rounds; ++round) {
-    const VectorXd before = moved;
-    moved = standing.moved_by(forces + shift * inertia_of(held.scene(), held.rows(), before));
-    if (shift == 0.0 || (moved - before).norm() <= same * moved.norm()) break;
+/// What is moved beside modes that are followed, by forces that do no work in them, K y = f. Where
+/// K has no inverse, or nearly none, the scene is held besides against its softest modes phi, by c
+/// h h^T: y = y' + z a then, both without modes,
+///
+///     y' = (K + c h h^T)^-1 f,   z = (K + c h h^T)^-1 h,   phi^T M (y' + z a) = 0
+class MovedBeside {
+ public:
+  /// `motions`: of the modes, as coordinates, the softest first.
+  MovedBeside(const FactoredScene::Factors& of, const MatrixXd& motions)
+      : standing_(&*of.standing) {
+    if (of.scene.may_move == 0) return;
+    const auto soft = std::min(static_cast<Index>(of.scene.may_move), motions.cols());
+    const SceneRows& rows = of.held.rows();
+    MatrixXd holding = MatrixXd::Zero(rows.size, soft);
+    for (Index row = 0; row < rows.size; ++row) {
+      const double unit = unit_of_row(row, of.held.ties().length);
+      if (of.held.kept_row(row) >= 0)
+        holding.row(row) = motions.row(row).head(soft) / (unit * unit);
+    }
+    besides_ = standing_with(of.held, 0.0, holding);
+    if (!besides_) refuse_to_stand(of.scene);
+    standing_ = &*besides_;
+    inertia_ = inertia_of(of.scene, rows, motions.leftCols(soft));
+    by_holding_ = besides_->moved_by(holding);
   }
-  return moved;
-}
+  MovedBeside(const MovedBeside&) = delete;
+  MovedBeside& operator=(const MovedBeside&) = delete;
 
-/// What forces move of a scene that stands with a shift alone: of the modes that are given, all
-/// that are soft, by their frequencies, and of the others.
-VectorXd moved_beside_shift(const HeldScene& held, const StandingScene& standing, double shift,
-                            const std::vector<BeamMode>& modes, const VectorXd& forces) {
-  const MatrixXd motions = in_beam_axes(held.scene(), held.rows(), motions_of(modes));
+  MatrixXd moved_by(const MatrixXd& forces) const {
+    MatrixXd moved = standing_->moved_by(forces);
+    if (!besides_) return moved;
+    const MatrixXd of_holding = inertia_.transpose() * by_holding_;
+    return moved - by_holding_ * of_holding.partialPivLu().solve(inertia_.transpose() * moved);
+  }
+
+ private:
+  std::optional<StandingScene> besides_;
+  const StandingScene* standing_;
+  MatrixXd inertia_;     ///< of the softest modes
+  MatrixXd by_holding_;  ///< z
+};
+
+/// What forces move, by modes that are followed and by all others. Of a scene that stands by itself
+/// modes are not asked, which may be those of another stiffness.
+VectorXd moved_statically(const HeldScene& held, const std::vector<BeamMode>& modes,
+                          const MatrixXd& motions, const MovedBeside& beside,
+                          const VectorXd& forces) {
+  if (held.scene().may_move == 0) return beside.moved_by(forces);
   const VectorXd work = motions.transpose() * forces;
   VectorXd of_modes(work.size());
   for (Index j = 0; j < work.size(); ++j) {
@@ -40,7 +69,7 @@ VectorXd moved_beside_shift(const HeldScene& held, const StandingScene& standing
     of_modes[j] = omega > 0.0 ? work[j] / (omega * omega) : 0.0;
   }
   const VectorXd left = forces - inertia_of(held.scene(), held.rows(), motions * work);
-  return motions * of_modes + moved_by_others(held, standing, shift, left);
+  return motions * of_modes + beside.moved_by(left);
 }
 
 /// B^T c: the forces on the coordinates that strain as these cut forces do.
@@ -65,17 +94,9 @@ VectorXd straining_forces(const HeldScene& held, const VectorXd& cuts) {
   return forces;
 }
 
-}  // namespace
-
-std::vector<DampedTie> damped_ties_of(const VibratingScene& scene,
-                                      const std::vector<BeamMode>& modes, KeptTies& last) {
-  if (std::none_of(scene.ties.begin(), scene.ties.end(), is_damped)) return {};
-  const HeldScene held(scene, {}, last);
+std::vector<DampedTie> damped_ties_of(const HeldScene& held, const MatrixXd& motions,
+                                      const MovedBeside& beside) {
   const SceneRows& rows = held.rows();
-  const double shift = shift_of(scene);
-  const auto standing = standing_with(held, shift);
-  if (!standing) refuse_to_stand(scene);
-  const MatrixXd motions = in_beam_axes(scene, rows, motions_of(modes));
   std::vector<DampedTie> all;
   for (const Tied& tied : held.ties().elastic) {
     if (!is_damped(*tied.tie)) continue;
@@ -86,8 +107,8 @@ std::vector<DampedTie> damped_ties_of(const VibratingScene& scene,
     for (const auto& [row, per] : tied.gap.parts) pulled.applied.segment<6>(row) -= per;
     of.gaps = -(motions.transpose() * pulled.applied);
     pulled.accelerations = -(motions * of.gaps);
-    pulled.moved = moved_by_others(held, *standing, shift,
-                                   pulled.applied - inertia_of(scene, rows, pulled.accelerations));
+    pulled.moved =
+        beside.moved_by(pulled.applied - inertia_of(held.scene(), rows, pulled.accelerations));
     CutForceDiagram cut;
     add_loads_on_first(held, pulled, forces_of(held, pulled.moved).elastic, of.loads, cut);
     add_tie_load(held, *tied.tie, -1.0, of.loads);
@@ -95,15 +116,11 @@ std::vector<DampedTie> damped_ties_of(const VibratingScene& scene,
   return all;
 }
 
-BeamLoads taken_over_of(const VibratingScene& scene, const VectorXd& cuts,
-                        const std::vector<BeamMode>& modes, KeptTies& last) {
-  const HeldScene held(scene, {}, last);
-  const double shift = shift_of(scene);
-  const auto standing = standing_with(held, shift);
-  if (!standing) refuse_to_stand(scene);
+BeamLoads taken_over_of(const HeldScene& held, const VectorXd& cuts,
+                        const std::vector<BeamMode>& modes, const MatrixXd& motions,
+                        const MovedBeside& beside) {
   const VectorXd forces = straining_forces(held, cuts),
-                 moved = shift > 0.0 ? moved_beside_shift(held, *standing, shift, modes, forces)
-                                     : standing->moved_by(forces).col(0);
+                 moved = moved_statically(held, modes, motions, beside, forces);
   BeamLoads loads;
   // On the modes' pieces nothing but ties acts.
   loads.lines = modes.front().loads.lines;
@@ -120,6 +137,22 @@ BeamLoads taken_over_of(const VibratingScene& scene, const VectorXd& cuts,
     add_tie_load(held, *tied.tie,
                  tied.tie->rigid.value_or(0.0) - tied.tie->stiffness * tied.gap.of(moved), loads);
   return loads;
+}
+
+}  // namespace
+
+StaticParts static_parts_of(const FactoredScene& factored, const std::vector<BeamMode>& modes,
+                            const std::optional<VectorXd>& cuts) {
+  const FactoredScene::Factors& of = factored.factors();
+  const std::vector<Tie>& ties = of.scene.ties;
+  const bool damped = std::any_of(ties.begin(), ties.end(), is_damped);
+  StaticParts parts;
+  if (modes.empty() || (!damped && !cuts)) return parts;
+  const MatrixXd motions = in_beam_axes(of.scene, of.held.rows(), motions_of(modes));
+  const MovedBeside beside(of, motions);
+  parts.dampers = damped_ties_of(of.held, motions, beside);
+  if (cuts) parts.taken_over = taken_over_of(of.held, *cuts, modes, motions, beside);
+  return parts;
 }
 
 }  // namespace boxbeam::frame

@@ -131,21 +131,20 @@ TurningTerms turning_terms_of(const Matrix3d& inertia, const Turning& frame) {
 
 std::vector<BeamMode> modes_of(const VibratingScene& scene, std::size_t count) {
   KeptTies last;
-  return modes_of(scene, count, last);
+  return modes_of(FactoredScene(scene, last), count);
 }
 
-std::vector<BeamMode> modes_of(const VibratingScene& scene, std::size_t count, KeptTies& last) {
-  const HeldScene held(scene, {}, last);
+std::vector<BeamMode> modes_of(const FactoredScene& factored, std::size_t count) {
+  const auto& [scene, held, shift, standing] = factored.factors();
+  if (!standing) return {};
   const SceneRows& rows = held.rows();
-  if (held.free() == 0) return {};
-  const double shift = shift_of(scene);
-  const auto standing = standing_with(held, shift);
-  if (!standing) refuse_to_stand(scene);
   VectorXd unit(rows.size);
   for (Index k = 0; k < rows.size; ++k) unit[k] = unit_of_row(k, held.ties().length);
   const LowestModes found =
-      lowest_modes_of({[&](const MatrixXd& forces) { return standing->moved_by(forces); },
-                       [&](const MatrixXd& motions) { return inertia_of(scene, rows, motions); }},
+      lowest_modes_of({[&of = *standing](const MatrixXd& forces) { return of.moved_by(forces); },
+                       [&scene = scene, &rows](const MatrixXd& motions) {
+                         return inertia_of(scene, rows, motions);
+                       }},
                       static_cast<Index>(count), unit);
   const double round_off = 1e-15 * standing->stiffest();
   const auto own = static_cast<Index>(6 * scene.beams.front().beam->nodes().size());

@@ -189,6 +189,22 @@ struct EliminatedTies;
 /// order mostly does.
 using KeptTies = std::shared_ptr<EliminatedTies>;
 
+/// A scene as its ties hold it, its stiffness factored: once for all that is asked of a posture.
+class FactoredScene {
+ public:
+  /// `last`: what is kept from one posture of a scene to the next. Throws AnalysisError where
+  /// something is free to move or buckles under the axial forces.
+  FactoredScene(VibratingScene scene, KeptTies& last);
+
+  const VibratingScene& scene() const;
+
+  struct Factors;
+  const Factors& factors() const { return *factors_; }
+
+ private:
+  std::shared_ptr<const Factors> factors_;
+};
+
 /// The lowest small free vibrations of a scene, ascending; fewer where fewer have mass. Throws
 /// AnalysisError where something is free to move or buckles under the axial forces.
 ///
@@ -198,8 +214,7 @@ using KeptTies = std::shared_ptr<EliminatedTies>;
 /// part of its energy that is torsion, stretching or shear, (k h)^2/24: with eight pieces a
 /// cantilever's first in bending by 2e-6, in torsion by 1.6e-3. Source: Rayleigh, The Theory of
 /// Sound (1877), section 88.
-/// `last`: what is kept from one posture of a scene to the next.
-std::vector<BeamMode> modes_of(const VibratingScene& scene, std::size_t count, KeptTies& last);
+std::vector<BeamMode> modes_of(const FactoredScene& scene, std::size_t count);
 std::vector<BeamMode> modes_of(const VibratingScene& scene, std::size_t count);
 
 /// A damper among the ties of a scene, which draws its gap together by `damping` times the gap's
@@ -213,16 +228,19 @@ struct DampedTie {
   BeamLoads loads;
 };
 
-/// `modes`: those that are followed.
-std::vector<DampedTie> damped_ties_of(const VibratingScene& scene,
-                                      const std::vector<BeamMode>& modes, KeptTies& last);
+/// What a scene does statically beside its modes.
+struct StaticParts {
+  std::vector<DampedTie> dampers;
+  /// What ties take over from the first beam where a scene bends statically under loads whose cut
+  /// forces in rigid beams and ties that give way are known, K y = B^T c: its loads beside those,
+  /// in balance.
+  std::optional<BeamLoads> taken_over;
+};
 
-/// What ties take over from the first beam where a scene bends statically under loads whose cut
-/// forces in rigid beams and ties that give way are these (as of `BeamMode::work`), K y = B^T c:
-/// its loads beside those, in balance. `modes`: of a scene that is free to move all that are soft
-/// among them. Precondition: it is not pressed.
-BeamLoads taken_over_of(const VibratingScene& scene, const Eigen::VectorXd& cuts,
-                        const std::vector<BeamMode>& modes, KeptTies& last);
+/// `modes`: those that are followed, all that are soft among them. `cuts`: as of `BeamMode::work`,
+/// where what is taken over is asked for, of a scene that is not pressed.
+StaticParts static_parts_of(const FactoredScene& scene, const std::vector<BeamMode>& modes,
+                            const std::optional<Eigen::VectorXd>& cuts);
 
 /// The gap that each mode makes of ties that may be others than those of the scene: a row for each
 /// tie.
