@@ -257,6 +257,21 @@ ModesOfPosture StoppedVibration::modes_with_shapes(const spatial::State& state,
   return modes_with_shapes(scene_in(state, rigid), state, count);
 }
 
+BeamLoads StoppedVibration::taken_over_in(frame::VibratingScene scene,
+                                          const std::vector<frame::BeamMode>& modes,
+                                          const Eigen::VectorXd& cuts) {
+  scene.pressed = false;
+  const frame::FactoredScene straight(std::move(scene), ties_);
+  return *frame::static_parts_of(straight, modes, cuts).taken_over;
+}
+
+BeamLoads StoppedVibration::taken_over(const spatial::State& state, const CutForceDiagram& rigid,
+                                       const std::vector<frame::BeamMode>& modes) {
+  frame::VibratingScene scene = scene_in(state, rigid);
+  const Eigen::VectorXd cuts = cuts_of_scene(scene);
+  return taken_over_in(std::move(scene), modes, cuts);
+}
+
 ModesInMotion StoppedVibration::modes_in_motion(const spatial::State& state,
                                                 const CutForceDiagram& rigid, std::size_t count) {
   SceneWithContacts all = contacts_in(state, rigid);
@@ -284,14 +299,8 @@ ModesInMotion StoppedVibration::modes_in_motion(const spatial::State& state,
   frame::StaticParts parts = frame::static_parts_of(of.scene, result.modes, bending);
   result.dampers = std::move(parts.dampers);
   result.taken_over = std::move(parts.taken_over);
-  if (scene.may_move == 0 && takes_over()) {
-    // What axial forces do to a beam that bends statically is left out.
-    frame::VibratingScene straight = scene;
-    straight.pressed = false;
-    result.taken_over =
-        frame::static_parts_of(frame::FactoredScene(std::move(straight), ties_), result.modes, cuts)
-            .taken_over;
-  }
+  if (scene.may_move == 0 && takes_over())
+    result.taken_over = taken_over_in(scene, result.modes, cuts);
   const auto size = static_cast<Eigen::Index>(result.modes.size());
   result.force.resize(size);
   result.damping.resize(size, size);

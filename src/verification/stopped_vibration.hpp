@@ -85,6 +85,12 @@ class StoppedVibration {
   ModesInMotion modes_in_motion(const spatial::State& state, const CutForceDiagram& rigid,
                                 std::size_t count);
 
+  /// What springs take over from the verified beam as it bends statically where drivers move the
+  /// mechanism, without what axial forces do to the bent beam. `modes`: of that posture, at least
+  /// one.
+  BeamLoads taken_over(const spatial::State& state, const CutForceDiagram& rigid,
+                       const std::vector<frame::BeamMode>& modes);
+
   /// What rigid bodies put in all members, joints and rods that give way where `BeamMode::work` has
   /// it; `rigid`: the cut forces of the verified beam.
   Eigen::VectorXd rigid_cuts(const spatial::State& state, const CutForceDiagram& rigid) const;
@@ -96,6 +102,8 @@ class StoppedVibration {
   frame::VibratingScene scene_in(const spatial::State& state, const CutForceDiagram& rigid) const;
 
  private:
+  BeamLoads taken_over_in(frame::VibratingScene scene, const std::vector<frame::BeamMode>& modes,
+                          const Eigen::VectorXd& cuts);
   /// The scene, and ties along springs that act from a length on.
   struct SceneWithContacts {
     frame::VibratingScene scene;

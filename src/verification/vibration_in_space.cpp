@@ -9,6 +9,7 @@
 #include <limits>
 #include <string_view>
 
+#include "bent_in_space.hpp"
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/spatial/rest.hpp"
@@ -183,6 +184,17 @@ class SpaceEstimate {
     return weighed_.missed(modes, once_ ? parts_once(modes) : parts_over_period(modes));
   }
 
+  /// What static loads beside those of rigid bodies add, some in each of these postures.
+  double missed_statically(const std::vector<BeamLoads>& loads) const {
+    Eigen::MatrixXd stresses(static_cast<Eigen::Index>(loads.size()), weighed_.stresses.cols());
+    for (Eigen::Index i = 0; i < stresses.rows(); ++i)
+      stresses.row(i) =
+          stresses_at(cut_forces_of(loads[static_cast<std::size_t>(i)]), weighed_.places);
+    const double of_peak = stresses.cwiseAbs().maxCoeff() / weighed_.peak;
+    if (weighed_.range == 0.0) return of_peak;
+    return std::max(of_peak, largest_range(stresses) / weighed_.range);
+  }
+
   std::vector<LoadHarmonic> harmonics() const { return weighed_.harmonics(*history_); }
 
  private:
@@ -294,12 +306,18 @@ VibrationInSpace estimate_vibration_in_space(const Project& project, const Situa
   const double begin = run.loads.begin().value(), period = run.loads.period().value();
   double fastest = 0.0, sliding = 0.0;
   double beside = 0.0;  // of the first mode's mass what is not the beam's
+  // Elsewhere it is part of what the second order adds.
+  const bool bends_beside = stopped.freedoms() == 0 && stopped.takes_over() &&
+                            !obstacle_to_bending_in_space(project, chain).empty();
+  std::vector<BeamLoads> statically;
   /// The first frequency in a posture, which is weighed; infinite without mass.
   const auto look_at = [&](double time) {
     const spatial::State state = chain.at(time);
     const std::vector<frame::BeamMode> modes =
         stopped.modes(state, run.loads.diagram_at(si<Time>(time)), modes_estimated);
     if (modes.empty()) return std::numeric_limits<double>::infinity();
+    if (bends_beside)
+      statically.push_back(stopped.taken_over(state, run.loads.diagram_at(si<Time>(time)), modes));
     for (const spatial::BeamPlacement& beam : stopped.placements())
       fastest = std::max(fastest, state.bodies[static_cast<std::size_t>(beam.body)].omega.norm());
     const std::vector<double> missed =
@@ -359,6 +377,7 @@ VibrationInSpace estimate_vibration_in_space(const Project& project, const Situa
   for (std::size_t k = 1; k < estimate.without_modes.size(); ++k)
     estimate.without_modes[k] += coupled;
   estimate.without_modes.front() += turning;
+  if (bends_beside) estimate.without_modes.front() += of_loads.missed_statically(statically);
   const double rubbed = friction_in(chain.mechanism()) * estimate.without_modes.front();
   for (double& error : estimate.without_modes) error += rubbed;
   estimate.left_out = coupled + rubbed;

@@ -1,4 +1,4 @@
-// Vibration in space of a beam that is pressed: what bends statically does so by the second order.
+// Vibration in space of a beam that is pressed, or held by springs: how it bends statically.
 
 #include <algorithm>
 #include <cmath>
@@ -163,6 +163,71 @@ TEST_CASE("near buckling about either axis of an arm in space no vibration is pr
       return gate.blocks && gate.finding.find("vibration is not proven") != std::string::npos;
     }));
   }
+}
+
+// A spring k below the tip bears k L^3/(3 E I) less for the arm gives way: a/(1/k + L^3/(3 E I)) of
+// the shift a. A trolley that is next to nothing runs along the arm, for which no second order is
+// known, which has the same where it is.
+TEST_CASE("what a spring takes over from an arm is known where a joint slides along it",
+          "[pressed_vibration]") {
+  constexpr double k = 4e5, shift = 0.01;
+  const std::string joints = fmt::format(R"(
+[bodies.hub]
+mass = "1 kg"
+points = {{ o = ["0 m", "0 m", "0 m"] }}
+[bodies.trolley]
+mass = "0.1 kg"
+centre = ["0 m", "0 m", "0 m"]
+inertia = ["1e-3 kg m^2", "1e-3 kg m^2", "1e-3 kg m^2"]
+points = {{ c = ["0 m", "0 m", "0 m"] }}
+[joints.slide]
+kind = "prismatic"
+connect = ["ground", "hub.o"]
+at = ["0 m", "0 m", "0 m"]
+axis = "z"
+[joints.root]
+kind = "fixed"
+connect = ["hub.o", "arm.heel"]
+[joints.run]
+kind = "prismatic"
+connect = ["arm.heel", "trolley.c"]
+axis = "x"
+[forces.below]
+kind = "spring"
+connect = ["ground", "arm.tip"]
+at = ["4 m", "0 m", "-1 m"]
+stiffness = "{:.17g} N/m"
+free_length = "1 m"
+[drivers.shake]
+joint = "slide"
+kind = "harmonic"
+mean = "0 m"
+amplitude = "{:.17g} m"
+frequency = "0.1 Hz"
+[drivers.run]
+joint = "run"
+kind = "harmonic"
+mean = "2 m"
+amplitude = "0.5 m"
+frequency = "0.1 Hz"
+)",
+                                         k, shift);
+  Project project = parse_project("arm.toml", arm(joints, "density = \"1 kg/m^3\"\n"));
+  project.model.youngs_modulus = E;
+  project.model.shear_modulus = 1e6 * 8.1e10;
+  const double bears = shift / (1.0 / k + std::pow(L, 3) / (3.0 * Pressed{}.EI()));
+  const ModelledRuns chosen = run_by_chosen_model(project);
+  INFO(chosen.model.reason);
+  REQUIRE(!chosen.model.weighed.empty());
+  CHECK(chosen.model.weighed.front().error == Approx(1.0 - bears / (k * shift)).epsilon(0.05));
+  CHECK(chosen.model.chosen.level == ModelLevel::modal);
+  double largest = 0.0;
+  for (int i = 0; i < 64; ++i) {
+    const LoadHistory& loads = chosen.runs.front().loads;
+    const Time time = loads.begin() + loads.period() * (i / 64.0);
+    largest = std::max(largest, std::abs(cuts_of(loads.loads_at(time), 0.0)[4]));
+  }
+  CHECK(largest == Approx(bears * L).epsilon(2e-3));
 }
 
 }  // namespace pressed_vibration_in_space_test
