@@ -12,7 +12,7 @@ namespace boxbeam {
 namespace {
 
 /// Of each elastic link of a modal model. Beyond the most the climb takes minutes.
-constexpr int least_parts = 8, most_parts = 64;
+constexpr int fewest_parts_climbed = 8, most_parts_climbed = 64;
 
 void choose_modes(const Climb& climb, const ModelEstimate& by_modes, ModelChoice& choice) {
   choice.chosen = by_modes.model;
@@ -74,7 +74,7 @@ std::string too_fast(const std::deque<SituationRun>& rigid, const std::vector<do
 
 std::string climb_modes(const VibrationEstimate& estimate, const Climb& climb,
                         ModelChoice& choice) {
-  int parts = least_parts;
+  int parts = fewest_parts_climbed;
   for (std::size_t k = 1; k < estimate.without_modes.size(); ++k) {
     const auto weigh = [&]() -> ModelEstimate& {
       ModelEstimate& by_modes = choice.weighed.emplace_back();
@@ -98,7 +98,7 @@ std::string climb_modes(const VibrationEstimate& estimate, const Climb& climb,
       const double of_parts = climb.missed_by_parts();
       if (!std::isfinite(of_parts)) break;
       if (of_parts + estimate.left_out <= choice.tolerance) break;
-      if (2 * parts > most_parts)
+      if (2 * parts > most_parts_climbed)
         return fmt::format("{} parts of each elastic link and twice as many differ by {}", parts,
                            percent_text(of_parts));
       parts *= 2;
