@@ -178,6 +178,51 @@ bool bending_is_enough(const VibrationEstimate& estimate, const Climb& climb, Mo
   return false;
 }
 
+/// Climbs to bent bodies and to ever more modes, where rigid ones are not enough. `refused`: why
+/// models could not be looked at, known when they are asked.
+void climb_beyond_rigid(const Project& project, const std::deque<SituationRun>& rigid,
+                        const VibrationEstimate& estimate, const Climb& climb,
+                        const std::string& refused, ModelChoice& choice) {
+  const bool forced = forces_decide(rigid);
+  // Statics do not hold what forces move.
+  if (project.model.demand == ModelDemand::automatic && !forced &&
+      bending_is_enough(estimate, climb, choice))
+    return;
+  // A few modes do not hold what friction that turns round excites, nor how it damps it.
+  const std::string rubbing = dry_friction_in(project, rigid);
+  if (!rubbing.empty() && project.model.demand == ModelDemand::automatic) {
+    choice.reason = fmt::format(
+        "rigid bodies; what vibration adds is not known: dry friction in joint {} turns round "
+        "with the motion, and without damping {}; {}",
+        rubbing, climb.missed, climb.against);
+    return;
+  }
+  std::string why = climb_modes(estimate, climb, choice);
+  if (why.empty() && choice.chosen.level != ModelLevel::modal) return;
+  if (choice.chosen.level == ModelLevel::modal) {
+    choice.counts_second_order = true;
+    return;
+  }
+  if (!refused.empty()) {
+    why = refused;
+    choice.weighed.resize(1);
+  }
+  if (forced && project.model.demand == ModelDemand::automatic) {
+    choice.weighed.resize(1);
+    choice.reason = fmt::format("rigid bodies: {}; {}; no modes of the beam are used: {}",
+                                climb.against, climb.missed, why);
+    return;
+  }
+  throw AnalysisError(
+      {fmt::format("rigid bodies miss an estimated {} of the governing stress, and {}; ask for a "
+                   "larger tolerance, or use --model rigid to have the loads of rigid bodies",
+                   percent_text(choice.weighed.front().error), why),
+       "beam",
+       {},
+       choice.weighed.back().found.value_or(choice.weighed.back().error),
+       {}});
+}
+
 /// Climbs from rigid bodies to bent ones and to ever more modes.
 ModelChoice choose_by_estimate(const Project& project, const std::deque<SituationRun>& rigid,
                                const std::string& obstacle, TriedModels& tried,
@@ -201,14 +246,17 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
   const bool forced = forces_decide(rigid);
   // What forces move may pass postures in which its modes are others: that is known only then.
   std::string refused;
-  const auto found_by = [&](const ElasticModel& model) {
-    if (!forced) return tried.error_found(model);
+  const auto unless_refused = [&](const auto& ask) {
+    if (!forced) return ask();
     try {
-      return tried.error_found(model);
+      return ask();
     } catch (const AnalysisError& error) {
       refused = error.failure().what;
       return std::numeric_limits<double>::infinity();
     }
+  };
+  const auto found_by = [&](const ElasticModel& model) {
+    return unless_refused([&] { return tried.error_found(model); });
   };
   bool enough = by_rigid.error <= choice.tolerance;
   std::string found;
@@ -229,46 +277,13 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
                                 against, missed, found);
     return choice;
   }
-  const Climb climb{missed, against, found_by, [&](std::size_t modes) {
+  const Climb climb{missed, against, found_by,
+                    [&](std::size_t modes) {
                       return project.model.demand == ModelDemand::automatic && unseen(modes);
-                    }};
-  // Statics do not hold what forces move.
-  if (project.model.demand == ModelDemand::automatic && !forced &&
-      bending_is_enough(estimate, climb, choice))
-    return choice;
-  // A few modes do not hold what friction that turns round excites, nor how it damps it.
-  const std::string rubbing = dry_friction_in(project, rigid);
-  if (!rubbing.empty() && project.model.demand == ModelDemand::automatic) {
-    choice.reason = fmt::format(
-        "rigid bodies; what vibration adds is not known: dry friction in joint {} turns round "
-        "with the motion, and without damping {}; {}",
-        rubbing, missed, against);
-    return choice;
-  }
-  std::string why = climb_modes(estimate, climb, choice);
-  if (why.empty() && choice.chosen.level != ModelLevel::modal) return choice;
-  if (choice.chosen.level == ModelLevel::modal) {
-    choice.counts_second_order = true;
-    return choice;
-  }
-  if (!refused.empty()) {
-    why = refused;
-    choice.weighed.resize(1);
-  }
-  if (forced && project.model.demand == ModelDemand::automatic) {
-    choice.weighed.resize(1);
-    choice.reason = fmt::format("rigid bodies: {}; {}; no modes of the beam are used: {}", against,
-                                missed, why);
-    return choice;
-  }
-  throw AnalysisError(
-      {fmt::format("rigid bodies miss an estimated {} of the governing stress, and {}; ask for a "
-                   "larger tolerance, or use --model rigid to have the loads of rigid bodies",
-                   percent_text(by_rigid.error), why),
-       "beam",
-       {},
-       choice.weighed.back().found.value_or(choice.weighed.back().error),
-       {}});
+                    },
+                    [&] { return unless_refused([&] { return tried.error_of_parts(); }); }};
+  climb_beyond_rigid(project, rigid, estimate, climb, refused, choice);
+  return choice;
 }
 
 /// The largest of all situations.

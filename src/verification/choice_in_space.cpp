@@ -203,7 +203,7 @@ ModelChoice choose_in_space(const Project& project, const std::deque<SituationRu
   constexpr double worth_bending = 0.1;
   const bool bends_twice = of_bending > worth_bending * choice.tolerance ||
                            is_pressed_in_space(project, choice.second_order);
-  const Climb climb{misses, against, found_by, unseen, bends_twice};
+  const Climb climb{misses, against, found_by, unseen, {}, bends_twice};
   if (modes_are_needless(project, estimate, climb, why.empty(), refused, of_bending, choice))
     return choice;
   // A few modes do not hold what friction that turns round excites, nor how it damps it.

@@ -41,6 +41,8 @@ struct Climb {
   std::function<double(const ElasticModel&)> found_by;
   /// Says of so many modes why they cannot be looked at; of those that can it is false.
   std::function<bool(std::size_t)> unseen = {};
+  /// Error of the model asked last against one of twice the parts; without it links keep theirs.
+  std::function<double()> missed_by_parts = {};
   bool bends_twice = false;  ///< `ElasticModel`
 };
 

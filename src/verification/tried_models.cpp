@@ -57,17 +57,31 @@ bool are_same(const ElasticModel& some, const ElasticModel& other) {
 
 }  // namespace
 
-double TriedModels::error_found(const ElasticModel& model) {
-  runs_.clear();
-  tried_ = model;
-  runs_ = run_situations(*project_, model, *shared_);
-  const std::deque<SituationRun> by_better =
-      run_situations(*project_, better_than(model), *shared_);
+double TriedModels::error_against(const std::deque<SituationRun>& better) const {
   double found = 0.0;
   for (std::size_t i = 0; i < runs_.size(); ++i) {
-    const StressesOfBoth of = stresses_of_both(*project_, runs_[i].loads, by_better[i].loads);
+    const StressesOfBoth of = stresses_of_both(*project_, runs_[i].loads, better[i].loads);
     found = std::max(found, difference_between(of.model, of.better));
   }
+  return found;
+}
+
+double TriedModels::error_found(const ElasticModel& model) {
+  if (runs_.empty() || !are_same(model, tried_)) {
+    runs_.clear();
+    tried_ = model;
+    runs_ = run_situations(*project_, model, *shared_);
+  }
+  return error_against(run_situations(*project_, better_than(model), *shared_));
+}
+
+double TriedModels::error_of_parts() {
+  ElasticModel finer = tried_;
+  finer.parts *= 2;
+  std::deque<SituationRun> by_finer = run_situations(*project_, finer, *shared_);
+  const double found = error_against(by_finer);
+  tried_ = finer;
+  runs_ = std::move(by_finer);
   return found;
 }
 

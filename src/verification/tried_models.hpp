@@ -20,10 +20,16 @@ class TriedModels {
   /// modal model with another mode and twice the parts.
   double error_found(const ElasticModel& model);
 
+  /// The same of the last model tried from one with as many modes and twice the parts, which then
+  /// is the last one tried.
+  double error_of_parts();
+
   /// All situations by a model, run anew where it was not the last one tried.
   std::deque<SituationRun> take_runs(const ElasticModel& model);
 
  private:
+  double error_against(const std::deque<SituationRun>& better) const;
+
   const Project* project_;
   const SharedMotions* shared_;
   ElasticModel tried_;

@@ -168,6 +168,36 @@ std::size_t first_coupled(const std::vector<double>& frequencies, double turning
   return first;
 }
 
+/// The beam and the bodies that turn with it at all times: seen from it they move in a mode always
+/// in the same direction, so that the terms of its turning hold for them as they do for itself.
+/// What forces move may turn otherwise with its vibration, and there it is the beam alone.
+std::vector<int> bodies_that_turn_with(int beam, const planar::Motion& motion, double fastest) {
+  constexpr double round_off = 1e-9;
+  const auto turning_of = [](const planar::State& state, int body) {
+    return state.v[3 * static_cast<Eigen::Index>(body) + 2];
+  };
+  std::vector<int> bodies;
+  const auto count = static_cast<int>(motion.states.front().v.size() / 3);
+  for (int body = 0; body < count; ++body) {
+    const auto alike = [&](const planar::State& state) {
+      return std::abs(turning_of(state, body) - turning_of(state, beam)) <= round_off * fastest;
+    };
+    if (body == beam || (motion.freedom.undriven == 0 &&
+                         std::all_of(motion.states.begin(), motion.states.end(), alike)))
+      bodies.push_back(body);
+  }
+  return bodies;
+}
+
+/// The part of the mass of a mode that is in some bodies.
+double mass_of_mode_in(const PostureModes& modes, std::size_t mode,
+                       const std::vector<int>& bodies) {
+  const auto j = static_cast<Eigen::Index>(mode);
+  double mass = 0.0;
+  for (const int body : bodies) mass += modes.shifting[static_cast<std::size_t>(body)](j, j);
+  return mass;
+}
+
 /// The largest coefficient of dry friction in a mechanism.
 double largest_friction(const planar::Mechanism& mechanism) {
   double largest = 0.0;
@@ -246,6 +276,7 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
     fastest = std::max(fastest, std::abs(state.v[3 * static_cast<Eigen::Index>(elastic.body) + 2]));
   }
   const auto may_move = static_cast<std::size_t>(motion.freedom.undriven);
+  const std::vector<int> turning_alike = bodies_that_turn_with(elastic.body, motion, fastest);
   const double pressed = may_move > 0 ? 0.0 : 1.0;
   const std::size_t step = std::max<std::size_t>(1, motion.states.size() / postures_looked_at);
   for (std::size_t at = 0; at < motion.states.size(); at += step) {
@@ -274,9 +305,7 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
     parts *= slower * slower;
     const std::size_t coupled = first_coupled(modes.frequencies, fastest, may_move);
     const double turning = std::pow(fastest / (full_turn * modes.frequencies[coupled]), 2);
-    const auto of_coupled = static_cast<Eigen::Index>(coupled);
-    const double of_others =
-        1.0 - modes.shifting[static_cast<std::size_t>(elastic.body)](of_coupled, of_coupled);
+    const double of_others = 1.0 - mass_of_mode_in(modes, coupled, turning_alike);
     const double left_out = turning * std::clamp(of_others, 0.0, 1.0);
     estimate.left_out = std::max(estimate.left_out, left_out);
     const auto raise = [&](std::size_t counted, double error) {

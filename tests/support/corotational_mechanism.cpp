@@ -158,7 +158,9 @@ class Model {
         case Equation::Kind::across:
           gap[k] = across(of).dot(where(q, of.a) - where(q, of.b));
           break;
-        case Equation::Kind::angle: gap[k] = q[of.a.dof + 2] - of.offset; break;
+        case Equation::Kind::angle:
+          gap[k] = angle_at(q, of.a) - angle_at(q, of.b) - of.offset;
+          break;
         case Equation::Kind::driven:
           gap[k] = q[of.a.dof + 2] - driver_at(*of.driver, time).value;
           break;
@@ -172,7 +174,8 @@ class Model {
     for (Index k = 0; k < equations(); ++k) {
       const Equation& of = equations_[static_cast<std::size_t>(k)];
       if (of.kind == Equation::Kind::angle || of.kind == Equation::Kind::driven) {
-        J(k, of.a.dof + 2) = 1.0;
+        if (of.a.dof >= 0) J(k, of.a.dof + 2) = 1.0;
+        if (of.b.dof >= 0) J(k, of.b.dof + 2) = -1.0;
         continue;
       }
       const Vector2d n = normal(of);
@@ -355,6 +358,11 @@ class Model {
     if (const auto* pin = std::get_if<planar::Pin>(&joint.kind)) {
       equations_.push_back({Kind::x, place_of(pin->a), place_of(pin->b)});
       equations_.push_back({Kind::y, place_of(pin->a), place_of(pin->b)});
+    } else if (const auto* rigid = std::get_if<planar::Rigid>(&joint.kind)) {
+      equations_.push_back({Kind::x, place_of(rigid->a), place_of(rigid->b)});
+      equations_.push_back({Kind::y, place_of(rigid->a), place_of(rigid->b)});
+      equations_.push_back(
+          {Kind::angle, place_of(rigid->a), place_of(rigid->b), 0.0, rigid->angle});
     } else if (const auto* slider = std::get_if<planar::Slider>(&joint.kind)) {
       if (slider->guide.body != planar::ground) throw std::invalid_argument("a guide that moves");
       equations_.push_back(
@@ -377,6 +385,9 @@ class Model {
     if (of.kind == Equation::Kind::x) return Vector2d::UnitX();
     if (of.kind == Equation::Kind::y) return Vector2d::UnitY();
     return across(of);
+  }
+  static double angle_at(const VectorXd& q, const Place& place) {
+    return place.dof < 0 ? 0.0 : q[place.dof + 2];
   }
   static Vector2d turned(const VectorXd& q, const Place& place) {
     const double c = std::cos(q[place.dof + 2]), s = std::sin(q[place.dof + 2]);

@@ -26,14 +26,14 @@ struct CorotationalStress {
   bool settled = false;
 };
 
-/// A planar case whose joints are pins, sliders along fixed lines and one driven angle, its beam
-/// divided into corotational elements of Euler and Bernoulli with consistent mass and Kelvin-Voigt
-/// damping, its other bodies rigid: absolute coordinates, joints by multipliers, integrated over
-/// time from the rigid motion's start until it repeats. Nothing of boxbeam's dynamics is in it but
-/// the start. For tests: it knows neither modes nor postures nor linear theory.
-/// Sources: Crisfield, Non-linear Finite Element Analysis of Solids and Structures 1 (1991),
-/// section 7.3, for the element; Arnold, Brüls, Multibody System Dynamics 18 (2007), for the
-/// generalised-alpha method with constraints.
+/// A planar case whose joints are pins, rigid ones, sliders along fixed lines and one driven angle,
+/// its beam divided into corotational elements of Euler and Bernoulli with consistent mass and
+/// Kelvin-Voigt damping, its other bodies rigid: absolute coordinates, joints by multipliers,
+/// integrated over time from the rigid motion's start until it repeats. Nothing of boxbeam's
+/// dynamics is in it but the start. For tests: it knows neither modes nor postures nor linear
+/// theory. Sources: Crisfield, Non-linear Finite Element Analysis of Solids and Structures 1
+/// (1991), section 7.3, for the element; Arnold, Brüls, Multibody System Dynamics 18 (2007), for
+/// the generalised-alpha method with constraints.
 CorotationalStress corotational_stress(const boxbeam::Project& project,
                                        const CorotationalOptions& options = {});
 

@@ -16,7 +16,8 @@ namespace boxbeam {
 /// of a period and a half behind an end at rest. Either is times the stresses of the mode: what
 /// elasticity and viscosity bear together beyond the static 1 of the beam that bends statically.
 /// Added is the order of what the rotation of the beam couples, (omega_rotation/omega_1)^2; where
-/// modes are counted, of it the part of the first mode's mass that is not the beam's. Where a
+/// modes are counted, of it the part of the first mode's mass that is neither the beam's nor of
+/// bodies that turn as it does (where forces move the mechanism, that is not the beam's). Where a
 /// motion that does not repeat holds more than 200 periods of a mode, phases of its free vibration
 /// are not right, their sizes are.
 struct VibrationEstimate {
