@@ -9,13 +9,16 @@ Stress PointStress::von_mises() const {
 
 /// Cut forces of zero add nothing, even where their factor is not known.
 double stress_of(const std::array<double, cut_force::count>& per_force, const CutForces& cut) {
-  const std::array<double, cut_force::count> forces{cut.N.value(),   cut.V_y.value(),
-                                                    cut.V_z.value(), cut.T.value(),
-                                                    cut.M_y.value(), cut.M_z.value()};
   double sum = 0.0;
-  for (std::size_t k = 0; k < forces.size(); ++k) {
-    if (forces[k] != 0.0) sum += per_force[k] * forces[k];
-  }
+  const auto add = [&](cut_force::Index which, double force) {
+    if (force != 0.0) sum += per_force[which] * force;
+  };
+  add(cut_force::N, cut.N.value());
+  add(cut_force::V_y, cut.V_y.value());
+  add(cut_force::V_z, cut.V_z.value());
+  add(cut_force::T, cut.T.value());
+  add(cut_force::M_y, cut.M_y.value());
+  add(cut_force::M_z, cut.M_z.value());
   return sum;
 }
 

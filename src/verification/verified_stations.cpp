@@ -152,7 +152,8 @@ class AlongBeam {
       for (const Criterion criterion : stress_criteria)
         named.of(criterion) = std::max(named.of(criterion), found.of(criterion));
     }
-    const WallSearch walls(samples, points, named);
+    of_station.along = stretch_uses_of(samples, points);
+    const WallSearch walls(samples, points, of_station.along, named);
     Utilisations on_walls;
     for (const Criterion criterion : stress_criteria)
       on_walls.of(criterion) = walls.worst(criterion).utilisation;
