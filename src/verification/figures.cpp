@@ -59,9 +59,10 @@ std::vector<CutForceLine> envelope_lines(const std::deque<SituationRun>& runs) {
         for (const CutForces& cut : loads.cuts_at(stations[k])) take(k, cut);
       continue;
     }
+    std::vector<std::size_t> pieces(stations.size(), 0);
     for (std::size_t i = 0; i < loads.instants(); ++i) {
       const CutForceDiagram& diagram = loads.kept_diagram(i);
-      for (std::size_t k = 0; k < stations.size(); ++k) take(k, diagram.at(stations[k]));
+      for (std::size_t k = 0; k < stations.size(); ++k) take(k, diagram.at(stations[k], pieces[k]));
     }
   }
   return lines;

@@ -85,7 +85,8 @@ std::vector<CutForces> LoadHistory::cuts_at(const Station& station) const {
   std::vector<CutForces> cuts;
   cuts.reserve(instants());
   if (!recorded_) {
-    for (const Instant& instant : instants_) cuts.push_back(instant.diagram.at(station));
+    std::size_t piece = 0;
+    for (const Instant& instant : instants_) cuts.push_back(instant.diagram.at(station, piece));
     return cuts;
   }
   cuts.assign(instants(), recorded_->constant.at(station));

@@ -37,6 +37,7 @@ void PressingForces::begin(const SituationRun& run) {
   of.situation = index_of(*project_, *run.situation);
   of.counted = has_cycles(*project_, *run.situation);
   of.closed = run.loads.closed();
+  of.instants.reserve(run.loads.instants() + 1);
 }
 
 void PressingForces::take(Time time, bool goes_on, const std::vector<Patch>& patches) {
