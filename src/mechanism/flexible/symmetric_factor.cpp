@@ -149,8 +149,17 @@ typename SymmetricFactor<Scalar>::Vector SymmetricFactor<Scalar>::solve(const Ve
   for (Eigen::Index at = 0; at < size; at += rows_of(at)) {
     begins.push_back(at);
     const Eigen::Index rows = rows_of(at), left = size - at - rows;
-    for (Eigen::Index i = at; i < at + rows; ++i)
-      x.tail(left).noalias() -= x[i] * lower_.col(i).tail(left);
+    for (Eigen::Index i = at; i < at + rows; ++i) {
+      if constexpr (std::is_same_v<Scalar, double>) {
+        // Columns are short: what prepares an expression of Eigen's would take longer than they do.
+        const double times = x[i];
+        const double* const column = lower_.data() + i * size + at + rows;
+        double* const rest = x.data() + at + rows;
+        for (Eigen::Index row = 0; row < left; ++row) rest[row] -= times * column[row];
+      } else {
+        x.tail(left).noalias() -= x[i] * lower_.col(i).tail(left);
+      }
+    }
   }
   for (const Eigen::Index at : begins) {
     if (rows_of(at) == 1) {
