@@ -356,7 +356,7 @@ std::vector<SectionPoint> points_at_level(const StressField& field, const std::s
       }
     };
     take(point.influence, *field.flow);
-    take(point.prismatic, *field.prismatic);
+    take(point.prismatic, field.unchanging());
   } else if (!std::holds_alternative<Plate>(outer)) {
     for (StressInfluence* influence : {&point.influence, &point.prismatic}) {
       influence->shear[cut_force::V_y] = influence->shear[cut_force::T] =

@@ -18,6 +18,9 @@ struct StressField {
   AreaSums sums;                       ///< net
   std::optional<ShearFlow> flow;       ///< equilibrium flow; nothing for solid sections
   std::optional<ShearFlow> prismatic;  ///< V S/I, as if the section did not change, where it does
+
+  /// As if the section did not change. Precondition: walls.
+  const ShearFlow& unchanging() const { return prismatic ? *prismatic : *flow; }
 };
 
 /// Whether the flow is found as well that is only shown for comparison.
