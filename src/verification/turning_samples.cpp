@@ -8,15 +8,15 @@ namespace boxbeam {
 namespace {
 
 /// So many are looked at at once.
-constexpr std::size_t at_once = 8;
-using SamplesAtOnce = Eigen::Map<const Eigen::Array<double, at_once, 1>>;
+constexpr std::size_t samples_at_once = 8;
+using SamplesAtOnce = Eigen::Map<const Eigen::Array<double, samples_at_once, 1>>;
 
 /// How far values go on in one sense (1 rising, -1 falling) from `from` on: the first that is not
 /// beyond the one before it.
 template <int sense>
 std::size_t end_of_run(const double* values, std::size_t from, std::size_t to) {
   std::size_t i = from;
-  for (; i + at_once <= to; i += at_once) {
+  for (; i + samples_at_once <= to; i += samples_at_once) {
     const SamplesAtOnce at(values + i), before(values + i - 1);
     const double least = sense > 0 ? (at - before).minCoeff() : (before - at).minCoeff();
     if (!(least > 0.0)) break;
@@ -38,7 +38,7 @@ SampleExtremes extremes_of(const std::vector<double>& values) {
   const std::size_t n = values.size();
   double low = values.front(), high = low;
   std::size_t from = 0, i = 0;  // among the samples from `from` on is the last of the largest
-  for (; i + at_once <= n; i += at_once) {
+  for (; i + samples_at_once <= n; i += samples_at_once) {
     const SamplesAtOnce at(values.data() + i);
     const double most = at.maxCoeff();
     low = std::min(low, at.minCoeff());
@@ -46,7 +46,7 @@ SampleExtremes extremes_of(const std::vector<double>& values) {
     high = most;
     from = i;
   }
-  std::size_t highest = std::min(from + at_once, n) - 1;
+  std::size_t highest = std::min(from + samples_at_once, n) - 1;
   while (highest > from && values[highest] < high) --highest;
   for (; i < n; ++i) {
     low = std::min(low, values[i]);
