@@ -21,6 +21,7 @@ double torque_of(const PointLoad& load) {
 
 std::vector<LineLoad> unloaded_lines(const TaperedBeam& beam) {
   std::vector<LineLoad> lines;
+  lines.reserve(beam.segments.size());
   for (const Segment& segment : beam.segments) {
     lines.push_back({segment.start, segment.length, {}, {}});
   }

@@ -81,6 +81,11 @@ CutForceDiagram cut_forces_of(const BeamLoads& loads) {
 }
 
 CutForces CutForceDiagram::at(const Station& station) const {
+  std::size_t piece = 0;
+  return at(station, piece);
+}
+
+CutForces CutForceDiagram::at(const Station& station, std::size_t& known) const {
   const bool before = station.side == Side::before;
   if (pieces.empty() || station.s < pieces.front().start) return {};
   if (before && station.s == pieces.front().start) return {};
@@ -89,11 +94,16 @@ CutForces CutForceDiagram::at(const Station& station) const {
   constexpr double round_off = 1e-14;
   if (station.s > end * (1.0 + round_off)) return {};
   if (station.side == Side::behind && station.s >= end * (1.0 - round_off)) return {};
-  const auto next =
-      std::partition_point(pieces.begin() + 1, pieces.end(), [&](const CutForcePiece& piece) {
-        return before ? piece.start < station.s : piece.start <= station.s;
-      });
-  const CutForcePiece& piece = *(next - 1);
+  const auto begins = [&](const CutForcePiece& piece) {
+    return before ? piece.start < station.s : piece.start <= station.s;
+  };
+  const bool same = known < pieces.size() && (known == 0 || begins(pieces[known])) &&
+                    (known + 1 == pieces.size() || !begins(pieces[known + 1]));
+  if (!same) {
+    const auto next = std::partition_point(pieces.begin() + 1, pieces.end(), begins);
+    known = static_cast<std::size_t>(next - pieces.begin()) - 1;
+  }
+  const CutForcePiece& piece = pieces[known];
   const double x = (station.s - piece.start).value();
   return {si<Force>(piece.N(x)),  si<Force>(piece.V_y(x)),  si<Force>(piece.V_z(x)),
           si<Moment>(piece.T(x)), si<Moment>(piece.M_y(x)), si<Moment>(piece.M_z(x))};

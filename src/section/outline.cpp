@@ -265,11 +265,16 @@ double crossing_width(const Outline& outline, double z) {
 
 void add_rectangle(Outline& outline, double y_low, double y_high, double z_low, double z_high,
                    double sign) {
-  Outline border;
-  border.reserve(4);
+  constexpr std::size_t sides = 4;
+  if (outline.empty()) outline.reserve(2 * sides);  // mostly a border and a hollow
   const Vector2d corners[] = {{y_low, z_low}, {y_high, z_low}, {y_high, z_high}, {y_low, z_high}};
-  for (std::size_t i = 0; i < 4; ++i) add_line(border, corners[i], corners[(i + 1) % 4]);
-  add(outline, border, sign);
+  for (std::size_t i = 0; i < sides; ++i) {
+    const Vector2d &one = corners[i], &next = corners[(i + 1) % sides];
+    if (sign > 0.0)
+      add_line(outline, one, next);
+    else
+      add_line(outline, next, one);
+  }
 }
 
 Outline outline_of(const Profile& profile) {

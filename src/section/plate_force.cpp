@@ -126,7 +126,7 @@ std::vector<PlateStrip> strips_beside(const StressField& field, const StressFiel
     if (one_half && side < 0.0) continue;
     const double thickness = first_of(field.flow->at.graph, plate).thickness;
     const CutFactors shear = plate_force_of(*whole.flow, plate) / (thickness * left);
-    const CutFactors prismatic = plate_force_of(*whole.prismatic, plate) / (thickness * left);
+    const CutFactors prismatic = plate_force_of(whole.unchanging(), plate) / (thickness * left);
     for (const auto& [edge, towards] : outer_edges_of(hole)) {
       std::string name = "strip beside hole " + hole.name;
       if (!one_half) name += " " + signed_axis(webs ? side : towards, 'y');

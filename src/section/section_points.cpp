@@ -291,11 +291,11 @@ std::vector<SectionPoint> points_at_level_in_space(const StressField& field,
 }  // namespace
 
 StressField stress_field_of(const Section& section, const std::vector<Hole>& holes,
-                            const Taper& taper) {
+                            const Taper& taper, Prismatic prismatic) {
   StressField field{section, holes, taper, sums_of(outline_of(section, holes)), {}, {}};
   field.flow = shear_flow_of(section, holes, taper);
-  if (field.flow)
-    field.prismatic = taper.empty() ? *field.flow : prismatic_flow_of(*field.flow, section);
+  if (field.flow && !taper.empty() && prismatic == Prismatic::found)
+    field.prismatic = prismatic_flow_of(*field.flow, section);
   return field;
 }
 
@@ -309,6 +309,8 @@ std::vector<SectionPoint> points_of(const StressField& field, PointSet set) {
   const Profile& outer = field.section.outer;
   set = fitting(set, field);
   std::vector<SectionPoint> points;
+  constexpr std::size_t usual = 16;
+  points.reserve(usual);
   if (std::holds_alternative<Plate>(outer))
     add_plate_points(field, set, points);
   else if (std::holds_alternative<Polygon>(outer))
@@ -354,7 +356,7 @@ std::vector<SectionPoint> points_at_level(const StressField& field, const std::s
       }
     };
     take(point.influence, *field.flow);
-    take(point.prismatic, *field.prismatic);
+    take(point.prismatic, field.unchanging());
   } else if (!std::holds_alternative<Plate>(outer)) {
     for (StressInfluence* influence : {&point.influence, &point.prismatic}) {
       influence->shear[cut_force::V_y] = influence->shear[cut_force::T] =

@@ -44,7 +44,10 @@ SectionPoint wall_point(const StressField& field, const std::string& name, const
                         double y, double z, double face, Length plate) {
   SectionPoint point = point_at(field, name, y, z, plate);
   set_shear(point.influence, wall_shear(*field.flow, place, face));
-  set_shear(point.prismatic, wall_shear(*field.prismatic, place, face));
+  if (field.prismatic)
+    set_shear(point.prismatic, wall_shear(*field.prismatic, place, face));
+  else
+    point.prismatic.shear = point.influence.shear;
   point.torsion = wall_torsion_of(*field.flow, place.wall, face);
   if (is_web(field.flow->at.graph.walls[place.wall])) point.part = SectionPart::web;
   return point;

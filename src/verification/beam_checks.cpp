@@ -56,7 +56,9 @@ class StationChecks {
       }
       return;
     }
-    const WallSearch walls(*samples_, points, named);
+    std::vector<StretchUses> unknown;
+    if (of.along.empty()) unknown = stretch_uses_of(*samples_, points);
+    const WallSearch walls(*samples_, points, of.along.empty() ? unknown : of.along, named);
     for (const Criterion criterion : stress_criteria) {
       const WorstOnWall& worst = walls.worst(criterion);
       if (worst.point == nullptr || worst.utilisation < 1.0001 * named.of(criterion)) continue;

@@ -13,6 +13,7 @@
 #include "boxbeam/verification/station_memory.hpp"
 #include "channel_life.hpp"
 #include "check_sources.hpp"
+#include "linear_stress.hpp"
 
 namespace boxbeam {
 namespace {
@@ -28,26 +29,23 @@ std::string one_word(const std::string& name) {
   return word;
 }
 
-/// A stress of a point as a function of the cut forces.
+/// A stress of a point.
 struct StressFunction {
   StressKind kind;
-  const std::array<double, cut_force::count>* per_force;
-  double factor = 1.0;  ///< of the detail
-
-  double operator()(const CutForces& cut) const { return factor * stress_of(*per_force, cut); }
+  LinearStress of;
 };
 
 StressFunction normal_stress(const StressPoint& point) {
-  return {StressKind::direct, &point.influence.normal};
+  return {StressKind::direct, {&point.influence.normal}};
 }
 
 /// The normal stress of a point times a factor of its details.
 StressFunction detail_stress(const StressPoint& point, double factor) {
-  return {StressKind::direct, &point.influence.normal, factor};
+  return {StressKind::direct, {&point.influence.normal, factor}};
 }
 
 StressFunction shear_stress(const StressPoint& point) {
-  return {StressKind::shear, &point.influence.shear};
+  return {StressKind::shear, {&point.influence.shear}};
 }
 
 /// The check's frame, of a stress in the situation where it is worst.
@@ -62,7 +60,7 @@ CheckResult start(Criterion criterion, const Project& project, const StressPoint
   CheckBasis& basis = result.basis.emplace();
   basis.point = point;
   basis.kind = stress.kind;
-  basis.stress_factor = stress.factor;
+  basis.stress_factor = stress.of.factor;
   basis.running = index_of(project, *worst.situation);
   return result;
 }
@@ -142,7 +140,7 @@ const Turns& PointHistory::direct(double factor) {
       .emplace(factor,
                extremes != nullptr
                    ? extremes->turns_of(*project, *histories, point->influence.normal, factor)
-                   : turns_of(*project, *histories, detail_stress(*point, factor)))
+                   : turns_of(*project, *histories, detail_stress(*point, factor).of))
       .first->second;
 }
 
@@ -150,7 +148,7 @@ const Turns& PointHistory::shear() {
   if (!shear_) {
     shear_ = extremes != nullptr
                  ? extremes->turns_of(*project, *histories, point->influence.shear, 1.0)
-                 : turns_of(*project, *histories, shear_stress(*point));
+                 : turns_of(*project, *histories, shear_stress(*point).of);
   }
   return *shear_;
 }

@@ -1,15 +1,24 @@
 #include "boxbeam/verification/cut_force_envelope.hpp"
 
+#include <array>
+
+#include "linear_stress.hpp"
+
 namespace boxbeam {
 namespace {
 
 Envelope envelope_of(const Project& project, const std::vector<SituationHistory>& histories,
-                     const CutForceFunction& f) {
+                     cut_force::Index which) {
+  static constexpr auto alone = [] {
+    std::array<std::array<double, cut_force::count>, cut_force::count> of{};
+    for (std::size_t k = 0; k < of.size(); ++k) of[k][k] = 1.0;
+    return of;
+  }();
   Envelope envelope;
   for (const SituationHistory& at : histories) {
     const std::size_t situation = index_of(project, *at.situation);
-    const TurningPoint low = at.history.largest([&](const CutForces& cut) { return -f(cut); });
-    const TurningPoint high = at.history.largest(f);
+    const TurningPoint low = at.history.largest(LinearStress{&alone[which], -1.0});
+    const TurningPoint high = at.history.largest(LinearStress{&alone[which]});
     const bool first = &at == &histories.front();
     if (first || -low.value < envelope.smallest.value)
       envelope.smallest = {low.time, -low.value, situation};
@@ -36,8 +45,7 @@ StationEnvelope envelope_at(const Project& project, const Station& station,
   StationEnvelope envelope;
   envelope.station = station;
   for (const auto& [which, name] : cut_forces_looked_at(project)) {
-    envelope.of[which] = envelope_of(
-        project, histories, [which = which](const CutForces& cut) { return value_of(cut, which); });
+    envelope.of[which] = envelope_of(project, histories, which);
   }
   return envelope;
 }

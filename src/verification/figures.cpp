@@ -46,10 +46,16 @@ std::vector<CutForceLine> envelope_lines(const std::deque<SituationRun>& runs) {
   lines[1].values = lines[0].values;
   const auto take = [&](std::size_t at, const CutForces& cut) {
     CutForces &low = lines[0].values[at], &high = lines[1].values[at];
-    low = {std::min(low.N, cut.N), std::min(low.V_y, cut.V_y), std::min(low.V_z, cut.V_z),
-           std::min(low.T, cut.T), std::min(low.M_y, cut.M_y), std::min(low.M_z, cut.M_z)};
-    high = {std::max(high.N, cut.N), std::max(high.V_y, cut.V_y), std::max(high.V_z, cut.V_z),
-            std::max(high.T, cut.T), std::max(high.M_y, cut.M_y), std::max(high.M_z, cut.M_z)};
+    const auto widen = [](auto& least, auto& most, const auto& value) {
+      if (value < least) least = value;
+      if (most < value) most = value;
+    };
+    widen(low.N, high.N, cut.N);
+    widen(low.V_y, high.V_y, cut.V_y);
+    widen(low.V_z, high.V_z, cut.V_z);
+    widen(low.T, high.T, cut.T);
+    widen(low.M_y, high.M_y, cut.M_y);
+    widen(low.M_z, high.M_z, cut.M_z);
   };
   for (const SituationRun& run : runs) {
     const LoadHistory& loads = run.loads;
@@ -59,9 +65,10 @@ std::vector<CutForceLine> envelope_lines(const std::deque<SituationRun>& runs) {
         for (const CutForces& cut : loads.cuts_at(stations[k])) take(k, cut);
       continue;
     }
+    std::vector<std::size_t> pieces(stations.size(), 0);
     for (std::size_t i = 0; i < loads.instants(); ++i) {
       const CutForceDiagram& diagram = loads.kept_diagram(i);
-      for (std::size_t k = 0; k < stations.size(); ++k) take(k, diagram.at(stations[k]));
+      for (std::size_t k = 0; k < stations.size(); ++k) take(k, diagram.at(stations[k], pieces[k]));
     }
   }
   return lines;

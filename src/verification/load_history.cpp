@@ -17,6 +17,28 @@ constexpr std::size_t most_brackets = 8192;
 /// Pieces of diagrams in all brackets that are kept: about two gigabytes.
 constexpr std::size_t most_kept_pieces = 8'000'000;
 
+/// Stretches of loads that are kept at instants: about a hundred megabytes.
+constexpr std::size_t most_kept_stretches = 300'000;
+
+/// Loads known at some ascending times, found anew at all others: what is asked of every instant is
+/// asked by several.
+class KeptLoads {
+ public:
+  KeptLoads(std::vector<double> times, std::vector<BeamLoads> loads, LoadsAt others)
+      : times_(std::move(times)), loads_(std::move(loads)), others_(std::move(others)) {}
+
+  BeamLoads operator()(Time time) const {
+    const auto known = std::lower_bound(times_.begin(), times_.end(), time.value());
+    if (known == times_.end() || *known != time.value()) return others_(time);
+    return loads_[static_cast<std::size_t>(known - times_.begin())];
+  }
+
+ private:
+  std::vector<double> times_;
+  std::vector<BeamLoads> loads_;
+  LoadsAt others_;
+};
+
 /// The two instants of a break, between which nothing is looked at.
 struct Gap {
   Time before, behind;
@@ -28,10 +50,23 @@ LoadHistory::LoadHistory(const LoadSpan& span, LoadsAt loads_at)
     : span_(span), loads_at_(std::move(loads_at)) {
   assert(span.instants >= 2);
   add_instants();
+  std::vector<double> times;
+  std::vector<BeamLoads> kept;
+  std::size_t stretches = 0;
   for (Instant& instant : instants_) {
-    instant.diagram = diagram_at(instant.time);
+    BeamLoads loads = loads_at_(instant.time);
+    instant.diagram = cut_forces_of(loads);
     look_at(instant.diagram);
+    stretches += loads.lines.size() + loads.points.size();
+    if (stretches > most_kept_stretches) continue;
+    times.push_back(instant.time.value());
+    kept.push_back(std::move(loads));
   }
+  // The function is copied where it is handed on, what it keeps is not.
+  loads_at_ = [known = std::make_shared<const KeptLoads>(std::move(times), std::move(kept),
+                                                         std::move(loads_at_))](Time time) {
+    return (*known)(time);
+  };
 }
 
 LoadHistory::LoadHistory(recorded::ChannelLoads loads)
@@ -85,7 +120,8 @@ std::vector<CutForces> LoadHistory::cuts_at(const Station& station) const {
   std::vector<CutForces> cuts;
   cuts.reserve(instants());
   if (!recorded_) {
-    for (const Instant& instant : instants_) cuts.push_back(instant.diagram.at(station));
+    std::size_t piece = 0;
+    for (const Instant& instant : instants_) cuts.push_back(instant.diagram.at(station, piece));
     return cuts;
   }
   cuts.assign(instants(), recorded_->constant.at(station));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "boxbeam/numerics/extremum.hpp"
 #include "boxbeam/verification/torques_in.hpp"
@@ -24,7 +25,9 @@ void PatchRun::look() {
   for (std::size_t i = 0; i < history.instants(); ++i) {
     const Time time = history.time_of(i);
     const BeamLoads loads = history.loads_at(time);
-    const CutForceDiagram& diagram = history.diagram(i);
+    std::optional<CutForceDiagram> of_record;
+    const CutForceDiagram& diagram =
+        history.is_recorded() ? of_record.emplace(history.diagram(i)) : history.kept_diagram(i);
     const std::vector<Patch> patches = search_->patches_of(loads, diagram);
     if (pressed_ != nullptr) pressed_->take(time, i > 0 && !history.begins_piece(i), patches);
     note_torque(loads);

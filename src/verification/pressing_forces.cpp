@@ -37,6 +37,7 @@ void PressingForces::begin(const SituationRun& run) {
   of.situation = index_of(*project_, *run.situation);
   of.counted = has_cycles(*project_, *run.situation);
   of.closed = run.loads.closed();
+  of.instants.reserve(run.loads.instants() + 1);
 }
 
 void PressingForces::take(Time time, bool goes_on, const std::vector<Patch>& patches) {
@@ -50,8 +51,8 @@ void PressingForces::take(Time time, bool goes_on, const std::vector<Patch>& pat
       continue;
     }
     // By the one side in all instants, or by the other.
+    Patch by = patch;
     for (const std::size_t side : {0U, 1U}) {
-      Patch by = patch;
       by.force = patch.by_sides[side].force;
       by.couple = patch.by_sides[side].couple;
       constexpr double same = 1e-9;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "boxbeam/section/point_stress.hpp"
+#include "linear_stress.hpp"
 
 namespace boxbeam {
 
@@ -14,9 +14,7 @@ const Turns& StationExtremes::turns_of(const Project& project,
   std::copy(per_force.begin(), per_force.end(), at.begin());
   at.back() = factor;
   return turns_.of(at, [&] {
-    return boxbeam::turns_of(project, histories, [&](const CutForces& cut) {
-      return factor * stress_of(per_force, cut);
-    });
+    return boxbeam::turns_of(project, histories, LinearStress{&per_force, factor});
   });
 }
 

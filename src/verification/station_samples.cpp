@@ -12,116 +12,11 @@
 #include "boxbeam/strength/weld_throat.hpp"
 #include "boxbeam/strength/yield.hpp"
 #include "boxbeam/verification/life_cycles.hpp"
-#include "boxbeam/verification/turning_samples.hpp"
 #include "boxbeam/verification/whole_life.hpp"
+#include "sampled_peaks.hpp"
 
 namespace boxbeam {
 namespace {
-
-/// Steps on from an instant within the piece of the history it belongs to, between whose instants
-/// nothing jumps or bends.
-class Neighbours {
- public:
-  Neighbours(const SampledInstants& of, std::size_t instant) : of_(&of), instant_(instant) {}
-
-  struct Place {
-    std::size_t instant = 0;
-    double time = 0.0;  ///< beyond the end of a history that repeats its time goes on
-  };
-
-  /// The next instant in a direction (1 or -1) that lies apart from the one before it by more than
-  /// a part of `step`: two that almost coincide tell nothing of a slope.
-  std::optional<Place> next(Place from, long direction, double step) const {
-    constexpr double apart = 0.05;
-    const auto n = static_cast<long>(of_->times.size());
-    Place place = from;
-    double turned = from.time - of_->times[from.instant];
-    for (;;) {
-      const long to = static_cast<long>(place.instant) + direction;
-      const auto at = static_cast<std::size_t>(to < 0 ? to + n : to >= n ? to - n : to);
-      if (at == instant_ || of_->begins[direction > 0 ? at : place.instant]) return std::nullopt;
-      if (to < 0) turned -= of_->period;
-      if (to >= n) turned += of_->period;
-      place = {at, of_->times[at] + turned};
-      if (std::abs(place.time - from.time) > apart * step) return place;
-    }
-  }
-
- private:
-  const SampledInstants* of_;
-  std::size_t instant_;
-};
-
-/// The largest value near an instant that is as high as its neighbours: of the parabola through
-/// it and one on each side, or, where the history jumps or bends beside it, two on the other side.
-/// Without it the largest sample would change from place to place, and what varies smoothly along
-/// the beam or a wall would have many small maxima.
-template <class ValueAt>
-double peak_near(const ValueAt& value_at, std::size_t i, double sign, const SampledInstants& of) {
-  const double at = sign * value_at(i);
-  const double step = of.period / static_cast<double>(of.times.size());
-  const Neighbours neighbours(of, i);
-  using Place = Neighbours::Place;
-  const Place own{i, of.times[i]};
-  const std::optional<Place> before = neighbours.next(own, -1, step);
-  const std::optional<Place> behind = neighbours.next(own, 1, step);
-  std::optional<Place> further;
-  if (before && behind) {
-    further = behind;
-  } else if (before) {
-    further = neighbours.next(*before, -1, step);
-  } else if (behind) {
-    further = neighbours.next(*behind, 1, step);
-  }
-  if (!further) return at;
-  const Place& near = before ? *before : *behind;
-  const auto rise_to = [&](const Place& place) { return sign * value_at(place.instant) - at; };
-  const double h = near.time - own.time, k = further->time - own.time;
-  const double bend = (rise_to(near) / h - rise_to(*further) / k) / (h - k);
-  const double slope = rise_to(near) / h - bend * h;
-  if (!(bend < 0.0)) return at;
-  const double top = -0.5 * slope / bend;
-  const double first = std::min({h, k, 0.0}), last = std::max({h, k, 0.0});
-  if (!(top > first && top < last)) return at;
-  return std::max(at, at + top * (slope + bend * top));
-}
-
-/// The largest of what grows with `values` and is no less than zero.
-template <class ValueAt>
-double largest_of(const std::vector<double>& values, const ValueAt& value_at,
-                  const SampledInstants& instants) {
-  double largest = 0.0;
-  const std::size_t n = values.size();
-  // None is above its neighbours that is not a peak.
-  const auto look_at = [&](std::size_t before, std::size_t i, std::size_t behind) {
-    if (values[i] >= values[before] && values[i] >= values[behind])
-      largest = std::max(largest, peak_near(value_at, i, 1.0, instants));
-  };
-  look_at(n - 1, 0, n > 1 ? 1 : 0);
-  for (std::size_t i = 1; i + 1 < n; ++i) look_at(i - 1, i, i + 1);
-  if (n > 1) look_at(n - 2, n - 1, 0);
-  return largest;
-}
-
-double largest_of(const std::vector<double>& values, const SampledInstants& instants) {
-  return largest_of(
-      values, [&](std::size_t i) { return values[i]; }, instants);
-}
-
-/// The turning points of a stress in order of time, without their instants.
-void find_turns(const std::vector<double>& values, const SampledInstants& instants,
-                TurningSamples& found, SituationTurns& of) {
-  of.begin = values.front();
-  of.end = instants.closed ? values.front() : values.back();
-  of.turns.clear();
-  find_turning_samples(values, found);
-  if (found.turns.empty()) of.turns.push_back({Time{}, values[found.highest], true});
-  for (const auto& [i, maximum] : found.turns) {
-    const double sign = maximum ? 1.0 : -1.0;
-    const auto value_at = [&](std::size_t k) { return values[k]; };
-    of.turns.push_back({Time{}, sign * peak_near(value_at, i, sign, instants), maximum});
-  }
-}
 
 double largest_range_of(const std::vector<Cycle>& cycles) {
   double largest = 0.0;
@@ -160,32 +55,52 @@ StationSamples::StationSamples(const Project& project,
     if (acts) acting_.push_back(which);
   }
   for (const SituationHistory& at : histories) {
-    Run run{index_of(project, *at.situation), at.situation->load_factor, {}, {}};
-    SampledInstants& instants = run.instants;
-    instants.closed = at.history.closed();
-    instants.period = at.history.period().value();
-    const std::vector<StationHistory::Passage>& passages = at.history.passages();
-    const std::size_t size = at.history.samples().size() + 2 * passages.size();
-    run.cuts.assign(acting_.size(), std::vector<double>(size));
-    instants.times.reserve(size);
-    instants.begins.reserve(size);
-    const auto add = [&](Time time, const CutForces& cut, bool begins) {
-      for (std::size_t j = 0; j < acting_.size(); ++j)
-        run.cuts[j][instants.times.size()] =
-            value_of(cut, static_cast<cut_force::Index>(acting_[j]));
-      instants.times.push_back(time.value());
-      instants.begins.push_back(begins);
-    };
-    auto passage = passages.begin();
-    for (std::size_t i = 0; i < at.history.samples().size(); ++i) {
-      for (; passage != passages.end() && passage->instant == i; ++passage) {
-        add(passage->time, passage->before, false);
-        add(passage->time, passage->behind, true);
-      }
-      add(at.history.time_of(i), at.history.samples()[i], at.history.begins_piece(i));
+    Run& run = runs_.emplace_back(
+        Run{index_of(project, *at.situation), at.situation->load_factor, {}, {}});
+    take_samples(at.history, run);
+    if (!run.instants.closed) run.instants.begins.front() = true;
+  }
+}
+
+void StationSamples::take_samples(const StationHistory& history, Run& run) const {
+  SampledInstants& instants = run.instants;
+  instants.closed = history.closed();
+  instants.period = history.period().value();
+  const std::vector<StationHistory::Passage>& passages = history.passages();
+  const std::vector<CutForces>& samples = history.samples();
+  const std::size_t size = samples.size() + 2 * passages.size();
+  run.cuts.resize(acting_.size());
+  if (passages.empty()) {
+    // One force after the other, each in a row.
+    for (std::size_t j = 0; j < acting_.size(); ++j) {
+      run.cuts[j].reserve(size);
+      for (const CutForces& cut : samples)
+        run.cuts[j].push_back(value_of(cut, static_cast<cut_force::Index>(acting_[j])));
     }
-    if (!instants.closed) instants.begins.front() = true;
-    runs_.push_back(std::move(run));
+    instants.times.resize(size);
+    instants.begins.resize(size);
+    for (std::size_t i = 0; i < size; ++i) {
+      instants.times[i] = history.time_of(i).value();
+      if (history.begins_piece(i)) instants.begins[i] = true;
+    }
+    return;
+  }
+  for (std::vector<double>& cuts : run.cuts) cuts.reserve(size);
+  instants.times.reserve(size);
+  instants.begins.reserve(size);
+  const auto add = [&](Time time, const CutForces& cut, bool begins) {
+    for (std::size_t j = 0; j < acting_.size(); ++j)
+      run.cuts[j].push_back(value_of(cut, static_cast<cut_force::Index>(acting_[j])));
+    instants.times.push_back(time.value());
+    instants.begins.push_back(begins);
+  };
+  auto passage = passages.begin();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    for (; passage != passages.end() && passage->instant == i; ++passage) {
+      add(passage->time, passage->before, false);
+      add(passage->time, passage->behind, true);
+    }
+    add(history.time_of(i), samples[i], history.begins_piece(i));
   }
 }
 

@@ -282,14 +282,16 @@ std::shared_ptr<const StressField> StressFields::of(const Section& section,
                                                     const std::vector<Hole>& holes,
                                                     const Taper& taper) {
   const bool kept = keep_ == Keep::all || (taper.empty() && holes.empty());
-  if (!kept) return std::make_shared<const StressField>(stress_field_of(section, holes, taper));
+  const auto find = [&] {
+    return std::make_shared<const StressField>(stress_field_of(section, holes, taper, prismatic_));
+  };
+  if (!kept) return find();
   const auto found = std::find_if(known_.begin(), known_.end(), [&](const Known& of) {
     return of.section == section && are_same(of.holes, holes) && are_same(of.taper, taper);
   });
   if (found != known_.end()) return found->field;
   constexpr std::size_t most = 16;
-  known_.push_front({section, holes, taper,
-                     std::make_shared<const StressField>(stress_field_of(section, holes, taper))});
+  known_.push_front({section, holes, taper, find()});
   if (known_.size() > most) known_.pop_back();
   return known_.front().field;
 }

@@ -121,9 +121,9 @@ class AlongBeam {
         memory_ != nullptr ? memory_->at(station) : once.emplace(*project_, *runs_, station);
     const std::vector<SituationHistory>& histories = loaded.histories;
     const StationSamples& samples = loaded.samples;
+    StressFields& fields = memory_ != nullptr ? loaded.fields : (keep ? fields_ : passing_fields_);
     StationPoints of_station =
-        station_points_of(samples, stress_points_at(*project_, *zones_, station,
-                                                    memory_ != nullptr ? loaded.fields : fields_));
+        station_points_of(samples, stress_points_at(*project_, *zones_, station, fields));
     const std::vector<StressPoint>& points = of_station.points;
     FunctionValues values(group_of_.size());
     add_cut_forces(samples, values);
@@ -152,7 +152,8 @@ class AlongBeam {
       for (const Criterion criterion : stress_criteria)
         named.of(criterion) = std::max(named.of(criterion), found.of(criterion));
     }
-    const WallSearch walls(samples, points, named);
+    of_station.along = stretch_uses_of(samples, points);
+    const WallSearch walls(samples, points, of_station.along, named);
     Utilisations on_walls;
     for (const Criterion criterion : stress_criteria)
       on_walls.of(criterion) = walls.worst(criterion).utilisation;
@@ -207,6 +208,8 @@ class AlongBeam {
   StationMemory* memory_;
   std::map<std::string, std::vector<std::size_t>> functions_;
   StressFields fields_;
+  /// Of stations of which nothing is kept to be shown.
+  StressFields passing_fields_{StressFields::Keep::even, Prismatic::left_out};
   std::size_t evaluations_ = 0;
   double nothing_ = 0.0;               ///< below it a force is none [N]
   std::vector<std::size_t> group_of_;  ///< of each function

@@ -6,87 +6,17 @@
 #include <optional>
 #include <utility>
 
+#include "along_stretch.hpp"
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/numerics/extremum.hpp"
 
 namespace boxbeam {
 namespace {
 
-constexpr std::array of_plates{Criterion::yield, Criterion::fatigue, Criterion::shear_fatigue,
-                               Criterion::combined_fatigue, Criterion::stress_range};
-
 constexpr CriterionSet set_of(std::span<const Criterion> asked) {
   CriterionSet set({});
   for (const Criterion criterion : asked) set.add(criterion);
   return set;
-}
-
-/// Of three influences at -1, 0 and 1, the one of the parabola through them at u.
-StressInfluence between(const std::array<StressInfluence, 3>& of, double u) {
-  const double a = 0.5 * u * (u - 1.0), b = (1.0 - u) * (1.0 + u), c = 0.5 * u * (u + 1.0);
-  StressInfluence influence;
-  for (std::size_t k = 0; k < cut_force::count; ++k) {
-    influence.normal[k] = a * of[0].normal[k] + b * of[1].normal[k] + c * of[2].normal[k];
-    influence.shear[k] = a * of[0].shear[k] + b * of[1].shear[k] + c * of[2].shear[k];
-  }
-  return influence;
-}
-
-/// The influences along a stretch. On a straight wall of a cell or a path the normal stress is
-/// linear and the shear flow a parabola: three places tell all.
-class AlongStretch {
- public:
-  explicit AlongStretch(const StressPoint& point) : point_(&point) {
-    const WallStretch& wall = point.stretch->wall;
-    // Of the end alone one place is enough.
-    straight_ = !point.stretch->only_end && !wall.round && !wall.solid &&
-                point.stretch->field->flow->at.graph.walls[wall.wall].radius == 0.0;
-    if (!straight_) return;
-    for (std::size_t k = 0; k < 3; ++k) three_[k] = exact_at(0.5 * static_cast<double>(k));
-  }
-
-  bool straight() const { return straight_; }
-  bool round() const { return point_->stretch->wall.round; }
-
-  StressInfluence at(double part) const {
-    return straight_ ? between(three_, 2.0 * part - 1.0) : exact_at(part);
-  }
-
- private:
-  StressInfluence exact_at(double part) const {
-    return influence_in(*point_,
-                        point_on_stretch(*point_->stretch->field, point_->stretch->wall, part));
-  }
-
-  const StressPoint* point_;
-  bool straight_ = false;
-  std::array<StressInfluence, 3> three_;
-};
-
-/// The local maxima of values on a grid, by their indices; of a ring the first and the last place
-/// are one.
-std::vector<std::size_t> local_maxima_of(const std::vector<double>& values, bool ring) {
-  std::vector<std::size_t> maxima;
-  const std::size_t last = values.size() - 1;
-  for (std::size_t k = 0; k <= last; ++k) {
-    const double before = k > 0 ? values[k - 1] : (ring ? values[last - 1] : -1.0);
-    const double behind = k < last ? values[k + 1] : (ring ? values[1] : -1.0);
-    if (values[k] >= before && values[k] >= behind) maxima.push_back(k);
-  }
-  return maxima;
-}
-
-/// The top of the parabola through a place of a grid and its neighbours, as far as they are there.
-double parabola_over(const std::vector<double>& values, std::size_t k) {
-  if (k == 0 || k + 1 == values.size()) {
-    if (values.size() < 3) return values[k];
-    k = k == 0 ? 1 : k - 1;
-  }
-  const double slope = 0.5 * (values[k + 1] - values[k - 1]);
-  const double bend = values[k + 1] - 2.0 * values[k] + values[k - 1];
-  const double largest = std::max({values[k - 1], values[k], values[k + 1]});
-  if (bend >= 0.0 || std::abs(slope) > -bend) return largest;
-  return std::max(largest, values[k] - 0.5 * slope * slope / bend);
 }
 
 /// Once round a hole in equal steps: what its edge has at any angle. Stresses there are waves of at
@@ -300,10 +230,11 @@ StationPoints station_points_of(const StationSamples& samples, std::vector<Stres
 StressPoint at_worst_on_stretch(const StationSamples& samples, const StressPoint& point,
                                 Criterion criterion) {
   const AlongStretch along(point);
+  const bool round = point.stretch->wall.round;
   const auto judge = [&](double part) {
-    return samples.judge(point, along.at(part), {criterion}).of(criterion);
+    return samples.judge(point, along.at(point, part), {criterion}).of(criterion);
   };
-  const int steps = along.round() ? 36 : 12;
+  const int steps = round ? 36 : 12;
   const auto part_of = [&](std::size_t k) { return static_cast<double>(k) / steps; };
   std::vector<double> values;
   for (int k = 0; k <= steps; ++k) values.push_back(judge(part_of(static_cast<std::size_t>(k))));
@@ -311,65 +242,16 @@ StressPoint at_worst_on_stretch(const StationSamples& samples, const StressPoint
   Extremum worst{part_of(static_cast<std::size_t>(largest - values.begin())), *largest};
   // Between two places of the grid of a round tube a fibre has at most 0.4 % more.
   const double at_least = 0.98 * worst.value;
-  for (const std::size_t k : local_maxima_of(values, along.round())) {
+  for (const std::size_t k : local_maxima_of(values, round)) {
     if (values[k] < at_least || worst.value == 0.0) continue;
     // Beside the end of a straight wall there may be a maximum; a ring goes on.
-    const double low = k == 0 && !along.round() ? 0.0 : part_of(k) - 1.0 / steps;
-    const double high = k + 1 == values.size() && !along.round() ? 1.0 : part_of(k) + 1.0 / steps;
+    const double low = k == 0 && !round ? 0.0 : part_of(k) - 1.0 / steps;
+    const double high = k + 1 == values.size() && !round ? 1.0 : part_of(k) + 1.0 / steps;
     const Extremum found = find_maximum(judge, low, high);
     // What is not worse than round-off is not worth a place of its own.
     if (found.value > worst.value * (1.0 + 1e-9)) worst = found;
   }
   return moved_along(point, worst.at);
-}
-
-WallSearch::WallSearch(const StationSamples& samples, std::span<const StressPoint> points,
-                       const Utilisations& named) {
-  for (const Criterion criterion : of_plates)
-    worst_[static_cast<std::size_t>(criterion)].utilisation = named.of(criterion);
-  for (const StressPoint& point : points) {
-    if (point.stretch) look_along(samples, point);
-  }
-}
-
-void WallSearch::look_along(const StationSamples& samples, const StressPoint& point) {
-  const AlongStretch along(point);
-  std::vector<double> parts;
-  // In the plane the flange of a section that mirrors itself is stressed evenly, and its shear
-  // grows in proportion to the distance from its middle.
-  if (point.stretch->only_end)
-    parts = {1.0};
-  else if (along.round())
-    for (int k = 0; k <= 36; ++k) parts.push_back(k / 36.0);
-  else
-    for (int k = 0; k <= 4; ++k) parts.push_back(k / 4.0);
-  std::vector<Utilisations> judged;
-  for (const double part : parts)
-    judged.push_back(samples.judge(point, along.at(part), set_of(of_plates)));
-  std::vector<double> values;
-  for (const Criterion criterion : of_plates) {
-    WorstOnWall& worst = worst_[static_cast<std::size_t>(criterion)];
-    const auto take = [&](double part, double utilisation) {
-      // What is not worse than round-off is not worth a place of its own.
-      if (utilisation > worst.utilisation * (1.0 + 1e-9)) worst = {utilisation, &point, part};
-    };
-    values.clear();
-    for (const Utilisations& at : judged) values.push_back(at.of(criterion));
-    for (std::size_t k = 0; k < parts.size(); ++k) take(parts[k], values[k]);
-    if (parts.size() == 1 || *std::max_element(values.begin(), values.end()) == 0.0) continue;
-    for (const std::size_t k : local_maxima_of(values, along.round())) {
-      if (values[k] == 0.0 || 1.02 * parabola_over(values, k) < worst.utilisation) continue;
-      const double step = parts[1] - parts[0];
-      const double low = k == 0 && !along.round() ? 0.0 : parts[k] - step;
-      const double high = k + 1 == parts.size() && !along.round() ? 1.0 : parts[k] + step;
-      const Extremum found = find_maximum(
-          [&](double part) {
-            return samples.judge(point, along.at(part), {criterion}).of(criterion);
-          },
-          low, high, 10);
-      take(found.at, found.value);
-    }
-  }
 }
 
 }  // namespace boxbeam

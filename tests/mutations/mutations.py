@@ -975,7 +975,7 @@ MUTATIONS = [
           "forced_motion_test"),
          ("forced-halfway", "t * t * (3.0 * dt * p", "t * t * (2.0 * dt * p",
           "rates between steps", "forced_motion_test")),
-    *_in("src/verification", "station_history.cpp",
+    *_in("src/verification", "station_pieces.cpp",
          ("passage-secants", "i < most && left * beyond > 0.0; ++i", "i < 0; ++i",
           "a load at uneven speed is met by secants", "load_history_test")),
     *_in("src/mechanism/spatial", "tree.cpp",

@@ -139,4 +139,26 @@ TEST_CASE("a prismatic piece has the same shear with and without its taper", "[s
   }
 }
 
+TEST_CASE("stresses are the same without the flow that is shown for comparison", "[section]") {
+  test::RandomSections random(7);
+  for (int run = 0; run < 20; ++run) {
+    const Box from = random.box();
+    Box to = from;
+    to.height *= 1.4;
+    to.width *= 1.2;
+    const TaperedPiece piece{{from, {}}, {to, {}}, 2.0};
+    const Section section = interpolate(piece.from, piece.to, 0.5);
+    const Taper taper = piece.taper_at(1.0);
+    const StressField all = stress_field_of(section, {}, taper);
+    const StressField judged = stress_field_of(section, {}, taper, Prismatic::left_out);
+    const auto points = points_of(all, PointSet::all);
+    const auto same = points_of(judged, PointSet::all);
+    REQUIRE(points.size() == same.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      CHECK(same[i].influence.normal == points[i].influence.normal);
+      CHECK(same[i].influence.shear == points[i].influence.shear);
+    }
+  }
+}
+
 }  // namespace taper_test

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "boxbeam/beam/beam_loads.hpp"
@@ -30,6 +31,9 @@ struct CutForceDiagram {
   /// Cut forces at a station; at a jump, on its side (`both` means behind). Zero outside the beam:
   /// before s = 0 and behind its end nothing is cut.
   CutForces at(const Station& station) const;
+  /// The same for who asks diagram after diagram: `piece`, in which it lies in the diagram before,
+  /// mostly is that in this one.
+  CutForces at(const Station& station, std::size_t& piece) const;
 };
 
 /// Integrates the loads. Point loads may stand in any order; their places and the ends of the line

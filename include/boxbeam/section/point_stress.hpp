@@ -31,8 +31,21 @@ struct StressInfluence {
 
 PointStress stress_at(const StressInfluence& influence, const CutForces& cut);
 
-/// One of the two [Pa].
-double stress_of(const std::array<double, cut_force::count>& per_force, const CutForces& cut);
+/// One of the two [Pa]. Cut forces of zero add nothing, even where their factor is not known.
+inline double stress_of(const std::array<double, cut_force::count>& per_force,
+                        const CutForces& cut) {
+  double sum = 0.0;
+  const auto add = [&](cut_force::Index which, double force) {
+    if (force != 0.0) sum += per_force[which] * force;
+  };
+  add(cut_force::N, cut.N.value());
+  add(cut_force::V_y, cut.V_y.value());
+  add(cut_force::V_z, cut.V_z.value());
+  add(cut_force::T, cut.T.value());
+  add(cut_force::M_y, cut.M_y.value());
+  add(cut_force::M_z, cut.M_z.value());
+  return sum;
+}
 
 /// The same influence with the shear multiplied: q/t to q/a on the throat of a weld.
 StressInfluence shear_scaled(const StressInfluence& influence, double factor);

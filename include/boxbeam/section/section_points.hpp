@@ -17,11 +17,17 @@ struct StressField {
   Taper taper;
   AreaSums sums;                       ///< net
   std::optional<ShearFlow> flow;       ///< equilibrium flow; nothing for solid sections
-  std::optional<ShearFlow> prismatic;  ///< V S/I, as if the section did not change
+  std::optional<ShearFlow> prismatic;  ///< V S/I, as if the section did not change, where it does
+
+  /// As if the section did not change. Precondition: walls.
+  const ShearFlow& unchanging() const { return prismatic ? *prismatic : *flow; }
 };
 
+/// Whether the flow is found as well that is only shown for comparison.
+enum class Prismatic { found, left_out };
+
 StressField stress_field_of(const Section& section, const std::vector<Hole>& holes,
-                            const Taper& taper);
+                            const Taper& taper, Prismatic prismatic = Prismatic::found);
 
 /// Whether both halves of a section beside y = 0 are stressed alike in the plane: it mirrors
 /// itself, and so do the sections that it tapers to.

@@ -204,7 +204,6 @@ class StationHistory {
   void divide_at_passages(const LoadHistory::Reach& reach, std::vector<Piece>& pieces) const;
   void add_smooth(const Piece& piece, int halvings, bool keep, std::vector<Piece>& pieces) const;
   Piece piece_between(double from, double to, bool keep) const;
-  bool is_described(const Nodes& at) const;
   std::vector<Passage> find_passages() const;
   /// The larger one of what is known and what is in a piece; `own`: the time of an instant.
   void look_in(const Piece& piece, double own, double sign, const CutForceFunction& f,

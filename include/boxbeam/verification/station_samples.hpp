@@ -118,6 +118,7 @@ class StationSamples {
   struct Looked {
     bool direct = false, along = false, yield = false, weld = false;
   };
+  void take_samples(const StationHistory& history, Run& run) const;
   void find_effect(const StressInfluence& influence, double factor, const Looked& at,
                    Effect& effect) const;
   const Effect& effect_of(const StressInfluence& influence, double factor, const Looked& at) const;

@@ -102,7 +102,8 @@ class StressFields {
   /// stations are alike; of one station all.
   enum class Keep { even, all };
 
-  explicit StressFields(Keep keep = Keep::even) : keep_(keep) {}
+  explicit StressFields(Keep keep = Keep::even, Prismatic prismatic = Prismatic::found)
+      : keep_(keep), prismatic_(prismatic) {}
 
   std::shared_ptr<const StressField> of(const Section& section, const std::vector<Hole>& holes,
                                         const Taper& taper);
@@ -116,6 +117,7 @@ class StressFields {
   };
 
   Keep keep_;
+  Prismatic prismatic_;
   std::deque<Known> known_;
 };
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "boxbeam/verification/station_samples.hpp"
+#include "boxbeam/verification/wall_search.hpp"
 
 namespace boxbeam {
 
@@ -20,6 +20,8 @@ struct StationPoints {
   std::vector<StressPoint> points;  ///< of edges without their places
   /// By `stress_criteria`, of each point; empty where it lies on no edge.
   std::vector<std::vector<StressPoint>> on_edges;
+  /// Of each stretch among the points, in their order, once it was asked for.
+  std::vector<StretchUses> along = {};
 };
 
 StationPoints station_points_of(const StationSamples& samples, std::vector<StressPoint> points);
@@ -29,32 +31,6 @@ StationPoints station_points_of(const StationSamples& samples, std::vector<Stres
 /// found by Brent's method, so that a round tube has no favoured direction.
 StressPoint at_worst_on_stretch(const StationSamples& samples, const StressPoint& point,
                                 Criterion criterion);
-
-/// A place on a stretch of wall, and how far a criterion is used up there.
-struct WorstOnWall {
-  double utilisation = 0.0;
-  const StressPoint* point = nullptr;  ///< with the stretch; nothing where no place is worse
-  double part = 0.0;                   ///< of the stretch
-};
-
-/// By each criterion the worst place on the stretches among the points of a station, as far as it
-/// is worse than `named`, what is known already. On straight walls a coarse grid, whose local
-/// maxima are followed where the parabola through them comes within 2 % of what is known: normal
-/// stress is linear along such a wall and shear flow a parabola.
-class WallSearch {
- public:
-  WallSearch(const StationSamples& samples, std::span<const StressPoint> points,
-             const Utilisations& named);
-
-  const WorstOnWall& worst(Criterion criterion) const {
-    return worst_[static_cast<std::size_t>(criterion)];
-  }
-
- private:
-  void look_along(const StationSamples& samples, const StressPoint& point);
-
-  std::array<WorstOnWall, criteria.size()> worst_;
-};
 
 /// The point at a part of its stretch.
 StressPoint moved_along(const StressPoint& point, double part);

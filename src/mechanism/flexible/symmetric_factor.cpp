@@ -141,19 +141,29 @@ typename SymmetricFactor<Scalar>::Vector SymmetricFactor<Scalar>::solve(const Ve
   const Eigen::Index size = lower_.rows();
   Vector x(size);
   for (Eigen::Index i = 0; i < size; ++i) x[i] = right[order_[static_cast<std::size_t>(i)]];
-  const auto rows_of = [&](Eigen::Index at) {
-    return pairs_[static_cast<std::size_t>(at)] ? Eigen::Index{2} : Eigen::Index{1};
+  struct Pivot {
+    Eigen::Index at, rows;
   };
-  std::vector<Eigen::Index> begins;
-  begins.reserve(order_.size());
-  for (Eigen::Index at = 0; at < size; at += rows_of(at)) {
-    begins.push_back(at);
-    const Eigen::Index rows = rows_of(at), left = size - at - rows;
-    for (Eigen::Index i = at; i < at + rows; ++i)
-      x.tail(left).noalias() -= x[i] * lower_.col(i).tail(left);
+  std::vector<Pivot> pivots;
+  pivots.reserve(order_.size());
+  for (Eigen::Index at = 0; at < size; at += pivots.back().rows) {
+    const Eigen::Index rows = pairs_[static_cast<std::size_t>(at)] ? 2 : 1;
+    const Eigen::Index left = size - at - rows;
+    pivots.push_back({at, rows});
+    for (Eigen::Index i = at; i < at + rows; ++i) {
+      if constexpr (std::is_same_v<Scalar, double>) {
+        // Columns are short: what prepares an expression of Eigen's would take longer than they do.
+        const double times = x[i];
+        const double* const column = lower_.data() + i * size + at + rows;
+        double* const rest = x.data() + at + rows;
+        for (Eigen::Index row = 0; row < left; ++row) rest[row] -= times * column[row];
+      } else {
+        x.tail(left).noalias() -= x[i] * lower_.col(i).tail(left);
+      }
+    }
   }
-  for (const Eigen::Index at : begins) {
-    if (rows_of(at) == 1) {
+  for (const auto& [at, rows] : pivots) {
+    if (rows == 1) {
       x[at] /= lower_(at, at);
       continue;
     }
@@ -163,9 +173,10 @@ typename SymmetricFactor<Scalar>::Vector SymmetricFactor<Scalar>::solve(const Ve
     x[at] = ((c / b) * first - second) / det;
     x[at + 1] = ((a / b) * second - first) / det;
   }
-  for (auto at = begins.rbegin(); at != begins.rend(); ++at) {
-    const Eigen::Index rows = rows_of(*at), left = size - *at - rows;
-    for (Eigen::Index i = *at; i < *at + rows; ++i)
+  for (auto pivot = pivots.rbegin(); pivot != pivots.rend(); ++pivot) {
+    const auto& [at, rows] = *pivot;
+    const Eigen::Index left = size - at - rows;
+    for (Eigen::Index i = at; i < at + rows; ++i)
       x[i] -= lower_.col(i).tail(left).cwiseProduct(x.tail(left)).sum();
   }
   Vector result(size);
