@@ -75,13 +75,6 @@ std::vector<Interval> intervals_of(const std::vector<MassStretch>& stretches,
   return intervals;
 }
 
-/// The same polynomial of the distance from another place.
-template <int Degree>
-Polynomial<Degree> shifted(const Polynomial<Degree>& p, double by, double length) {
-  if (by == 0.0) return p;
-  return interpolate<Degree>([&](double x) { return p(x + by); }, length);
-}
-
 LineLoad empty_line(const Interval& of) {
   return {si<Length>(of.from), si<Length>(of.to - of.from), {}, {}};
 }
@@ -225,11 +218,6 @@ PointLoad point_load(const Link& link, std::string_view name, Length s, const Ei
   return load;
 }
 
-template <int Degree>
-void add(Polynomial<Degree>& sum, double factor, const Polynomial<Degree>& p) {
-  for (std::size_t i = 0; i < p.size; ++i) sum.c[i] += factor * p.c[i];
-}
-
 /// What the axial force that is there does to a part that bends, in the axes of the straight beam:
 /// the load across it d/ds (N w'), which gives the shear in the bent section. `N w'` of a part as a
 /// polynomial whose integral is the couple that its two nodes feel, so that all is in balance.
@@ -302,19 +290,6 @@ void add_second_order(const DividedLink& link, const std::vector<Length>& places
 }
 
 }  // namespace
-
-void add(BeamLoads& sum, double factor, const BeamLoads& loads) {
-  for (std::size_t i = 0; i < loads.points.size(); ++i) {
-    sum.points[i].force += factor * loads.points[i].force;
-    sum.points[i].moment += factor * loads.points[i].moment;
-  }
-  for (std::size_t i = 0; i < loads.lines.size(); ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      add(sum.lines[i].force[axis], factor, loads.lines[i].force[axis]);
-      add(sum.lines[i].couple[axis], factor, loads.lines[i].couple[axis]);
-    }
-  }
-}
 
 BeamResponse beam_response_of(const Structure& structure, int link, const TaperedBeam& beam,
                               const Response& response, const LinkColumns<Complex>& inertial) {
