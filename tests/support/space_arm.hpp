@@ -31,7 +31,7 @@ gravity = ["0 m/s^2", "0 m/s^2", "{:.15g} m/s^2"]
 [bodies.arm]
 points = {{ heel = ["0 m", "0 m", "0 m"], mid = ["1.5 m", "0 m", "0 m"], tip = ["4 m", "0 m", "0 m"]{} }}
 )",
-                     -gravity, points) +
+                     0.0 - gravity, points) +
          joints +
          R"(
 [sections.arm]
