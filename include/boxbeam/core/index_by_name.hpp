@@ -15,7 +15,9 @@ int index_by_name(const Items& items, std::string_view name) {
   return found == items.end() ? -1 : static_cast<int>(found - items.begin());
 }
 
+/// The names of items that have one.
 template <class Items>
+requires requires(const Items& items) { items.begin()->name; }
 std::vector<std::string> names_of(const Items& items) {
   std::vector<std::string> names;
   for (const auto& item : items) names.push_back(item.name);
