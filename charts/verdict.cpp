@@ -18,8 +18,7 @@ constexpr double reference_tolerance = 1e-4;
 /// The factor that decides the verdict, over what is required of it.
 double governing_of(const Project& project) {
   const Verification verification = verify(project);
-  if (verification.checks.empty())
-    throw AnalysisError({"nothing is checked", project.name, {}, {}, {}, {}});
+  if (verification.checks.empty()) throw AnalysisError({"nothing is checked", project.name});
   return 1.0 / verification.checks.front().check.utilisation();
 }
 

@@ -19,6 +19,39 @@ double torque_of(const PointLoad& load) {
   return load.moment.x() - (load.at.x() * load.force.z() - load.at.y() * load.force.y());
 }
 
+void add(std::vector<LineLoad>& sum, double factor, const std::vector<LineLoad>& lines) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      add(sum[i].force[axis], factor, lines[i].force[axis]);
+      add(sum[i].couple[axis], factor, lines[i].couple[axis]);
+    }
+  }
+}
+
+void add(BeamLoads& sum, double factor, const BeamLoads& loads) {
+  assert(loads.points.size() <= sum.points.size() && loads.lines.size() <= sum.lines.size());
+  for (std::size_t i = 0; i < loads.points.size(); ++i) {
+    sum.points[i].force += factor * loads.points[i].force;
+    sum.points[i].moment += factor * loads.points[i].moment;
+  }
+  add(sum.lines, factor, loads.lines);
+}
+
+void unload(std::vector<LineLoad>& lines) {
+  for (LineLoad& line : lines) {
+    line.force = {};
+    line.couple = {};
+  }
+}
+
+void unload(BeamLoads& loads) {
+  for (PointLoad& load : loads.points) {
+    load.force.setZero();
+    load.moment.setZero();
+  }
+  unload(loads.lines);
+}
+
 std::vector<LineLoad> unloaded_lines(const TaperedBeam& beam) {
   std::vector<LineLoad> lines;
   lines.reserve(beam.segments.size());

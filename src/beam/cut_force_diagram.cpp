@@ -19,20 +19,6 @@ struct Running {
   }
 };
 
-/// p(x + shift), so that a piece that begins inside a segment has its own origin.
-template <int Degree>
-Polynomial<Degree> shifted(const Polynomial<Degree>& p, double shift) {
-  if (shift == 0.0) return p;
-  Polynomial<Degree> result;
-  for (std::size_t i = p.size; i-- > 0;) {
-    for (std::size_t k = p.size - 1; k > 0; --k) {
-      result.c[k] = result.c[k - 1] + shift * result.c[k];
-    }
-    result.c[0] = p.c[i] + shift * result.c[0];
-  }
-  return result;
-}
-
 CutForcePiece integrate(const LineLoad& line, double shift, Length start, Length length,
                         const Running& from) {
   const auto force = [&](std::size_t axis) { return -1.0 * shifted(line.force[axis], shift); };

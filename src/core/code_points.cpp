@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 namespace boxbeam {
 namespace {
@@ -50,6 +51,13 @@ std::u32string code_points_of(std::string_view text) {
     at += point.length;
   }
   return points;
+}
+
+std::string small_letters(std::string_view text) {
+  std::string small(text);
+  std::transform(small.begin(), small.end(), small.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return small;
 }
 
 bool is_stray_byte(char32_t code) { return in(code, stray + 0x80, stray + 0xFF); }

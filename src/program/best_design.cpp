@@ -30,12 +30,8 @@ double margin_of(double use) {
 AnalysisError not_judged(const Verification& of) {
   const auto blocking =
       std::find_if(of.gates.begin(), of.gates.end(), [](const Gate& gate) { return gate.blocks; });
-  return AnalysisError({blocking == of.gates.end() ? "not applicable" : blocking->finding,
-                        "not judged",
-                        {},
-                        {},
-                        {},
-                        {}});
+  return AnalysisError(
+      {blocking == of.gates.end() ? "not applicable" : blocking->finding, "not judged"});
 }
 
 /// The worst use of each criterion; one that judges nothing keeps its limit.

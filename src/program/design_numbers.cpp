@@ -77,8 +77,7 @@ std::vector<double> DesignNumbers::of(const std::vector<Setting>& design,
       numbers.push_back(largest_use_of(beams));
     } else {
       const ResultValue* const value = book->find(name);
-      if (value == nullptr)
-        throw AnalysisError({fmt::format("there is no {}", name), "", {}, {}, {}, {}});
+      if (value == nullptr) throw AnalysisError({fmt::format("there is no {}", name), ""});
       numbers.push_back(value->value);
     }
   }

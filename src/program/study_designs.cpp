@@ -136,11 +136,7 @@ std::vector<std::string> StudyDesigns::results_of_design(const std::vector<Setti
       const double value = NamedExpression(study_->formulas[k], names).at(numbers);
       if (!std::isfinite(value))
         throw AnalysisError({fmt::format("\"{}\" has no finite value", study_->formulas[k]),
-                             "column " + study_->columns[k],
-                             {},
-                             {},
-                             {},
-                             {}});
+                             "column " + study_->columns[k]});
       results.push_back(report::csv_cell(value));
     }
     return results;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "boxbeam/core/code_points.hpp"
+#include "boxbeam/core/index_by_name.hpp"
 #include "boxbeam/project/project.hpp"
 #include "program/exit_code.hpp"
 #include "program/terminal.hpp"
@@ -16,13 +17,6 @@ namespace {
 std::string listed(const std::vector<std::string>& names) {
   if (names.empty()) return "";
   return fmt::format("{}: {}", names.size(), fmt::join(names, ", "));
-}
-
-template <class Items>
-std::vector<std::string> names_of(const Items& items) {
-  std::vector<std::string> names;
-  for (const auto& item : items) names.push_back(item.name);
-  return names;
 }
 
 /// What a case consists of, an entry for each part that it has.

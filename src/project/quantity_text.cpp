@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "boxbeam/core/angle.hpp"
+#include "boxbeam/core/code_points.hpp"
 #include "csv_text.hpp"
 
 namespace boxbeam {
@@ -153,13 +154,6 @@ std::size_t edit_distance(std::string_view word, std::string_view candidate) {
     }
   }
   return row.back();
-}
-
-std::string small_letters(std::string_view word) {
-  std::string small(word);
-  std::transform(small.begin(), small.end(), small.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return small;
 }
 
 }  // namespace

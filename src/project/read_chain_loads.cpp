@@ -78,13 +78,7 @@ void read_spring(const std::string& name, TableReader& table, Mechanism& mechani
     table.problem("connect", "a spring connects two bodies, or a body and the ground",
                   "write connect = [\"leg.B\", \"strut.B\"], or \"ground\" for one of them");
   }
-  spring.stiffness = table.not_negative({"stiffness", "force per length"}, wanted::stiffness);
-  spring.free_length = table.not_negative({"free_length", "without force"}, wanted::length, 0.0);
-  spring.damping = table.not_negative({"damping", "force per velocity"}, wanted::damping, 0.0);
-  refuse_idle(table, spring.stiffness, spring.damping, wanted::stiffness);
-  const ActingOf acting = read_acting(table, spring.stiffness, spring.damping);
-  spring.acts = acting.acts;
-  spring.impact = acting.impact;
+  read_spring_law(table, spring);
   if (table.problems().size() == before) mechanism.springs.push_back(std::move(spring));
 }
 

@@ -19,13 +19,7 @@ planar::Spring read_spring(TableReader& table, const Mechanism& mechanism) {
   std::tie(spring.a, spring.b) = ends_in(
       table, {{"connect", "its ends, \"body.point\", or \"ground\" for one of them"}, "a spring"},
       mechanism);
-  spring.stiffness = table.not_negative({"stiffness", "force per length"}, wanted::stiffness);
-  spring.free_length = table.not_negative({"free_length", "without force"}, wanted::length, 0.0);
-  spring.damping = table.not_negative({"damping", "force per velocity"}, wanted::damping, 0.0);
-  refuse_idle(table, spring.stiffness, spring.damping, wanted::stiffness);
-  const ActingOf acting = read_acting(table, spring.stiffness, spring.damping);
-  spring.acts = acting.acts;
-  spring.impact = acting.impact;
+  read_spring_law(table, spring);
   return spring;
 }
 

@@ -201,13 +201,6 @@ std::pair<planar::Attachment, planar::Attachment> ends_in(TableReader& table, co
 void check_name(TableReader& table, const std::string& name, const char* what,
                 const planar::Mechanism& mechanism);
 
-template <class Items>
-std::vector<std::string> names_of(const Items& items) {
-  std::vector<std::string> names;
-  for (const auto& item : items) names.push_back(item.name);
-  return names;
-}
-
 /// The nearest of the known names, or all of them where none is near.
 std::string unknown_hint(std::string_view name, const std::vector<std::string>& known);
 
@@ -243,6 +236,18 @@ std::optional<ClearanceOf> read_clearance(TableReader& joint);
 /// Refuses a spring with neither stiffness nor damping.
 void refuse_idle(TableReader& table, double stiffness, double damping,
                  const WantedDimension& of_stiffness);
+
+/// What a spring between two points says beside where it is; in the plane or in space.
+template <class Spring>
+void read_spring_law(TableReader& table, Spring& spring) {
+  spring.stiffness = table.not_negative({"stiffness", "force per length"}, wanted::stiffness);
+  spring.free_length = table.not_negative({"free_length", "without force"}, wanted::length, 0.0);
+  spring.damping = table.not_negative({"damping", "force per velocity"}, wanted::damping, 0.0);
+  refuse_idle(table, spring.stiffness, spring.damping, wanted::stiffness);
+  const ActingOf acting = read_acting(table, spring.stiffness, spring.damping);
+  spring.acts = acting.acts;
+  spring.impact = acting.impact;
+}
 
 /// [[beam.restraints]] of a beam that is read. Refuses those that do not hold it.
 std::vector<Restraint> read_restraints(TableReader& table, const TaperedBeam& beam);

@@ -109,9 +109,7 @@ Hint value_hint(const Assignment& line) {
   if (value.ends_with(';') || value.ends_with(',')) {
     return fmt::format("nothing stands behind a value; take away the {}", value.back());
   }
-  std::string lower(value);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string lower = small_letters(value);
   for (const auto& [word, meant] : {std::pair{"true", "true"},
                                     {"false", "false"},
                                     {"yes", "true"},

@@ -10,17 +10,13 @@
 namespace boxbeam {
 namespace {
 
+using layout::number_beside;
 using layout::Table;
-
-/// Six digits; zero for what is round-off beside `size`, and never "-0".
-std::string number(double value, double size) {
-  return fmt::format("{:.6g}", std::abs(value) <= 1e-12 * size ? 0.0 : value);
-}
 
 /// Adds the three components of a vector to a row. Round-off is judged beside `size`, the largest
 /// length in the column, so that a vector that is nothing reads as 0.
 void add(std::vector<std::string>& row, const Eigen::Vector3d& v, double size) {
-  for (const double component : v) row.push_back(number(component, size));
+  for (const double component : v) row.push_back(number_beside(component, size));
 }
 
 /// The largest length of a vector among all things of a list.
@@ -102,12 +98,13 @@ std::string joints_table(const spatial::Mechanism& mechanism,
     const bool carries = i < mechanism.joints.size();
     const bool turns = carries && spatial::is_angle(mechanism.joints[i].kind);
     const bool fixed = carries && mechanism.joints[i].kind == spatial::JointKind::fixed;
-    row.push_back(joint.drive
-                      ? number(*joint.drive, turns ? moment : force) + (turns ? " N m" : " N")
-                      : (fixed ? "fixed" : "-"));
-    row.push_back(joint.coordinate ? number(joint.coordinate->value, 0.0) + (turns ? " rad" : " m")
-                                   : "-");
-    if (rubs) row.push_back(joint.friction ? number(*joint.friction, force) : "-");
+    row.push_back(joint.drive ? number_beside(*joint.drive, turns ? moment : force) +
+                                    (turns ? " N m" : " N")
+                              : (fixed ? "fixed" : "-"));
+    row.push_back(joint.coordinate
+                      ? number_beside(joint.coordinate->value, 0.0) + (turns ? " rad" : " m")
+                      : "-");
+    if (rubs) row.push_back(joint.friction ? number_beside(*joint.friction, force) : "-");
     table.row(row);
   }
   return "\n" + table.text();
@@ -136,7 +133,7 @@ std::string hand_formula_text(const HandComparison& hand) {
     const double open = formula.value[i] - hand.computed[i];
     const auto component = static_cast<std::size_t>(i);
     const std::string axis(1, "xyz"[component]);
-    table.row({axis, number(formula.value[i], size), number(hand.computed[i], size),
+    table.row({axis, number_beside(formula.value[i], size), number_beside(hand.computed[i], size),
                fmt::format("{:.3g}", open == 0.0 ? 0.0 : open),
                fmt::format("{:.1e}", size > 0.0 ? std::abs(open) / size : 0.0)});
     written += layout::entry(axis, "= " + formula.formula[component]);

@@ -218,10 +218,8 @@ void report::put_comparison(Fields& to, const Project& project, const Comparison
 }
 
 std::string comparison_json(const Project& project, const Comparison& comparison) {
-  Json document = Json::object();
-  report::Fields fields(document);
-  report::put_comparison(fields, project, comparison);
-  return document.dump(2) + "\n";
+  return report::document_text(
+      [&](report::Fields fields) { report::put_comparison(fields, project, comparison); });
 }
 
 }  // namespace boxbeam

@@ -34,4 +34,12 @@ void put_solution(Fields& to, const Solution& solution);
 void put_optimum(Fields& to, const OptimumReport& of);
 void put_comparison(Fields& to, const Project& project, const Comparison& comparison);
 
+/// The text of a document that `put` fills.
+template <class Put>
+std::string document_text(const Put& put) {
+  Json document = Json::object();
+  put(Fields(document));
+  return document.dump(2) + "\n";
+}
+
 }  // namespace boxbeam::report

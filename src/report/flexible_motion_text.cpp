@@ -11,12 +11,8 @@
 namespace boxbeam {
 namespace {
 
+using layout::number_beside;
 using layout::Table;
-
-/// Six digits; zero for what is round-off beside `size`, and never "-0".
-std::string number(double value, double size) {
-  return fmt::format("{:.6g}", std::abs(value) <= 1e-12 * size ? 0.0 : value);
-}
 
 /// "2.1e-05 (order 2.0)"; a word where it is round-off beside `size`, or no order is seen.
 std::string error_text(const DiscretisationError& of, double size) {
@@ -49,62 +45,57 @@ bool turns(const FlexibleMotionResult& motion) {
   });
 }
 
-std::string static_tables(const FlexibleMotionResult& motion) {
-  double size = 0.0;
-  for (const JointVibration& joint : motion.joints) size = std::max(size, joint.force.magnitude);
-  std::vector<std::string> header{"joint", "on", "fx [N]", "fy [N]"};
-  const bool moments = turns(motion);
-  if (moments) header.emplace_back("moment [N m]");
-  header.insert(header.end(), {"magnitude [N]", "stated error [N]"});
-  Table joints(header);
-  for (const JointVibration& joint : motion.joints) {
-    const Eigen::Vector3d& force = joint.force.constant;
-    std::vector<std::string> row{joint.name, joint.on, number(force.x(), size),
-                                 number(force.y(), size)};
-    if (moments) row.push_back(number(force.z(), size));
-    row.push_back(number(joint.force.magnitude, size));
-    row.push_back(error_text(joint.force.constant_error, size));
-    joints.row(row);
-  }
-  double far = 0.0;
-  for (const PointVibration& point : motion.points) far = std::max(far, point.motion.magnitude);
-  Table points({"point", "x [mm]", "y [mm]", "stated error [mm]"});
-  for (const PointVibration& point : motion.points) {
-    const Eigen::Vector2d at = 1e3 * point.motion.constant;
-    DiscretisationError error = point.motion.constant_error;
-    error.error *= 1e3;
-    points.row({point.name, number(at.x(), 1e3 * far), number(at.y(), 1e3 * far),
-                error_text(error, 1e3 * far)});
-  }
-  return joints.text() + "\n" + points.text();
-}
+/// Of what stands still, or of what vibrates: a component, how large it is and its error.
+struct Shown {
+  bool vibrates = false;
 
-std::string harmonic_tables(const FlexibleMotionResult& motion) {
-  double size = 0.0;
-  for (const JointVibration& joint : motion.joints) size = std::max(size, joint.force.largest);
+  template <int Size>
+  std::string component(const Vibration<Size>& of, int i, double scale, double size) const {
+    return vibrates ? phase_text(scale * of.amplitude[i], size)
+                    : number_beside(scale * of.constant[i], size);
+  }
+  template <int Size>
+  double length(const Vibration<Size>& of) const {
+    return vibrates ? of.largest : of.magnitude;
+  }
+  template <int Size>
+  DiscretisationError error(const Vibration<Size>& of) const {
+    return vibrates ? of.amplitude_error : of.constant_error;
+  }
+};
+
+std::string tables_of(const FlexibleMotionResult& motion, const Shown& shown) {
+  double size = 0.0, far = 0.0;
+  for (const JointVibration& joint : motion.joints)
+    size = std::max(size, shown.length(joint.force));
   std::vector<std::string> header{"joint", "on", "fx [N]", "fy [N]"};
   const bool moments = turns(motion);
   if (moments) header.emplace_back("moment [N m]");
-  header.insert(header.end(), {"largest [N]", "stated error [N]"});
+  header.insert(header.end(),
+                {shown.vibrates ? "largest [N]" : "magnitude [N]", "stated error [N]"});
   Table joints(header);
   for (const JointVibration& joint : motion.joints) {
-    const Eigen::Vector3cd& force = joint.force.amplitude;
-    std::vector<std::string> row{joint.name, joint.on, phase_text(force.x(), size),
-                                 phase_text(force.y(), size)};
-    if (moments) row.push_back(phase_text(force.z(), size));
-    row.push_back(number(joint.force.largest, size));
-    row.push_back(error_text(joint.force.amplitude_error, size));
+    std::vector<std::string> row{joint.name, joint.on};
+    for (int i = 0; i < (moments ? 3 : 2); ++i)
+      row.push_back(shown.component(joint.force, i, 1.0, size));
+    row.push_back(number_beside(shown.length(joint.force), size));
+    row.push_back(error_text(shown.error(joint.force), size));
     joints.row(row);
   }
-  double far = 0.0;
-  for (const PointVibration& point : motion.points) far = std::max(far, point.motion.largest);
-  Table points({"point", "x [mm]", "y [mm]", "largest [mm]", "stated error [mm]"});
+  for (const PointVibration& point : motion.points)
+    far = std::max(far, 1e3 * shown.length(point.motion));
+  header = {"point", "x [mm]", "y [mm]"};
+  if (shown.vibrates) header.emplace_back("largest [mm]");
+  header.emplace_back("stated error [mm]");
+  Table points(header);
   for (const PointVibration& point : motion.points) {
-    const Eigen::Vector2cd at = 1e3 * point.motion.amplitude;
-    DiscretisationError error = point.motion.amplitude_error;
+    DiscretisationError error = shown.error(point.motion);
     error.error *= 1e3;
-    points.row({point.name, phase_text(at.x(), 1e3 * far), phase_text(at.y(), 1e3 * far),
-                number(1e3 * point.motion.largest, 1e3 * far), error_text(error, 1e3 * far)});
+    std::vector<std::string> row{point.name, shown.component(point.motion, 0, 1e3, far),
+                                 shown.component(point.motion, 1, 1e3, far)};
+    if (shown.vibrates) row.push_back(number_beside(1e3 * point.motion.largest, far));
+    row.push_back(error_text(error, far));
+    points.row(row);
   }
   return joints.text() + "\n" + points.text();
 }
@@ -128,13 +119,13 @@ std::string motion_text(const Project& project, const FlexibleMotionResult& moti
         "This is the case as it stands; what its situations change is not part of it.");
   }
   out += "\n" + layout::heading("Natural frequencies, undamped") + frequencies_table(motion);
-  out += "\n" + layout::heading("Weight and constant loads") + static_tables(motion);
+  out += "\n" + layout::heading("Weight and constant loads") + tables_of(motion, {false});
   if (motion.frequency == 0.0) return out;
   out += "\n" + layout::heading(fmt::format("Harmonic loads at {:.6g} Hz", motion.frequency));
   out += layout::paragraph(
       "Size and phase of each component against sin(2 pi f t); \"largest\" is the longest that the "
       "vector gets in a period.");
-  out += harmonic_tables(motion);
+  out += tables_of(motion, {true});
   return out;
 }
 

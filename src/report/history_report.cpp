@@ -270,10 +270,8 @@ void report::put_history(Fields& to, const HistoryDemand& demand, const HistoryF
 }
 
 std::string history_json(const HistoryDemand& demand, const HistoryFatigue& fatigue) {
-  Json document = Json::object();
-  Fields fields(document);
-  report::put_history(fields, demand, fatigue);
-  return document.dump(2) + "\n";
+  return report::document_text(
+      [&](report::Fields fields) { report::put_history(fields, demand, fatigue); });
 }
 
 }  // namespace boxbeam

@@ -327,20 +327,17 @@ void put_results(Fields& to, const Project& project, const Verification& verific
 namespace boxbeam {
 
 std::string results_json(const Project& project, const Verification& verification) {
-  Json document = Json::object();
-  report::Fields fields(document);
-  report::put_results(fields, project, verification);
-  return document.dump(2) + "\n";
+  return report::document_text(
+      [&](report::Fields fields) { report::put_results(fields, project, verification); });
 }
 
 std::string results_json(const std::vector<VerifiedBeam>& beams,
                          const Sensitivities* sensitivities) {
   const VerifiedBeam& worst = worst_of(beams);
-  Json document = Json::object();
-  report::Fields fields(document);
-  report::put_results(fields, worst.project, worst.verification,
-                      beams.size() > 1 ? &beams : nullptr, sensitivities);
-  return document.dump(2) + "\n";
+  return report::document_text([&](report::Fields fields) {
+    report::put_results(fields, worst.project, worst.verification,
+                        beams.size() > 1 ? &beams : nullptr, sensitivities);
+  });
 }
 
 }  // namespace boxbeam

@@ -198,30 +198,26 @@ void put_motion(Fields& to, const ChainMotionResult& motion) {
 namespace boxbeam {
 
 std::string motion_json(const AnyMotionResult& motion) {
-  Json document = Json::object();
-  report::Fields fields(document);
-  report::put_motion(fields, motion);
-  return document.dump(2) + "\n";
+  return report::document_text([&](report::Fields fields) { report::put_motion(fields, motion); });
 }
 
 std::string assemblies_json(const std::vector<AssemblyResult>& assemblies, double time) {
   using Named = std::pair<std::string, Eigen::Vector3d>;
-  Json document = Json::object();
-  report::Fields to(document);
-  to.constant("schema", "boxbeam.assemblies/1");
-  to.constant("kind", "planar");
-  to.number("time", "s", time);
-  to.list("assemblies", "", assemblies, [](report::Fields& of, const AssemblyResult& assembly) {
-    report::put_branch(of, assembly.branch);
-    of.named(
-        "bodies", assembly.bodies, [](const Named& body) { return body.first; },
-        [](report::Fields& at, const Named& body) {
-          at.number("x", "m", body.second.x());
-          at.number("y", "m", body.second.y());
-          at.number("angle", "rad", body.second.z());
-        });
+  return report::document_text([&](report::Fields to) {
+    to.constant("schema", "boxbeam.assemblies/1");
+    to.constant("kind", "planar");
+    to.number("time", "s", time);
+    to.list("assemblies", "", assemblies, [](report::Fields& of, const AssemblyResult& assembly) {
+      report::put_branch(of, assembly.branch);
+      of.named(
+          "bodies", assembly.bodies, [](const Named& body) { return body.first; },
+          [](report::Fields& at, const Named& body) {
+            at.number("x", "m", body.second.x());
+            at.number("y", "m", body.second.y());
+            at.number("angle", "rad", body.second.z());
+          });
+    });
   });
-  return document.dump(2) + "\n";
 }
 
 }  // namespace boxbeam

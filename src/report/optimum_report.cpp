@@ -238,10 +238,7 @@ void report::put_optimum(Fields& to, const OptimumReport& of) {
 }
 
 std::string optimum_json(const OptimumReport& of) {
-  Json document = Json::object();
-  report::Fields fields(document);
-  report::put_optimum(fields, of);
-  return document.dump(2) + "\n";
+  return report::document_text([&](report::Fields fields) { report::put_optimum(fields, of); });
 }
 
 std::vector<std::string> draw_optimum(const OptimumReport& of, const std::string& folder) {

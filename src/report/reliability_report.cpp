@@ -220,10 +220,7 @@ void report::put_reliability(Fields& to, const StudyReliability& of) {
 }
 
 std::string reliability_json(const StudyReliability& of) {
-  Json document = Json::object();
-  report::Fields fields(document);
-  report::put_reliability(fields, of);
-  return document.dump(2) + "\n";
+  return report::document_text([&](report::Fields fields) { report::put_reliability(fields, of); });
 }
 
 }  // namespace boxbeam

@@ -101,10 +101,8 @@ void report::put_solution(Fields& to, const Solution& solution) {
 }
 
 std::string solution_json(const Solution& solution) {
-  Json document = Json::object();
-  report::Fields fields(document);
-  report::put_solution(fields, solution);
-  return document.dump(2) + "\n";
+  return report::document_text(
+      [&](report::Fields fields) { report::put_solution(fields, solution); });
 }
 
 }  // namespace boxbeam

@@ -207,10 +207,7 @@ void report::put_study(Fields& to, const StudySummary& summary) {
 }
 
 std::string study_json(const StudySummary& summary) {
-  Json document = Json::object();
-  report::Fields fields(document);
-  report::put_study(fields, summary);
-  return document.dump(2) + "\n";
+  return report::document_text([&](report::Fields fields) { report::put_study(fields, summary); });
 }
 
 }  // namespace boxbeam

@@ -1,6 +1,9 @@
 #include "text_layout.hpp"
 
+#include <fmt/format.h>
+
 #include <cassert>
+#include <cmath>
 
 #include "boxbeam/core/code_points.hpp"
 #include "plain_text.hpp"
@@ -49,6 +52,10 @@ std::string entry(const std::string& name, const std::string& text) {
   const std::size_t used = columns_of(name);
   const std::string gap(used < 10 ? 10 - used : 1, ' ');
   return wrapped(text, "  " + visible(name) + gap, std::string(12, ' '));
+}
+
+std::string number_beside(double value, double size) {
+  return fmt::format("{:.6g}", std::abs(value) <= 1e-12 * size ? 0.0 : value);
 }
 
 Table::Table(std::vector<std::string> header) { table_.header = std::move(header); }

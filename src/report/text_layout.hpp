@@ -23,6 +23,9 @@ std::string item(const std::string& text);
 /// A short name and what is said of it, wrapped beside it.
 std::string entry(const std::string& name, const std::string& text);
 
+/// Six digits; zero for what is round-off beside `size`, and never "-0".
+std::string number_beside(double value, double size);
+
 /// A table of texts, as wide as the page at most.
 class Table {
  public:

@@ -68,19 +68,11 @@ void take_expressions(const Study& study, std::vector<Setting>& design) {
       design[i].number = parser.Eval();
     } catch (const mu::Parser::exception_type& error) {
       throw AnalysisError({fmt::format("\"{}\": {}", variable.expression, error.GetMsg()),
-                           "variable " + variable.name,
-                           {},
-                           {},
-                           {},
-                           {}});
+                           "variable " + variable.name});
     }
     if (!std::isfinite(design[i].number))
       throw AnalysisError({fmt::format("\"{}\" has no finite value", variable.expression),
-                           "variable " + variable.name,
-                           {},
-                           {},
-                           {},
-                           {}});
+                           "variable " + variable.name});
   }
 }
 

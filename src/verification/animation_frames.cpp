@@ -122,11 +122,7 @@ Animation animated(StillScene scene, const TimeSpan& span, const FramesAt& frame
     throw AnalysisError({fmt::format("{} instants do not show the motion, which lasts {:.6g} s: "
                                      "ask for less of it, [motion] duration",
                                      most_frames + 1, span.length),
-                         "mechanism",
-                         {},
-                         {},
-                         {},
-                         {}});
+                         "mechanism"});
   }
   return std::move(scene.animation);
 }

@@ -9,11 +9,9 @@
 #include <optional>
 #include <unsupported/Eigen/FFT>
 
+#include "bent_dynamics.hpp"
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/mechanism/planar/constraints.hpp"
-#include "boxbeam/mechanism/planar/forces.hpp"
-#include "boxbeam/mechanism/planar/reactions.hpp"
-#include "boxbeam/verification/bent_axis.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
 
 namespace boxbeam {
@@ -23,14 +21,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
-
-/// Cut forces of the beam in a link's axes: N, V and the couple counter-clockwise.
-struct Cut {
-  double N = 0.0, V = 0.0, from = 0.0, to = 0.0;  ///< the couple at both ends of an element
-  double couple() const { return 0.5 * (from + to); }
-};
-
-Cut operator-(Cut a, const Cut& b) { return {a.N - b.N, a.V - b.V, a.from - b.from, a.to - b.to}; }
 
 /// Derivatives of periodic functions, a row for each instant.
 struct Periodic {
@@ -83,14 +73,14 @@ class Bending {
     const double rate = full_turn / rigid_->motion->period;
     const auto elements = static_cast<Index>(elements_.size());
     // What the model says, against the rigid bodies.
-    std::vector<std::vector<Cut>> by_model;
+    std::vector<std::vector<BeamCut>> by_model;
     MatrixXd stressed(n, 3 * elements);
     for (Index i = 0; i < n; ++i) {
       const CutForceDiagram diagram = model_->even_diagram(static_cast<std::size_t>(i));
       by_model.push_back(cuts_of(diagram));
       for (Index k = 0; k < elements; ++k) {
         const DividedAxis::Element& element = elements_[static_cast<std::size_t>(k)];
-        const Cut& cut = by_model.back()[static_cast<std::size_t>(k)];
+        const BeamCut& cut = by_model.back()[static_cast<std::size_t>(k)];
         stressed.row(i).segment<3>(3 * k) << cut.N / element.EA, cut.V / element.GA,
             cut.couple() / element.EI;
       }
@@ -103,6 +93,7 @@ class Bending {
     BalanceDefect result;
     std::vector<BentAxis> axes;
     const Index coordinates = rigid_->mechanism->coordinates();
+    const int body = elastic_->body;
     MatrixXd apart(n, coordinates + 3 * elements);
     for (Index i = 0; i < n; ++i) {
       const planar::State& state = state_at(i);
@@ -111,10 +102,11 @@ class Bending {
       const std::optional<VectorXd> q = assembled(axis_.with(axes.back()), state);
       if (!q) return std::nullopt;
       apart.row(i) << (*q - state.q).transpose(),
-          (places(*q, axes.back()) - places(state.q, straight_)).transpose();
+          (places_of(axes.back(), body, *q) - places_of(straight_, body, state.q)).transpose();
       measure(axes.back(), result);
     }
     const Periodic rates = derivatives(apart, rate);
+    const BentDynamics dynamics(*rigid_->mechanism, body, axis_);
     for (Index i = 0; i < n; ++i) {
       const planar::State& state = state_at(i);
       const BentAxis& axis = axes[static_cast<std::size_t>(i)];
@@ -125,13 +117,14 @@ class Bending {
       const VectorXd rigid_accelerations = accelerations(state);
       const VectorXd moved_accelerations =
           rigid_accelerations + rates.second.row(i).tail(3 * elements).transpose();
-      const std::vector<Cut> by_bent = balanced(axis_.with(axis), moved, axis, moved_accelerations);
+      const std::vector<BeamCut> by_bent =
+          dynamics.cuts_of(axis_.with(axis), moved, axis, moved_accelerations);
       // The same division of the rigid beam: what its lumped masses miss is in both.
-      const std::vector<Cut> by_straight =
-          balanced(*rigid_->mechanism, state, straight_, rigid_accelerations);
+      const std::vector<BeamCut> by_straight =
+          dynamics.cuts_of(*rigid_->mechanism, state, straight_, rigid_accelerations);
       const BeamLoads loads = rigid_->loads(si<Time>(state.time));
-      const std::vector<Cut> by_rigid = cuts_of(cut_forces_of(loads));
-      std::vector<Cut> defect;
+      const std::vector<BeamCut> by_rigid = cuts_of(cut_forces_of(loads));
+      std::vector<BeamCut> defect;
       for (std::size_t k = 0; k < elements_.size(); ++k) {
         defect.push_back((by_bent[k] - by_straight[k]) -
                          (by_model[static_cast<std::size_t>(i)][k] - by_rigid[k]));
@@ -144,8 +137,8 @@ class Bending {
  private:
   const planar::State& state_at(Index i) const { return (*states_)[static_cast<std::size_t>(i)]; }
 
-  std::vector<Cut> cuts_of(const CutForceDiagram& diagram) const {
-    std::vector<Cut> cuts;
+  std::vector<BeamCut> cuts_of(const CutForceDiagram& diagram) const {
+    std::vector<BeamCut> cuts;
     for (std::size_t k = 0; k < elements_.size(); ++k) {
       const double from = s_[k], to = s_[k + 1];
       // Inside the element: at its ends it may jump.
@@ -180,19 +173,7 @@ class Bending {
     return std::nullopt;
   }
 
-  /// Middles of the elements in the world and angles of their sections.
-  VectorXd places(const VectorXd& q, const BentAxis& axis) const {
-    const Index i = 3 * static_cast<Index>(elastic_->body);
-    const Eigen::Rotation2Dd turn(q[i + 2]);
-    VectorXd places(3 * axis.middle.cols());
-    for (Index k = 0; k < axis.middle.cols(); ++k) {
-      places.segment<2>(3 * k) = q.segment<2>(i) + turn * Vector2d(axis.middle.col(k));
-      places[3 * k + 2] = q[i + 2] + axis.middle_angle[k];
-    }
-    return places;
-  }
-
-  /// Of the same in the rigid motion.
+  /// Of the elements, as of `places_of`, in the rigid motion.
   VectorXd accelerations(const planar::State& state) const {
     const Index i = 3 * static_cast<Index>(elastic_->body);
     VectorXd result(3 * straight_.middle.cols());
@@ -217,104 +198,11 @@ class Bending {
     result.turn = std::max(result.turn, axis.angle.maxCoeff() - axis.angle.minCoeff());
   }
 
-  /// Cut forces on a bent axis by d'Alembert's principle.
-  std::vector<Cut> balanced(const planar::Mechanism& mechanism, planar::State state,
-                            const BentAxis& axis, const VectorXd& accelerations) const {
-    const int beam = elastic_->body;
-    const Index at_beam = 3 * static_cast<Index>(beam);
-    const Vector2d gravity = mechanism.gravity;
-    const auto cross = [](const Vector2d& a, const Vector2d& b) {
-      return a.x() * b.y() - a.y() * b.x();
-    };
-    const VectorXd where = places(state.q, axis);
-    const Vector2d origin = state.q.segment<2>(at_beam);
-
-    VectorXd Q = VectorXd::Zero(mechanism.coordinates());
-    planar::add_applied_forces(mechanism, state.time, state.q, state.v, Q);
-    for (std::size_t body = 0; body < mechanism.bodies.size(); ++body) {
-      if (static_cast<int>(body) == beam) continue;
-      const Index i = 3 * static_cast<Index>(body);
-      const Body& of = mechanism.bodies[body];
-      Q.segment<2>(i) += of.mass * (gravity - state.a.segment<2>(i));
-      Q[i + 2] -= of.inertia * state.a[i + 2];
-    }
-    // Force and couple of an element's weight and inertia.
-    const auto inertia = [&](Index k) {
-      const DividedAxis::Element& element = elements_[static_cast<std::size_t>(k)];
-      Eigen::Vector3d load;
-      load << element.mass * (gravity - accelerations.segment<2>(3 * k)),
-          -element.rotary * accelerations[3 * k + 2];
-      return load;
-    };
-    for (Index k = 0; k < axis.middle.cols(); ++k) {
-      const Eigen::Vector3d load = inertia(k);
-      Q.segment<2>(at_beam) += load.head<2>();
-      Q[at_beam + 2] += load[2] + cross(where.segment<2>(3 * k) - origin, load.head<2>());
-    }
-    planar::ConstraintEquations equations(mechanism);
-    equations.set_time(state.time);
-    equations.set_position(state.q);
-    VectorXd phi(equations.rows());
-    std::vector<double> values(equations.pattern().entries());
-    equations.evaluate(phi, values);
-    state.lambda = equations.pattern().dense(values).transpose().partialPivLu().solve(Q);
-
-    // Forces and moments about the origin of what acts at the nodes; of the straight mechanism the
-    // same in the same order, there it is known where along the beam.
-    Eigen::Matrix3Xd acting = Eigen::Matrix3Xd::Zero(3, axis.node.cols());
-    const auto act = [&](const Vector2d& straight, const Vector2d& point, const Vector2d& force,
-                         double moment) {
-      const Vector2d arm = planar::position_of({beam, point}, state.q) - origin;
-      acting.col(axis_.node_of({beam, straight})) +=
-          Eigen::Vector3d(force.x(), force.y(), moment + cross(arm, force));
-    };
-    const auto reactions = planar::reactions_of(mechanism, state);
-    const auto unbent = planar::reactions_of(*rigid_->mechanism, state);
-    for (std::size_t i = 0; i < reactions.size(); ++i) {
-      if (reactions[i].on == beam)
-        act(unbent[i].point, reactions[i].point, reactions[i].force, reactions[i].moment);
-    }
-    const auto applied = planar::applied_loads_of(mechanism, state.time, state.q, state.v);
-    const auto unbent_applied =
-        planar::applied_loads_of(*rigid_->mechanism, state.time, state.q, state.v);
-    for (std::size_t i = 0; i < applied.size(); ++i) {
-      if (applied[i].on == beam)
-        act(unbent_applied[i].point, applied[i].point, applied[i].vector, applied[i].moment);
-    }
-
-    const double angle = state.q[at_beam + 2];
-    const Eigen::Rotation2Dd turn(angle);
-    std::vector<Cut> cuts;
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (Index k = 0; k < axis.middle.cols(); ++k) {
-      sum += acting.col(k);
-      const auto couple_at = [&](const Vector2d& place) {
-        return -(sum[2] -
-                 cross(turn * place + state.q.segment<2>(at_beam) - origin, sum.head<2>()));
-      };
-      Cut cut;
-      cut.from = couple_at(axis.node.col(k));
-      const Eigen::Vector3d load = inertia(k);
-      const Vector2d force = sum.head<2>() + 0.5 * load.head<2>();
-      const Vector2d own = Eigen::Rotation2Dd(-angle - axis.middle_angle[k]) * force;
-      cut.N = -own.x();
-      cut.V = -own.y();
-      sum.head<2>() += load.head<2>();
-      sum[2] += load[2] + cross(where.segment<2>(3 * k) - origin, load.head<2>());
-      cut.to = couple_at(axis.node.col(k + 1));
-      cuts.push_back(cut);
-    }
-    return cuts;
-  }
-
   /// Point loads with these cut forces, whose couple is linear along every group of elements.
-  BeamLoads loads_of(const std::vector<Cut>& cuts, std::vector<LineLoad> lines) const {
+  BeamLoads loads_of(const std::vector<BeamCut>& cuts, std::vector<LineLoad> lines) const {
     const std::vector<std::size_t>& groups = axis_.groups();
     BeamLoads loads;
-    for (LineLoad& line : lines) {
-      line.force = {};
-      line.couple = {};
-    }
+    unload(lines);
     loads.lines = std::move(lines);
     Eigen::Vector3d before = Eigen::Vector3d::Zero();  // N, V_z, M_y
     for (std::size_t g = 0; g < groups.size(); ++g) {

@@ -25,14 +25,21 @@ struct LargestBending {
   double moment = 0.0;
 };
 
-double largest_moment_of(const CutForceDiagram& diagram, BendingAxis about) {
-  double largest = 0.0;
+/// Calls f(s, moment) at even steps of every piece.
+template <class F>
+void each_sample(const CutForceDiagram& diagram, BendingAxis about, const F& f) {
   for (const CutForcePiece& piece : diagram.pieces) {
     for (int j = 0; j <= samples_per_piece; ++j) {
       const double x = piece.length.value() * j / samples_per_piece;
-      largest = std::max(largest, std::abs(moment_of(piece, about)(x)));
+      f(piece.start.value() + x, moment_of(piece, about)(x));
     }
   }
+}
+
+double largest_moment_of(const CutForceDiagram& diagram, BendingAxis about) {
+  double largest = 0.0;
+  each_sample(diagram, about,
+              [&](double, double moment) { largest = std::max(largest, std::abs(moment)); });
   return largest;
 }
 
@@ -70,19 +77,15 @@ std::vector<double> zeros_of(const CutForceDiagram& diagram, double largest, Ben
   std::vector<double> zeros;
   double s_before = 0.0;
   double m_before = 0.0;
-  for (const CutForcePiece& piece : diagram.pieces) {
-    for (int j = 0; j <= samples_per_piece; ++j) {
-      const double x = piece.length.value() * j / samples_per_piece;
-      const double s = piece.start.value() + x;
-      const double m = moment_of(piece, about)(x) / largest;
-      if (std::abs(m) < nothing)
-        zeros.push_back(s);
-      else if (m * m_before < 0.0 && std::abs(m_before) >= nothing)
-        zeros.push_back(s_before + (s - s_before) * m_before / (m_before - m));
-      s_before = s;
-      m_before = m;
-    }
-  }
+  each_sample(diagram, about, [&](double s, double moment) {
+    const double m = moment / largest;
+    if (std::abs(m) < nothing)
+      zeros.push_back(s);
+    else if (m * m_before < 0.0 && std::abs(m_before) >= nothing)
+      zeros.push_back(s_before + (s - s_before) * m_before / (m_before - m));
+    s_before = s;
+    m_before = m;
+  });
   return zeros;
 }
 
@@ -92,17 +95,12 @@ bool peaks_at(const CutForceDiagram& diagram, BendingAxis about, double from, do
               double end) {
   double largest = 0.0;
   double at_end = 0.0;
-  for (const CutForcePiece& piece : diagram.pieces) {
-    for (int j = 0; j <= samples_per_piece; ++j) {
-      const double x = piece.length.value() * j / samples_per_piece;
-      const double s = piece.start.value() + x;
-      const double slack = nothing * (to - from);
-      if (s < from - slack || s > to + slack) continue;
-      const double moment = std::abs(moment_of(piece, about)(x));
-      largest = std::max(largest, moment);
-      if (std::abs(s - end) <= slack) at_end = std::max(at_end, moment);
-    }
-  }
+  const double slack = nothing * (to - from);
+  each_sample(diagram, about, [&](double s, double moment) {
+    if (s < from - slack || s > to + slack) return;
+    largest = std::max(largest, std::abs(moment));
+    if (std::abs(s - end) <= slack) at_end = std::max(at_end, std::abs(moment));
+  });
   return at_end >= (1.0 - nothing) * largest;
 }
 

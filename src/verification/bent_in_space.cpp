@@ -12,6 +12,7 @@
 #include "elastic_motion_in_space.hpp"
 #include "members_in_space.hpp"
 #include "modal_transient.hpp"
+#include "sliding_joints.hpp"
 
 namespace boxbeam {
 namespace {

@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -18,27 +15,10 @@
 #include "boxbeam/mechanism/planar/tension.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
 #include "modal_transient.hpp"
+#include "repeated_vibration.hpp"
 
 namespace boxbeam {
 namespace {
-
-/// Adds what a mode does to a beam to its loads: at the same places, and on the mode's stretches,
-/// which lie inside the beam's own.
-void add_mode(BeamLoads& sum, double factor, const BeamLoads& mode) {
-  for (const PointLoad& load : mode.points) {
-    auto same = std::find_if(sum.points.begin(), sum.points.end(),
-                             [&](const PointLoad& other) { return other.s == load.s; });
-    if (same == sum.points.end() && load.force.isZero(0.0) && load.moment.isZero(0.0)) continue;
-    if (same == sum.points.end()) {
-      PointLoad empty;
-      empty.s = load.s;
-      same = sum.points.insert(same, empty);
-    }
-    same->force += factor * load.force;
-    same->moment += factor * load.moment;
-  }
-  add_lines(sum.lines, factor, mode.lines);
-}
 
 [[noreturn]] void refuse_buckling(double time) {
   refuse_vibration(
@@ -55,44 +35,6 @@ LoadedPosture standing_posture(const RigidMotion& rigid, const ElasticBody& elas
       loaded_posture(*rigid.mechanism, state, elastic, *rigid.beam, loads, 1.0, axial);
   if (!stands(posture)) refuse_buckling(state.time);
   return posture;
-}
-
-/// How large loads are: the largest force of all that is in them, moments over a length [N].
-double size_of_loads(const BeamLoads& loads, double length) {
-  double size = 0.0;
-  for (const PointLoad& load : loads.points)
-    size = std::max({size, load.force.norm(), load.moment.norm() / length});
-  double along = 0.0;
-  for (const LineLoad& line : loads.lines) {
-    const double part = line.length.value();
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      along += part * std::abs(line.force[axis](0.0)) + part * std::abs(line.force[axis](part)) +
-               part / length * std::abs(line.couple[axis](0.0)) +
-               part / length * std::abs(line.couple[axis](part));
-    }
-  }
-  return std::max(size, along);
-}
-
-bool act_at_same_places(const BeamLoads& a, const BeamLoads& b) {
-  return a.lines.size() == b.lines.size() &&
-         std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
-                    [](const PointLoad& one, const PointLoad& other) { return one.s == other.s; });
-}
-
-/// The weights of values at 0, 1, ... n - 1 in the polynomial through them, at u. Lagrange.
-template <std::size_t n>
-std::array<double, n> lagrange_weights(double u) {
-  std::array<double, n> weights{};
-  for (std::size_t i = 0; i < n; ++i) {
-    double weight = 1.0;
-    for (std::size_t j = 0; j < n; ++j) {
-      if (j == i) continue;
-      weight *= (u - static_cast<double>(j)) / (static_cast<double>(i) - static_cast<double>(j));
-    }
-    weights[i] = weight;
-  }
-  return weights;
 }
 
 /// Largest axial force over the motion, by the one that buckles a pinned beam of the least bending
@@ -138,56 +80,6 @@ Eigen::VectorXd allowed_of(const Eigen::VectorXd& largest, Eigen::Index k, bool 
   allowed << of_damping.reshaped(), of_stiffness.reshaped(),
       part * largest.tail(k).cwiseMax(hardly * force);
   return allowed;
-}
-
-/// Which springs act in a state.
-std::vector<bool> acting_springs_in(const planar::Mechanism& mechanism,
-                                    const planar::State& state) {
-  std::vector<bool> acting;
-  for (std::size_t i = 0; i < mechanism.forces.size(); ++i)
-    acting.push_back(std::holds_alternative<planar::Spring>(mechanism.forces[i].kind) &&
-                     planar::spring_in(mechanism, state, i).has_value());
-  return acting;
-}
-
-/// Whether a spring that acts one way is damped: while its ends part it may bear nothing.
-bool has_damped_touches(const planar::Mechanism& mechanism) {
-  return std::any_of(mechanism.forces.begin(), mechanism.forces.end(),
-                     [](const planar::AppliedForce& force) {
-                       const auto* const spring = std::get_if<planar::Spring>(&force.kind);
-                       return spring != nullptr && spring->acts != Acts::both &&
-                              (spring->damping > 0.0 || spring->impact);
-                     });
-}
-
-/// Adds to borders when springs begin or end to act between them, found at instants of a motion.
-void add_borders_between(const std::function<std::vector<bool>(double time)>& acting_at,
-                         double longest, std::vector<double>& borders) {
-  constexpr double fewest = 8.0;
-  constexpr int halvings = 40;
-  std::vector<double> more;
-  for (std::size_t i = 1; i < borders.size(); ++i) {
-    const double from = borders[i - 1], length = borders[i] - from;
-    const double looks = std::max(fewest, std::ceil(length / longest));
-    double before = from + 0.5 * length / looks;
-    std::vector<bool> known = acting_at(before);
-    for (double look = 1.0; look < looks; ++look) {
-      const double behind = from + (look + 0.5) * length / looks;
-      std::vector<bool> acting = acting_at(behind);
-      if (acting != known) {
-        double low = before, high = behind;
-        for (int half = 0; half < halvings; ++half) {
-          const double middle = 0.5 * (low + high);
-          (acting_at(middle) == known ? low : high) = middle;
-        }
-        more.push_back(high);
-      }
-      before = behind;
-      known = std::move(acting);
-    }
-  }
-  borders.insert(borders.end(), more.begin(), more.end());
-  std::sort(borders.begin(), borders.end());
 }
 
 }  // namespace
@@ -292,21 +184,22 @@ void ElasticMotion::solve_periodic() {
   constexpr std::size_t most_kept = 1024;
   const std::size_t instants = motion.states.size() / stride;
   std::vector<ModalPosture> postures;
+  std::vector<AddedLoads> added;
   for (std::size_t i = 0; i < instants; ++i) {
     const planar::State& state = motion.states[i * stride];
     const BeamLoads rigid = rigid_.loads(si<Time>(state.time));
     const LoadedPosture loaded = posture_at(state, rigid, state.time);
-    const Aligned aligned = aligned_at(loaded, state.time);
+    Aligned aligned = aligned_at(loaded, state.time);
     postures.push_back(passed_in(state, rigid, loaded, aligned));
     lowest_ = std::min(lowest_, std::sqrt(postures.back().squares[0]) / full_turn);
     if (instants > most_kept) continue;
-    added_.push_back(added_in(loaded, aligned, state.time));
-    largest_load_ = std::max(largest_load_, size_of_loads(rigid, elastic_.length));
+    added.push_back({state.time, size_of_loads(rigid, elastic_.length),
+                     second_order_of(loaded).loads, in_basis(aligned.modes.loads, aligned.turn),
+                     std::move(aligned.dampers)});
+    for (JointDamper& of : added.back().dampers) of.gaps = aligned.turn.transpose() * of.gaps;
   }
-  ModalMotion solved = solve_modal_motion(postures, motion.period);
-  eta_ = std::move(solved.eta);
-  dynamic_ = std::move(solved.dynamic);
-  speed_ = std::move(solved.speed);
+  repeated_ = std::make_shared<const RepeatedVibration>(
+      rigid_, elastic_.length, solve_modal_motion(postures, motion.period), std::move(added));
 }
 
 void ElasticMotion::solve_once() {
@@ -334,10 +227,10 @@ void ElasticMotion::solve_once() {
   passed.vibrates_behind = static_cast<bool>(axial_);
   OpenMotion once = open_motion_of(*rigid_.mechanism, motion);
   const auto acting_at = [&](double time) {
-    return acting_springs_in(*rigid_.mechanism, states_->at(time));
+    return planar::acting_springs(*rigid_.mechanism, states_->at(time));
   };
   // What drivers decide knows them.
-  if (freedoms() > 0 && has_damped_touches(*rigid_.mechanism))
+  if (freedoms() > 0 && planar::has_damped_touches(*rigid_.mechanism))
     add_borders_between(acting_at, once.step(), once.borders);
   passed.changes = changes_between(once.borders, acting_at);
   passed.turned_at = [this, borders = once.borders](double change) {
@@ -371,6 +264,8 @@ double ElasticMotion::beside_changes(double time) const {
   }
   return time;
 }
+
+const Eigen::MatrixXd& ElasticMotion::coordinates() const { return repeated_->coordinates(); }
 
 const TransientResponse* ElasticMotion::transient() const {
   return transient_ ? &transient_->response() : nullptr;
@@ -424,10 +319,6 @@ ElasticMotion::Aligned ElasticMotion::aligned_at(const LoadedPosture& posture, d
   return {std::move(modes), std::move(turn), std::move(dampers)};
 }
 
-Eigen::VectorXd ElasticMotion::periodic_at(const Eigen::MatrixXd& values, double time) const {
-  return trigonometric_at(values, (time - rigid_.motion->begin) / rigid_.motion->period);
-}
-
 ElasticMotion::Moment ElasticMotion::moment_at(double time) const {
   BeamLoads loads = rigid_.loads(si<Time>(time));
   const double beside = beside_changes(time);
@@ -446,86 +337,9 @@ ElasticMotion::Moment ElasticMotion::moment_at(double time) const {
   return {std::move(loads), std::move(aligned), std::move(statically)};
 }
 
-ElasticMotion::Added ElasticMotion::added_in(const LoadedPosture& posture, const Aligned& aligned,
-                                             double time) const {
-  Added added{time, second_order_of(posture).loads, {}, aligned.dampers};
-  for (JointDamper& of : added.dampers) of.gaps = aligned.turn.transpose() * of.gaps;
-  for (Eigen::Index m = 0; m < aligned.turn.cols(); ++m) {
-    BeamLoads& of = added.modes.emplace_back(aligned.modes.loads.front());
-    for (PointLoad& load : of.points) {
-      load.force *= aligned.turn(0, m);
-      load.moment *= aligned.turn(0, m);
-    }
-    for (LineLoad& line : of.lines) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        line.force[axis] = aligned.turn(0, m) * line.force[axis];
-        line.couple[axis] = aligned.turn(0, m) * line.couple[axis];
-      }
-    }
-    for (Eigen::Index j = 1; j < aligned.turn.rows(); ++j)
-      add_mode(of, aligned.turn(j, m), aligned.modes.loads[static_cast<std::size_t>(j)]);
-  }
-  return added;
-}
-
-/// At an instant that is known as it was found; between them by the polynomial through what
-/// elasticity adds at twelve of them around, where one through ten says the same. Nothing where it
-/// does not, as beside a jump of the loads.
-std::optional<BeamLoads> ElasticMotion::loads_between(double time) const {
-  constexpr std::size_t nodes = 12, before = nodes / 2 - 1;
-  constexpr double same = 1e-7, beside = 1e-3;
-  const std::size_t n = added_.size();
-  if (n < 2 * nodes) return std::nullopt;
-  const auto count = static_cast<double>(n);
-  double place = (time - rigid_.motion->begin) / rigid_.motion->period * count;
-  place -= count * std::floor(place / count);
-  const auto nearest = static_cast<std::size_t>(std::lround(place)) % n;
-  const Eigen::VectorXd dynamic = periodic_at(dynamic_, time);
-  Eigen::VectorXd speed;
-  if (!added_.front().dampers.empty()) speed = periodic_at(speed_, time);
-  const auto add_to = [&](BeamLoads& sum, double factor, const Added& of) {
-    add_mode(sum, factor, of.bent);
-    for (std::size_t m = 0; m < of.modes.size(); ++m)
-      add_mode(sum, factor * dynamic[static_cast<Eigen::Index>(m)], of.modes[m]);
-    for (const JointDamper& damper : of.dampers)
-      add_mode(sum, factor * damper.damping * damper.gaps.dot(speed), damper.loads);
-  };
-  const auto rigid_on = [&](const BeamLoads& finer) {
-    BeamLoads loads = rigid_.loads(si<Time>(time));
-    loads.lines = on_stretches_of(loads.lines, finer.lines);
-    return loads;
-  };
-  if (time == added_[nearest].time) {
-    BeamLoads loads = rigid_on(added_[nearest].bent);
-    add_to(loads, 1.0, added_[nearest]);
-    return loads;
-  }
-  const double within = place - std::floor(place);
-  if (std::min(within, 1.0 - within) < beside) return std::nullopt;
-  const std::size_t first = static_cast<std::size_t>(std::floor(place)) + n - before;
-  const double u = static_cast<double>(before) + within;
-  const std::array<double, nodes> weights = lagrange_weights<nodes>(u);
-  const std::array<double, nodes - 2> fewer = lagrange_weights<nodes - 2>(u - 1.0);
-  const Added& reference = added_[first % n];
-  BeamLoads loads = rigid_on(reference.bent), apart;
-  apart.lines = loads.lines;
-  for (LineLoad& line : apart.lines) {
-    line.force = {};
-    line.couple = {};
-  }
-  for (std::size_t i = 0; i < nodes; ++i) {
-    const Added& at = added_[(first + i) % n];
-    if (!act_at_same_places(at.bent, reference.bent)) return std::nullopt;
-    const bool among_fewer = i > 0 && i + 1 < nodes;
-    add_to(loads, weights[i], at);
-    add_to(apart, weights[i] - (among_fewer ? fewer[i - 1] : 0.0), at);
-  }
-  if (!(size_of_loads(apart, elastic_.length) <= same * largest_load_)) return std::nullopt;
-  return loads;
-}
-
 BeamLoads ElasticMotion::loads_at(Time time) const {
-  if (auto known = loads_between(time.value())) return *std::move(known);
+  if (repeated_)
+    if (auto known = repeated_->loads_at(time)) return *std::move(known);
   const bool behind =
       transient_ && !axial_ && time.value() > rigid_.motion->begin + rigid_.motion->period;
   if (behind && !at_end_) at_end_ = std::make_shared<const Moment>(moment_at(time.value()));
@@ -539,8 +353,8 @@ BeamLoads ElasticMotion::loads_at(Time time) const {
     sizes =
         turn * state.eta + viscous.cwiseProduct(flexibilities_of(squares_of(at))) - now.statically;
   } else {
-    sizes = turn * periodic_at(dynamic_, time.value());
-    if (!dampers.empty()) speed = turn * periodic_at(speed_, time.value());
+    sizes = turn * repeated_->dynamic_at(time.value());
+    if (!dampers.empty()) speed = turn * repeated_->speed_at(time.value());
   }
   BeamLoads loads = now.bent;
   for (std::size_t j = 0; j < count_; ++j) {

@@ -11,6 +11,7 @@
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/mechanism/spatial/rest.hpp"
 #include "followed_modes.hpp"
+#include "sliding_joints.hpp"
 #include "vibrating_contacts.hpp"
 
 namespace boxbeam {

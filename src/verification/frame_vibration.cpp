@@ -261,22 +261,9 @@ BeamLoads FrameResponse::loads_at(Time time) const {
   const VectorXd dynamic = dynamic_at(time.value());
   // Ties and pieces are the same of all modes.
   BeamLoads vibrating = modes_.front().loads;
-  for (PointLoad& point : vibrating.points) {
-    point.force.setZero();
-    point.moment.setZero();
-  }
-  for (LineLoad& line : vibrating.lines) {
-    line.force = {};
-    line.couple = {};
-  }
-  for (std::size_t j = 0; j < modes_.size(); ++j) {
-    const double part = dynamic[static_cast<Index>(j)];
-    for (std::size_t i = 0; i < vibrating.points.size(); ++i) {
-      vibrating.points[i].force += part * modes_[j].loads.points[i].force;
-      vibrating.points[i].moment += part * modes_[j].loads.points[i].moment;
-    }
-    add_lines(vibrating.lines, part, modes_[j].loads.lines);
-  }
+  unload(vibrating);
+  for (std::size_t j = 0; j < modes_.size(); ++j)
+    add(vibrating, dynamic[static_cast<Index>(j)], modes_[j].loads);
   const double within = std::clamp(time.value(), begin_, begin_ + period_);
   BeamLoads loads = slowly_(once_ ? si<Time>(within) : time);
   add_bending(vibrating, loads);

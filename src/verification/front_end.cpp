@@ -42,10 +42,7 @@ LoadsAt staying_on(const TaperedBeam& beam, LoadsAt loads) {
           {fmt::format("a joint slides off the beam: it stands at s = {:.6g} m, and "
                        "the beam goes from 0 to {:.6g} m",
                        s, length),
-           "beam",
-           time.value(),
-           {},
-           {}});
+           "beam", time.value()});
     }
     return at;
   };

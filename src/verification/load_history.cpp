@@ -97,7 +97,7 @@ CutForceDiagram LoadHistory::diagram(std::size_t instant) const {
   CutForceDiagram diagram = recorded_->constant;
   const std::vector<std::vector<double>>& values = recorded_->of.channels->values;
   for (std::size_t k = 0; k < values.size(); ++k)
-    recorded::add(values[k][instant], recorded_->units[k], diagram);
+    recorded::add(diagram, values[k][instant], recorded_->units[k]);
   return diagram;
 }
 
@@ -106,7 +106,7 @@ CutForceDiagram LoadHistory::diagram_at(Time time) const {
   CutForceDiagram diagram = recorded_->constant;
   const std::vector<double> values = recorded::values_at(*recorded_->of.channels, time.value());
   for (std::size_t k = 0; k < values.size(); ++k)
-    recorded::add(values[k], recorded_->units[k], diagram);
+    recorded::add(diagram, values[k], recorded_->units[k]);
   return diagram;
 }
 

@@ -155,7 +155,7 @@ void add_bending(const BeamLoads& bending, BeamLoads& loads) {
   }
   const std::vector<LineLoad> pieces = pieces_of_both(loads.lines, bending.lines);
   loads.lines = on_stretches_of(loads.lines, pieces);
-  add_lines(loads.lines, 1.0, on_stretches_of(bending.lines, pieces));
+  add(loads.lines, 1.0, on_stretches_of(bending.lines, pieces));
 }
 
 }  // namespace boxbeam

@@ -211,10 +211,7 @@ std::vector<CheckResult> check_member(const Project& project, const std::vector<
       throw AnalysisError(
           {"forces across the beam but no moment anywhere: the given cut forces "
            "contradict each other; give M_y and M_z that belong to V_z and V_y",
-           "beam",
-           {},
-           {},
-           {}});
+           "beam"});
     // Without a moment anywhere nothing turns over.
     if (use > 0.0)
       checks.push_back(check_of(project, use, "sideways and turning over", of->situation, of->when,

@@ -12,6 +12,7 @@
 #include "boxbeam/section/section_properties.hpp"
 #include "neighbour_loads.hpp"
 #include "neighbour_parts.hpp"
+#include "sliding_joints.hpp"
 
 namespace boxbeam {
 namespace {
@@ -84,50 +85,6 @@ void each_place_on(const spatial::Mechanism& mechanism, int body, const Function
   for (const spatial::Spring& spring : mechanism.springs) ends(spring);
   for (const spatial::AppliedLoad& load : mechanism.loads)
     if (load.on == body && load.at.body == body) f(load.name, load.at.p);
-}
-
-bool slides_on_carrier(const spatial::Joint& joint) {
-  switch (joint.kind) {
-    case spatial::JointKind::prismatic:
-    case spatial::JointKind::screw: return true;
-    case spatial::JointKind::fixed:
-    case spatial::JointKind::revolute: return false;
-  }
-  return false;
-}
-
-/// Whether b of a closing joint moves along a, or teeth mesh.
-bool moves_along_a(spatial::ClosingKind kind) {
-  using Kind = spatial::ClosingKind;
-  switch (kind) {
-    case Kind::prismatic:
-    case Kind::cylindrical:
-    case Kind::planar:
-    case Kind::slot:
-    case Kind::screw:
-    case Kind::gear:
-    case Kind::rack: return true;
-    case Kind::fixed:
-    case Kind::revolute:
-    case Kind::universal:
-    case Kind::spherical:
-    case Kind::distance: return false;
-  }
-  return false;
-}
-
-/// What slides or rolls along a body, by name.
-std::string moving_along(const spatial::Mechanism& mechanism, int body) {
-  for (const spatial::Joint& joint : mechanism.joints)
-    if (joint.parent == body && slides_on_carrier(joint)) return joint.name;
-  for (const spatial::ClosingJoint& joint : mechanism.closing) {
-    if (moves_along_a(joint.kind) && joint.a.body == body) return joint.name;
-    if (!spatial::has_teeth(joint.kind)) continue;
-    for (const spatial::Mesh::Part& part : joint.mesh.parts)
-      if (static_cast<int>(part.joint) == body || mechanism.joints[part.joint].parent == body)
-        return joint.name;
-  }
-  return "";
 }
 
 /// A frame without mass that joints of several movements have between these.

@@ -34,20 +34,6 @@ PeriodicDerivatives periodic_derivatives(Eigen::Index n) {
   return d;
 }
 
-/// p(x + by), by Horner's scheme again and again.
-template <int Degree>
-Polynomial<Degree> moved_by_length(Polynomial<Degree> p, double by) {
-  if (by == 0.0) return p;
-  for (std::size_t first = 0; first + 1 < p.size; ++first)
-    for (std::size_t k = p.size - 1; k-- > first;) p.c[k] += by * p.c[k + 1];
-  return p;
-}
-
-template <int Degree>
-void add_to(Polynomial<Degree>& sum, double factor, const Polynomial<Degree>& p) {
-  for (std::size_t i = 0; i < p.size; ++i) sum.c[i] += factor * p.c[i];
-}
-
 /// Where a harmonic meets a frequency that nothing damps, coordinates have no limit.
 [[noreturn]] void refuse_resonance(double lowest, double period) {
   const double harmonic = std::max(1.0, std::round(lowest * period));
@@ -90,12 +76,10 @@ Eigen::Index stride_of(std::size_t instants, std::size_t modes) {
   return static_cast<Eigen::Index>(stride);
 }
 
-void refuse_vibration(const std::string& what) {
-  throw AnalysisError({what, "beam", {}, {}, {}, {}});
-}
+void refuse_vibration(const std::string& what) { throw AnalysisError({what, "beam"}); }
 
 void refuse_vibration(const std::string& what, double time) {
-  throw AnalysisError({what, "beam", time, {}, {}, {}});
+  throw AnalysisError({what, "beam", time});
 }
 
 Eigen::VectorXd trigonometric_at(const Eigen::MatrixXd& values, double turns) {
@@ -126,23 +110,30 @@ std::vector<LineLoad> on_stretches_of(const std::vector<LineLoad>& lines,
     line.start = piece.start;
     line.length = piece.length;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      line.force[axis] = moved_by_length(lines[at].force[axis], by);
-      line.couple[axis] = moved_by_length(lines[at].couple[axis], by);
+      line.force[axis] = shifted(lines[at].force[axis], by);
+      line.couple[axis] = shifted(lines[at].couple[axis], by);
     }
     for (std::size_t axis = 0; axis < 2; ++axis)
       for (std::size_t sense = 0; sense < 2; ++sense)
-        line.outside[axis][sense] = moved_by_length(lines[at].outside[axis][sense], by);
+        line.outside[axis][sense] = shifted(lines[at].outside[axis][sense], by);
   }
   return result;
 }
 
-void add_lines(std::vector<LineLoad>& sum, double factor, const std::vector<LineLoad>& lines) {
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      add_to(sum[i].force[axis], factor, lines[i].force[axis]);
-      add_to(sum[i].couple[axis], factor, lines[i].couple[axis]);
+void add_mode(BeamLoads& sum, double factor, const BeamLoads& mode) {
+  for (const PointLoad& load : mode.points) {
+    auto same = std::find_if(sum.points.begin(), sum.points.end(),
+                             [&](const PointLoad& other) { return other.s == load.s; });
+    if (same == sum.points.end() && load.force.isZero(0.0) && load.moment.isZero(0.0)) continue;
+    if (same == sum.points.end()) {
+      PointLoad empty;
+      empty.s = load.s;
+      same = sum.points.insert(same, empty);
     }
+    same->force += factor * load.force;
+    same->moment += factor * load.moment;
   }
+  add(sum.lines, factor, mode.lines);
 }
 
 Eigen::MatrixXd nearest_turn(const Eigen::MatrixXd& shapes, const Eigen::MatrixXd& reference) {

@@ -71,7 +71,8 @@ Eigen::Index stride_of(std::size_t instants, std::size_t modes);
 std::vector<LineLoad> on_stretches_of(const std::vector<LineLoad>& lines,
                                       const std::vector<LineLoad>& finer);
 
-/// Adds line loads on the same stretches, so many times.
-void add_lines(std::vector<LineLoad>& sum, double factor, const std::vector<LineLoad>& lines);
+/// Adds what a mode does to a beam to its loads, so many times: at the same places, and on the
+/// mode's stretches, which lie inside the beam's own.
+void add_mode(BeamLoads& sum, double factor, const BeamLoads& mode);
 
 }  // namespace boxbeam

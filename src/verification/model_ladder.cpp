@@ -298,8 +298,7 @@ ModelChoice climb_ladder(const LadderCase& of, double tolerance) {
                                    percent_text(tolerance), why_none(of, scouting)),
                        "",
                        {},
-                       choice.weighed.back().found,
-                       {}});
+                       choice.weighed.back().found});
 }
 
 }  // namespace boxbeam

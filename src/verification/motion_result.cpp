@@ -109,10 +109,7 @@ MotionResult integrated_motion(const Project& project, planar::StateSolver& solv
     if (time < span.begin || time > (span.begin + span.length) * (1.0 + 1e-12)) {
       throw AnalysisError({fmt::format("the motion lasts from {:.6g} s to {:.6g} s", span.begin,
                                        span.begin + span.length),
-                           "mechanism",
-                           time,
-                           {},
-                           {}});
+                           "mechanism", time});
     }
     if (time > state.time) state = solver.near(time, state);
     states.emplace(time, state);

@@ -42,10 +42,7 @@ void check_unique(const NeighbourRuns& runs, int joint, const std::string& of) {
                                      "repeat each other, and how they share their load depends on "
                                      "their stiffness; release one of them",
                                      of),
-                         "joint " + run->joint_name(joint),
-                         {},
-                         {},
-                         {}});
+                         "joint " + run->joint_name(joint)});
   }
 }
 

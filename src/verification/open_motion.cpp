@@ -1,6 +1,7 @@
 #include "open_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "boxbeam/mechanism/planar/rest.hpp"
 #include "boxbeam/mechanism/spatial/rest.hpp"
@@ -53,6 +54,35 @@ std::vector<double> changes_between(
     acting = std::move(here);
   }
   return changes;
+}
+
+void add_borders_between(const std::function<std::vector<bool>(double time)>& acting_at,
+                         double longest, std::vector<double>& borders) {
+  constexpr double fewest = 8.0;
+  constexpr int halvings = 40;
+  std::vector<double> more;
+  for (std::size_t i = 1; i < borders.size(); ++i) {
+    const double from = borders[i - 1], length = borders[i] - from;
+    const double looks = std::max(fewest, std::ceil(length / longest));
+    double before = from + 0.5 * length / looks;
+    std::vector<bool> known = acting_at(before);
+    for (double look = 1.0; look < looks; ++look) {
+      const double behind = from + (look + 0.5) * length / looks;
+      std::vector<bool> acting = acting_at(behind);
+      if (acting != known) {
+        double low = before, high = behind;
+        for (int half = 0; half < halvings; ++half) {
+          const double middle = 0.5 * (low + high);
+          (acting_at(middle) == known ? low : high) = middle;
+        }
+        more.push_back(high);
+      }
+      before = behind;
+      known = std::move(acting);
+    }
+  }
+  borders.insert(borders.end(), more.begin(), more.end());
+  std::sort(borders.begin(), borders.end());
 }
 
 OpenMotion open_motion_of(const spatial::Chain& chain, const LoadSpan& span) {

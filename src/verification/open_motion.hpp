@@ -37,6 +37,11 @@ OpenMotion open_motion_of(const planar::Mechanism& mechanism, const planar::Moti
 std::vector<double> changes_between(const std::vector<double>& borders,
                                     const std::function<std::vector<bool>(double time)>& acting_at);
 
+/// Adds to borders when others begin or end to act between them, looked for in steps of this
+/// length, and in eight at least [s].
+void add_borders_between(const std::function<std::vector<bool>(double time)>& acting_at,
+                         double longest, std::vector<double>& borders);
+
 /// `span`: of the loads of rigid bodies.
 OpenMotion open_motion_of(const spatial::Chain& chain, const LoadSpan& span);
 /// The motion of a run in the plane or in space, or the time of a frame's loads; nothing where it

@@ -52,10 +52,7 @@ void check_unique_loads(const planar::Mechanism& mechanism, const planar::Motion
                    "other ({}), and how they share their load depends on their stiffness; release "
                    "one of them (a slot for a pin, a slider without its angle)",
                    fmt::join(planar::names_of_joints(mechanism, motion.freedom.repeating), ", ")),
-       names,
-       {},
-       {},
-       {}});
+       names});
 }
 
 DigitsLeft digits_left_over(const planar::Mechanism& mechanism, const planar::Motion& motion) {

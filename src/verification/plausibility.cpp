@@ -20,10 +20,7 @@ constexpr double odd_modulus[2] = {1e8, 2e12};  // [Pa] rubber, diamond and a li
   throw AnalysisError({fmt::format("{} is no number that can be shown: the values of the case are "
                                    "too large, too small or too far apart for the arithmetic",
                                    what),
-                       where,
-                       {},
-                       {},
-                       {}});
+                       where});
 }
 
 /// Numbers that round to nothing or to everything are as good as none.
@@ -87,10 +84,7 @@ void require_moderate_work(std::size_t instants, std::size_t places) {
            "a "
            "short common period, fewer situations or fewer segments",
            instants, places, most),
-       "beam",
-       {},
-       {},
-       {}});
+       "beam"});
 }
 
 std::vector<std::string> odd_things(const Project& project, const Verification& verification) {

@@ -245,7 +245,7 @@ std::vector<JointDamper> dampers_in(const LoadedPosture& posture, const PostureM
       const double gap = way.gaps[static_cast<Eigen::Index>(j)];
       const double omega = full_turn * modes.frequencies[j];
       if (omega > 0.0) {
-        flexible::add(of.loads, gap / (omega * omega), modes.loads[j]);
+        add(of.loads, gap / (omega * omega), modes.loads[j]);
         continue;
       }
       for (std::size_t k = 0; k < moving.motion.size(); ++k)
@@ -253,7 +253,7 @@ std::vector<JointDamper> dampers_in(const LoadedPosture& posture, const PostureM
     }
     constexpr double unit = 1.0 / full_turn;  // inertia of these accelerations
     if (modes.frequencies.front() == 0.0)
-      flexible::add(of.loads, 1.0, loads_in_motion(posture, moving, unit));
+      add(of.loads, 1.0, loads_in_motion(posture, moving, unit));
   }
   return all;
 }

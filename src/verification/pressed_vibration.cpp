@@ -36,8 +36,7 @@ flexible::BeamResponse pressed_response_of(const Project& project, flexible::Str
       flexible::parts_stand(link) &&
       flexible::DynamicStiffness<double>(structure, 0.0, 0.0).frequencies_below() == 0;
   if (!held)
-    throw AnalysisError(
-        {"the beam buckles between its links, and does not vibrate", "beam", {}, {}, {}});
+    throw AnalysisError({"the beam buckles between its links, and does not vibrate", "beam"});
   return response_of(project, structure);
 }
 

@@ -74,10 +74,7 @@ void require_balance(const recorded::Loads& loads, double length) {
            "missing may be a support, the beam's weight ([balance] gravity) or its inertia. "
            "Where one support is not in the files, write [balance] station = its place",
            three(most.force), three(most.moment), 100.0 * worst / largest),
-       "beam",
-       of.channels->times[when],
-       {},
-       {}});
+       "beam", of.channels->times[when]});
 }
 
 class RecordedMotion : public SolvedMotion {

@@ -32,10 +32,7 @@ double imbalance_over(const Project& project, double gravity, const LoadHistory&
       throw AnalysisError(
           {"the loads on the beam are no numbers: masses, stiffnesses or times of "
            "the case are too far apart for the arithmetic",
-           "beam",
-           time.value(),
-           {},
-           {}});
+           "beam", time.value()});
     }
     if (left <= worst) continue;
     worst = left;
@@ -44,7 +41,7 @@ double imbalance_over(const Project& project, double gravity, const LoadHistory&
   if (largest == 0.0) return 0.0;
   if (worst > 1e-6 * largest) {
     throw AnalysisError(
-        {"the loads on the beam are not in balance", "beam", when.value(), worst / largest, {}});
+        {"the loads on the beam are not in balance", "beam", when.value(), worst / largest});
   }
   return worst / largest;
 }

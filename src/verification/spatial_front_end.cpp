@@ -165,11 +165,7 @@ void check_unique_loads(const spatial::Chain& chain, int beam) {
                    "other ({}), and how they share their load depends on their stiffness; release "
                    "one of them (\"spherical\" or \"cylindrical\" for \"revolute\")",
                    fmt::join(spatial::names_not_unique(mechanism, *chain.loops()), ", ")),
-       fmt::format("joint {}", fmt::join(on_beam, ", ")),
-       {},
-       {},
-       {},
-       {}});
+       fmt::format("joint {}", fmt::join(on_beam, ", "))});
 }
 
 class SpatialMotion : public SolvedMotion {

@@ -204,15 +204,6 @@ class StoppedFrame {
     return axes;
   }
 
-  /// The axis of the movement before this one where it lies across it: that of a universal joint.
-  Vector3d first_across(const spatial::Joint& of, const Vector3d& axis) const {
-    if (of.parent == spatial::ground) return axis.unitOrthogonal();
-    const spatial::Joint& before = mechanism_->joints[static_cast<std::size_t>(of.parent)];
-    const Vector3d other = spatial::in_world(*state_, before.parent, before.axis);
-    constexpr double square = 1e-9;
-    return std::abs(axis.dot(other)) < square ? other : axis.unitOrthogonal();
-  }
-
   /// A screw that loops move is free to turn and to slide, by itself either way: held by less than
   /// it is.
   void add_joint(std::size_t i) {
@@ -225,7 +216,8 @@ class StoppedFrame {
     joint.a = place_on(of.parent, at);
     joint.b = place_on(body, at);
     const Vector3d axis = spatial::in_world(*state_, of.parent, of.axis);
-    joint.axes = axes_with(axis, first_across(of, axis));
+    joint.axes =
+        axes_with(axis, axis_across(*mechanism_, *state_, of).value_or(axis.unitOrthogonal()));
     joint.stiffness = held(giving_.of(of));
     if (!spatial::is_driven(of)) {
       switch (of.kind) {

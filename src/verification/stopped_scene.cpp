@@ -6,6 +6,8 @@
 #include <limits>
 #include <string_view>
 
+#include "sliding_joints.hpp"
+
 namespace boxbeam {
 namespace {
 
@@ -118,13 +120,9 @@ class StoppedTies {
                    const Give& give) {
     tie(a, b, at, force(axis) - pitch * couple(axis), give);
   }
-  /// The axis of the movement before this one where it lies across it: that of a universal joint.
   Vector3d first_across(const spatial::Joint& of, const Vector3d& axis) const {
-    if (of.parent == spatial::ground) return axis.unitOrthogonal();
-    const spatial::Joint& before = mechanism_->joints[static_cast<std::size_t>(of.parent)];
-    const Vector3d other = turned(before.parent, before.axis);
-    constexpr double square = 1e-9;
-    return std::abs(axis.dot(other)) < square ? other : axis.unitOrthogonal();
+    const auto before = axis_across(*mechanism_, *state_, of);
+    return before ? Vector3d(R_BW_ * *before) : axis.unitOrthogonal();
   }
 
   void add_joint(std::size_t i) {
@@ -282,63 +280,14 @@ class StoppedTies {
 
 }  // namespace
 
-bool slides_along(spatial::ClosingKind kind) {
-  using Kind = spatial::ClosingKind;
-  switch (kind) {
-    case Kind::prismatic:
-    case Kind::cylindrical:
-    case Kind::planar:
-    case Kind::slot:
-    case Kind::screw: return true;
-    case Kind::fixed:
-    case Kind::revolute:
-    case Kind::universal:
-    case Kind::spherical:
-    case Kind::distance:
-    case Kind::gear:
-    case Kind::rack: return false;
-  }
-  return false;
-}
-
-bool slides_along(spatial::JointKind kind) {
-  switch (kind) {
-    case spatial::JointKind::prismatic:
-    case spatial::JointKind::screw: return true;
-    case spatial::JointKind::fixed:
-    case spatial::JointKind::revolute: return false;
-  }
-  return false;
-}
-
-std::vector<std::string> joints_sliding_along(const spatial::Mechanism& mechanism, int body) {
-  std::vector<std::string> names;
-  for (const spatial::Joint& joint : mechanism.joints)
-    if (joint.parent == body && slides_along(joint.kind)) names.push_back(joint.name);
-  for (const spatial::ClosingJoint& joint : mechanism.closing)
-    if (joint.a.body == body && slides_along(joint.kind)) names.push_back(joint.name);
-  return names;
-}
-
-double sliding_along(const spatial::Mechanism& mechanism, const spatial::State& state,
-                     const std::vector<spatial::BeamPlacement>& beams, double length) {
-  double fastest = 0.0;
-  const auto look_at = [&](int along, const spatial::Attachment& of) {
-    if (along == spatial::ground || member_on(along, beams) == beams.end()) return;
-    const spatial::BodyMotion& body = state.bodies[static_cast<std::size_t>(along)];
-    const Vector3d there =
-        body.R_WB.transpose() * (spatial::position_of(state, of) - body.position);
-    const Vector3d passing =
-        spatial::velocity_of(state, of) - spatial::velocity_of(state, {along, there});
-    fastest = std::max(fastest, passing.norm() / length);
-  };
-  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
-    const spatial::Joint& joint = mechanism.joints[i];
-    if (slides_along(joint.kind)) look_at(joint.parent, {static_cast<int>(i), joint.point});
-  }
-  for (const spatial::ClosingJoint& joint : mechanism.closing)
-    if (slides_along(joint.kind)) look_at(joint.a.body, joint.b);
-  return fastest;
+std::optional<Vector3d> axis_across(const spatial::Mechanism& mechanism,
+                                    const spatial::State& state, const spatial::Joint& joint) {
+  if (joint.parent == spatial::ground) return std::nullopt;
+  const spatial::Joint& before = mechanism.joints[static_cast<std::size_t>(joint.parent)];
+  const Vector3d axis = spatial::in_world(state, joint.parent, joint.axis),
+                 other = spatial::in_world(state, before.parent, before.axis);
+  constexpr double square = 1e-9;
+  return std::abs(axis.dot(other)) < square ? std::optional(other) : std::nullopt;
 }
 
 std::vector<spatial::BeamPlacement> elastic_placements(const Project& project,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "boxbeam/mechanism/frame/beam_vibration.hpp"
@@ -31,16 +31,11 @@ StoppedScene stopped_scene(const spatial::Mechanism& mechanism, const spatial::S
                            const GivingWay& giving = {},
                            const std::vector<spatial::Wrench>& wrenches = {});
 
-/// Whether the second body of a joint moves along the first.
-bool slides_along(spatial::JointKind kind);
-bool slides_along(spatial::ClosingKind kind);
-
-/// The joints that move along a body.
-std::vector<std::string> joints_sliding_along(const spatial::Mechanism& mechanism, int body);
-
-/// How fast any moves along a beam, by the length of the first [1/s].
-double sliding_along(const spatial::Mechanism& mechanism, const spatial::State& state,
-                     const std::vector<spatial::BeamPlacement>& beams, double length);
+/// The axis of the movement before a joint's own where it lies across that, as in a universal
+/// joint, in the world; nothing where it does not.
+std::optional<Eigen::Vector3d> axis_across(const spatial::Mechanism& mechanism,
+                                           const spatial::State& state,
+                                           const spatial::Joint& joint);
 
 /// Which bodies drivers and fixed joints that do not give way hold to the ground, none of these
 /// beams between: in a stopped mechanism they are at rest.

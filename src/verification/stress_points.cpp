@@ -232,7 +232,7 @@ void GatheredPoints::find_webs() {
 void GatheredPoints::stop_where(const std::optional<std::string>& unknown) const {
   if (!unknown) return;
   const Segment& segment = project_->beam.segments[segment_at(project_->beam, station_)];
-  throw AnalysisError({*unknown, "segment " + segment.name, {}, {}, {}});
+  throw AnalysisError({*unknown, "segment " + segment.name});
 }
 
 StressPoint& GatheredPoints::add(const SectionPoint& place) {

@@ -77,13 +77,10 @@ LoadHistory loads_after_start(const Project& project, const Situation& situation
     throw AnalysisError(
         {"a sudden start is the sum of the modes of divided links, which the exact "
          "form has not; write element = \"corrected\"",
-         "mechanism",
-         {},
-         {},
-         {}});
+         "mechanism"});
   }
   if (mechanism.frequency == 0.0) {
-    throw AnalysisError({"no load vibrates: there is nothing to start", "mechanism", {}, {}, {}});
+    throw AnalysisError({"no load vibrates: there is nothing to start", "mechanism"});
   }
   // The structure looks at its mechanism, and both stay as long as the loads are asked for.
   auto of = std::make_shared<const flexible::Mechanism>(mechanism);
@@ -95,10 +92,7 @@ LoadHistory loads_after_start(const Project& project, const Situation& situation
         {fmt::format("{} modes of the structure lie below three times the frequency of the loads, "
                      "{:.6g} Hz: its sudden start is not resolved",
                      modal.modes.size(), of->frequency),
-         "mechanism",
-         {},
-         {},
-         {}});
+         "mechanism"});
   }
   auto loads = std::make_shared<const flexible::StartLoads>(
       *structure, project.beam_body, project.beam, flexible::SuddenStartModes(modal));
@@ -110,11 +104,7 @@ LoadHistory loads_after_start(const Project& project, const Situation& situation
              "more steps than can be looked at where modes up to {:.4g} Hz vibrate: more "
              "damping, or a frequency farther from that of a mode, makes it shorter",
              of->frequency, start.length, start.fastest),
-         "mechanism",
-         {},
-         {},
-         {},
-         {}});
+         "mechanism"});
   }
   const LoadSpan span{Time{}, si<Time>(start.length), static_cast<std::size_t>(start.steps), false};
   return {span, [of, structure, loads](Time time) { return loads->at(time.value()); }};

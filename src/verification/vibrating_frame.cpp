@@ -73,17 +73,6 @@ void keep_in_plane(int member, const Vector3d& at, const Matrix3d& from_world,
   }
 }
 
-/// What the value at each of these places weighs in that at x of the polynomial through them:
-/// Lagrange.
-std::vector<double> weights_of_polynomial(const std::vector<double>& places, double x) {
-  std::vector<double> weights(places.size(), 1.0);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    for (std::size_t k = 0; k < places.size(); ++k)
-      if (k != i) weights[i] *= (x - places[k]) / (places[i] - places[k]);
-  }
-  return weights;
-}
-
 }  // namespace
 
 VibratingFrame::VibratingFrame(const Project& project, const frame::Structure& structure, int parts)
@@ -138,7 +127,7 @@ VibratingFrame::Moved VibratingFrame::moved_at(std::size_t beam, double s) const
   std::vector<double> places{piece.from, piece.to};
   for (std::size_t i = 0; i < piece.samples.size(); ++i)
     places.push_back(of.stations()[station + i].s.value());
-  const std::vector<double> weights = weights_of_polynomial(places, s);
+  const std::vector<double> weights = lagrange_weights(places, s);
   moved.by << weights[0] * Matrix6::Identity(), weights[1] * Matrix6::Identity();
   for (std::size_t i = 0; i < piece.samples.size(); ++i)
     moved.by += weights[i + 2] * piece.samples[i].motion;

@@ -17,6 +17,7 @@
 #include "boxbeam/section/torsion.hpp"
 #include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
+#include "sliding_joints.hpp"
 #include "strained_once.hpp"
 
 namespace boxbeam {

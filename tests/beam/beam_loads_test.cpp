@@ -142,4 +142,26 @@ TEST_CASE("inertia of a rotation about the start: force -m a_c, moment -J alpha 
   CHECK(sum.moment.z() == Approx(0.0).margin(1e-9));
 }
 
+TEST_CASE("loads are added so many times, and unloaded they are none") {
+  const TaperedBeam beam = tapered();
+  PointLoad load;
+  load.s = m(1.0);
+  load.force = {1.0, -2.0, 3.0};
+  load.moment = {0.5, 4.0, -1.0};
+  const BeamLoads one{
+      {load},
+      loads_of(beam, {1.0, 2.0, -9.81}, {{0.3, 0.1, 0.2}, Vector3d::Zero(), Vector3d::Zero()})};
+  BeamLoads sum = one;
+  add(sum, 2.5, one);
+  const Imbalance single = imbalance_of(one), whole = imbalance_of(sum);
+  CHECK((whole.force - 3.5 * single.force).norm() < 1e-12 * whole.force.norm());
+  CHECK((whole.moment - 3.5 * single.moment).norm() < 1e-12 * whole.moment.norm());
+  unload(sum);
+  REQUIRE(sum.points.size() == 1);
+  CHECK(sum.points[0].s == load.s);
+  CHECK(sum.lines.size() == one.lines.size());
+  CHECK(imbalance_of(sum).force.norm() == 0.0);
+  CHECK(imbalance_of(sum).moment.norm() == 0.0);
+}
+
 }  // namespace beam_loads_test

@@ -40,4 +40,10 @@ TEST_CASE("what would not be seen is shown in one spelling", "[code_points]") {
   CHECK(visible(once) == once);
 }
 
+TEST_CASE("capitals of ASCII are made small, and nothing else", "[code_points]") {
+  CHECK(small_letters("kN m, MPa 42") == "kn m, mpa 42");
+  CHECK(small_letters("\xC3\x84") == "\xC3\x84");
+  CHECK(small_letters("").empty());
+}
+
 }  // namespace code_points_test

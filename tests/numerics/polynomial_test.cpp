@@ -1,5 +1,6 @@
 #include "boxbeam/numerics/polynomial.hpp"
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -90,6 +91,29 @@ TEST_CASE("interpolation agrees with any function at equal steps") {
 
 TEST_CASE("interpolation of degree zero takes the value at the start") {
   CHECK(interpolate<0>([](double x) { return 3.0 + x; }, 2.0)(1.0) == 3.0);
+}
+
+TEST_CASE("Lagrange's weights give a polynomial from its values at places that lie as they will") {
+  std::mt19937 random(4);
+  const Polynomial<4> p = random_polynomial<4>(random);
+  const std::array<double, 5> places{-0.9, -0.2, 0.1, 0.7, 1.3};
+  for (const double x : {-1.2, -0.2, 0.0, 0.45, 2.0}) {
+    const std::array<double, 5> weights = lagrange_weights(places, x);
+    double value = 0.0, sum = 0.0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      value += weights[i] * p(places[i]);
+      sum += weights[i];
+    }
+    CHECK(value == Approx(p(x)).epsilon(1e-12).margin(1e-12));
+    CHECK(sum == Approx(1.0).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("a polynomial from another place has the values that it had") {
+  std::mt19937 random(5);
+  const Polynomial<3> p = random_polynomial<3>(random), q = shifted(p, 0.8);
+  for (const double x : {-0.5, 0.0, 0.7, 1.5})
+    CHECK(q(x) == Approx(p(x + 0.8)).epsilon(1e-12).margin(1e-12));
 }
 
 }  // namespace polynomial_test

@@ -20,17 +20,21 @@
 /// An arm in mechanisms of space, and what its loads are compared by.
 namespace test::space_arm {
 
-/// An arm of 4 m along x, a box, with what `joints` say around it.
+/// An arm of 4 m along x, a box, with what `joints` say around it. `points`: further ones of it;
+/// `gravity`: down along z.
 inline std::string arm(const std::string& joints, const std::string& beam,
-                       const std::string& model = "") {
-  return R"([case]
+                       const std::string& model = "", double gravity = 0.0,
+                       const std::string& points = "") {
+  return fmt::format(R"([case]
 name = "arm"
 kind = "spatial"
 [mechanism]
-gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
+gravity = ["0 m/s^2", "0 m/s^2", "{:.15g} m/s^2"]
 [bodies.arm]
-points = { heel = ["0 m", "0 m", "0 m"], mid = ["1.5 m", "0 m", "0 m"], tip = ["4 m", "0 m", "0 m"] }
-)" + joints +
+points = {{ heel = ["0 m", "0 m", "0 m"], mid = ["1.5 m", "0 m", "0 m"], tip = ["4 m", "0 m", "0 m"]{} }}
+)",
+                     0.0 - gravity, points) +
+         joints +
          R"(
 [sections.arm]
 kind = "box"

@@ -66,7 +66,8 @@ std::function<double(double)> deflected(const Project& project, const std::vecto
   }
   loads.lines = unloaded_lines(project.beam);
   for (LineLoad& line : loads.lines) line.force[2].c[0] = line_load;
-  const DeflectedLine line = deflected_line_of(deflection_model_of(project), cut_forces_of(loads));
+  const DeflectedLine line =
+      DividedBeam(deflection_model_of(project)).line_under(cut_forces_of(loads));
   return [line](double s) { return line.at(si<Length>(s))[1]; };
 }
 
@@ -109,7 +110,8 @@ TEST_CASE("a cantilever against the line from its root to its tip") {
   loads.lines = unloaded_lines(project.beam);
   if (imbalance_of(loads).moment.norm() > 1.0) loads.points[0].moment.y() = -P * L;
   REQUIRE(imbalance_of(loads).moment.norm() < 1e-6);
-  const DeflectedLine line = deflected_line_of(deflection_model_of(project), cut_forces_of(loads));
+  const DeflectedLine line =
+      DividedBeam(deflection_model_of(project)).line_under(cut_forces_of(loads));
   for (int i = 1; i < 16; ++i) {
     const double x = i * L / 16.0;
     const double free = P * x * x * (3 * L - x) / (6 * EI);
@@ -277,7 +279,8 @@ TEST_CASE("from a tangent inside the beam both parts bend away as cantilevers") 
   loads.points = {root, tip};
   loads.lines = unloaded_lines(project.beam);
   if (imbalance_of(loads).moment.norm() > 1.0) loads.points[0].moment.y() = -P * L;
-  const DeflectedLine line = deflected_line_of(deflection_model_of(project), cut_forces_of(loads));
+  const DeflectedLine line =
+      DividedBeam(deflection_model_of(project)).line_under(cut_forces_of(loads));
   CHECK(line.at(si<Length>(1.0))[1] == Approx(0.0).margin(1e-15));
   CHECK(line.at(si<Length>(L))[1] == Approx(-(P * 27.0 / (3 * EI) + P * 3.0 / GA)).epsilon(1e-9));
   // int_0^a x P (L - x)/(E I) dx = P (L a^2/2 - a^3/3)/(E I), downwards; the shear lifts it.
@@ -322,8 +325,9 @@ TEST_CASE("in space a cantilever bends along y and along z, each by its own iner
   const double I_z = (h * 0.2 * 0.2 * 0.2 - (h - 0.04) * std::pow(0.18, 3)) / 12.0;
   const double A_y = 2.0 * 0.02 * 0.2;
   const double along_y = 0.7 * P, along_z = -P;
-  const DeflectedLine line = deflected_line_of(
-      deflection_model_of(project), cut_forces_of(pushed_in_space(project, along_y, along_z, 0.0)));
+  const DeflectedLine line =
+      DividedBeam(deflection_model_of(project))
+          .line_under(cut_forces_of(pushed_in_space(project, along_y, along_z, 0.0)));
   const double y = along_y * (L * L * L / (3.0 * E * I_z) + L / (G * A_y));
   const double z = along_z * (L * L * L / (3.0 * EI) + L / GA);
   const Eigen::Vector2d tip = line.at(si<Length>(L));
@@ -340,9 +344,8 @@ TEST_CASE("where both directions together are farthest off is found between the 
   const DeflectionModel model = deflection_model_of(project);
   for (int k = 0; k < 24; ++k) {
     const double angle = 0.26 * k;
-    const DeflectedLine line = deflected_line_of(
-        model, cut_forces_of(pushed_in_space(project, P * std::cos(angle), P * std::sin(angle),
-                                             -1.7 * P * std::cos(0.6 * k))));
+    const DeflectedLine line = DividedBeam(model).line_under(cut_forces_of(pushed_in_space(
+        project, P * std::cos(angle), P * std::sin(angle), -1.7 * P * std::cos(0.6 * k))));
     double most = 0.0;
     constexpr int places = 20000;
     for (int i = 0; i <= places; ++i)
@@ -485,7 +488,7 @@ TEST_CASE("the check takes the largest deflection of all instants; the load fact
   const LoadHistory& loads = runs.front().loads;
   double largest = 0.0;
   for (std::size_t i = 0; i < loads.instants(); ++i) {
-    const DeflectedLine line = deflected_line_of(model, loads.diagram(i));
+    const DeflectedLine line = DividedBeam(model).line_under(loads.diagram(i));
     for (int j = 0; j <= 500; ++j) {
       largest = std::max(largest, std::abs(line.at(si<Length>(6.2 * j / 500.0))[1]));
     }

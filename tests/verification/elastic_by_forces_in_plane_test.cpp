@@ -14,8 +14,8 @@
 #include "boxbeam/mechanism/planar/tension.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
+#include "support/hub_and_arm.hpp"
 #include "support/slender_beam.hpp"
-#include "support/space_arm.hpp"
 #include "support/space_elements.hpp"
 
 namespace elastic_by_forces_in_plane_test {
@@ -128,9 +128,10 @@ acts = "{}"
     }
     return text;
   }
+  /// What supports take hold of, behind other points.
   template <class Place>
-  std::string points(const Place& place) const {
-    std::string text = fmt::format("heel = {}, tip = {}", place(0.0, 0.0), place(4.0, 0.0));
+  std::string held_points(const Place& place) const {
+    std::string text;
     int number = 0;
     for (const Support& of : supports)
       text += fmt::format(", at{} = {}", ++number, place(of.s, 0.0));
@@ -157,7 +158,7 @@ inertia = "1 kg m^2"
 points = {{ o = ["0 m", "0 m"] }}
 sketch = {}
 [bodies.arm]
-points = {{ {} }}
+points = {{ heel = {}, tip = {}{} }}
 sketch = {}
 [bodies.load]
 mass = "{:.15g} kg"
@@ -177,7 +178,8 @@ connect = ["hub.o", "arm.heel"]
 kind = "rigid"
 connect = ["arm.tip", "load.c"]
 )",
-                                    hub, sketch(0.0), points(place), sketch(0.0), load, inertia,
+                                    hub, sketch(0.0), place(0.0, 0.0), place(4.0, 0.0),
+                                    held_points(place), sketch(0.0), load, inertia,
                                     place(centre.x(), centre.y()), sketch(4.0)) +
                         forces(place) + motion("point = \"hub.o\"\ncoordinate = \"y\"") +
                         "[beam]\nbody = \"arm\"\ndensity = \"7850 kg/m^3\"\n" + beam());
@@ -187,44 +189,10 @@ connect = ["arm.tip", "load.c"]
     const auto place = [](double along, double up) {
       return fmt::format("[\"{:.15g} m\", \"0 m\", \"{:.15g} m\"]", along, up);
     };
-    return test::space_arm::Moved(
-        fmt::format(R"([case]
-name = "arm"
-kind = "spatial"
-[mechanism]
-gravity = ["0 m/s^2", "0 m/s^2", "-9.81 m/s^2"]
-[bodies.hub]
-mass = "{:.15g} kg"
-points = {{ o = ["0 m", "0 m", "0 m"] }}
-[bodies.arm]
-points = {{ {} }}
-[bodies.load]
-mass = "{:.15g} kg"
-centre = {}
-inertia = ["1 kg m^2", "{:.15g} kg m^2", "1.5 kg m^2"]
-points = {{ c = ["0 m", "0 m", "0 m"] }}
-[joints.fall]
-kind = "prismatic"
-connect = ["ground", "hub.o"]
-at = ["0 m", "0 m", "0 m"]
-axis = "z"
-{}
-[joints.root]
-kind = "fixed"
-connect = ["hub.o", "arm.heel"]
-[joints.tip]
-kind = "fixed"
-connect = ["arm.tip", "load.c"]
-)",
-                    hub, points(place), load, place(centre.x(), centre.y()), inertia,
-                    shaken ? std::string()
-                           : fmt::format("moved_by = \"forces\"\nstart = \"{:.15g} "
-                                         "m\"\nstart_rate = \"{:.15g} m/s\"",
-                                         start, rate)) +
-        forces(place) + motion("joint = \"fall\"") +
-        "[beam]\nbody = \"arm\"\nstart = \"heel\"\naxis = \"x\"\nz = \"z\"\ndensity = \"7850 "
-        "kg/m^3\"\n" +
-        beam());
+    const test::hub_and_arm::HubAndArm of{
+        hub, load, {centre.x(), 0.0, centre.y()}, {1.0, inertia, 1.5}, start, rate};
+    return test::space_arm::Moved(of.text(forces(place) + motion("joint = \"fall\""),
+                                          shaken.has_value(), held_points(place), more));
   }
 };
 

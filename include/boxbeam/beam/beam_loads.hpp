@@ -44,6 +44,14 @@ struct BeamLoads {
   std::vector<LineLoad> lines;  ///< in order, without gaps, over the whole beam
 };
 
+/// Adds loads on the same stretches and of the same places, in the same order, so many times.
+void add(std::vector<LineLoad>& sum, double factor, const std::vector<LineLoad>& lines);
+void add(BeamLoads& sum, double factor, const BeamLoads& loads);
+
+/// Leaves stretches and places without force and couple.
+void unload(std::vector<LineLoad>& lines);
+void unload(BeamLoads& loads);
+
 /// One stretch per segment, without load.
 std::vector<LineLoad> unloaded_lines(const TaperedBeam& beam);
 

@@ -20,6 +20,9 @@ CodePoint code_point_at(std::string_view text, std::size_t at);
 /// All of a text.
 std::u32string code_points_of(std::string_view text);
 
+/// With the capitals of ASCII made small.
+std::string small_letters(std::string_view text);
+
 /// Whether it is a byte that is not UTF-8.
 bool is_stray_byte(char32_t code);
 

@@ -36,9 +36,9 @@ class InputError : public std::runtime_error {
 struct AnalysisFailure {
   std::string what;                       ///< what could not be done, and what to try
   std::string where;                      ///< joint, loop, body or station; may be empty
-  std::optional<double> time;             ///< [s]
-  std::optional<double> residual;         ///< of the equations that were to be solved, SI
-  std::optional<double> condition;        ///< number of the matrix that failed
+  std::optional<double> time = {};        ///< [s]
+  std::optional<double> residual = {};    ///< of the equations that were to be solved, SI
+  std::optional<double> condition = {};   ///< number of the matrix that failed
   std::vector<std::string> details = {};  ///< further lines: a closest position, a limiting value
 };
 

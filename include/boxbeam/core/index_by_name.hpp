@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace boxbeam {
 
@@ -11,6 +13,15 @@ int index_by_name(const Items& items, std::string_view name) {
   const auto found =
       std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
   return found == items.end() ? -1 : static_cast<int>(found - items.begin());
+}
+
+/// The names of items that have one.
+template <class Items>
+requires requires(const Items& items) { items.begin()->name; }
+std::vector<std::string> names_of(const Items& items) {
+  std::vector<std::string> names;
+  for (const auto& item : items) names.push_back(item.name);
+  return names;
 }
 
 }  // namespace boxbeam

@@ -35,6 +35,11 @@ Polynomial<A> operator*(double factor, Polynomial<A> p) {
   return p;
 }
 
+template <int A>
+void add(Polynomial<A>& sum, double factor, const Polynomial<A>& p) {
+  for (std::size_t i = 0; i < p.size; ++i) sum.c[i] += factor * p.c[i];
+}
+
 template <int A, int B>
 Polynomial<A + B> operator*(const Polynomial<A>& a, const Polynomial<B>& b) {
   Polynomial<A + B> product;
@@ -60,6 +65,19 @@ Polynomial<(A > 0 ? A - 1 : 0)> derivative_of(const Polynomial<A>& p) {
   return result;
 }
 
+/// What the value at each of these places weighs in that at x of the polynomial through them:
+/// Lagrange. `Places`: an array or vector.
+template <class Places>
+Places lagrange_weights(const Places& places, double x) {
+  Places weights = places;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    weights[i] = 1.0;
+    for (std::size_t k = 0; k < places.size(); ++k)
+      if (k != i) weights[i] *= (x - places[k]) / (places[i] - places[k]);
+  }
+  return weights;
+}
+
 /// The polynomial of degree `Degree` that agrees with `f` at Degree + 1 points of [0, length]:
 /// `f` itself where `f` is such a polynomial. Newton's divided differences on equal steps.
 template <int Degree, class Function>
@@ -80,6 +98,18 @@ Polynomial<Degree> interpolate(const Function& f, double length) {
   for (std::size_t i = n; i-- > 0;) {  // Horner's scheme in Newton's form, expanded
     for (std::size_t k = n - 1; k > 0; --k) result.c[k] = result.c[k - 1] - x[i] * result.c[k];
     result.c[0] = d[i] - x[i] * result.c[0];
+  }
+  return result;
+}
+
+/// The same polynomial of the distance from another place, p(x + by), by Horner's scheme.
+template <int Degree>
+Polynomial<Degree> shifted(const Polynomial<Degree>& p, double by) {
+  if (by == 0.0) return p;
+  Polynomial<Degree> result;
+  for (std::size_t i = p.size; i-- > 0;) {
+    for (std::size_t k = p.size - 1; k > 0; --k) result.c[k] = result.c[k - 1] + by * result.c[k];
+    result.c[0] = p.c[i] + by * result.c[0];
   }
   return result;
 }

@@ -16,17 +16,21 @@ struct SparsePattern {
   std::vector<int> col;        ///< of each entry, no column twice in a row
 
   std::size_t entries() const { return col.size(); }
+  /// Calls f(entry, column) of every entry of a row.
+  template <class F>
+  void in_row(Eigen::Index r, const F& f) const {
+    const auto begin = static_cast<std::size_t>(row_start[static_cast<std::size_t>(r)]);
+    const auto end = static_cast<std::size_t>(row_start[static_cast<std::size_t>(r) + 1]);
+    for (std::size_t e = begin; e < end; ++e) f(e, col[e]);
+  }
   /// `values` as a dense matrix.
   template <class Scalar>
   Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> dense(
       const std::vector<Scalar>& values) const {
     Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> matrix(rows, cols);
     matrix.setZero();
-    for (Eigen::Index r = 0; r < rows; ++r) {
-      const auto begin = static_cast<std::size_t>(row_start[static_cast<std::size_t>(r)]);
-      const auto end = static_cast<std::size_t>(row_start[static_cast<std::size_t>(r) + 1]);
-      for (std::size_t e = begin; e < end; ++e) matrix(r, col[e]) = values[e];
-    }
+    for (Eigen::Index r = 0; r < rows; ++r)
+      in_row(r, [&](std::size_t entry, int column) { matrix(r, column) = values[entry]; });
     return matrix;
   }
   /// row_scale * `values` * col_scale as a matrix of Eigen's.

@@ -13,6 +13,7 @@
 namespace boxbeam {
 
 class ModalTransient;
+class RepeatedVibration;
 struct ModalPosture;
 
 /// A planar mechanism in its motion, and the loads on its beam as a rigid body. Before and behind a
@@ -96,11 +97,8 @@ class ElasticMotion {
   /// (`ModalTransient`). Throws AnalysisError where it holds too many periods.
   LoadSpan span_of(const LoadSpan& rigid) const;
 
-  /// Modal coordinates with the viscous part of the material, less their static one, at the
-  /// instants of a motion that repeats, a row for each [sqrt(kg) m].
-  const Eigen::MatrixXd& dynamic_part() const { return dynamic_; }
-  /// Modal coordinates at these instants [sqrt(kg) m].
-  const Eigen::MatrixXd& coordinates() const { return eta_; }
+  /// Modal coordinates at the instants of a motion that repeats, a row for each [sqrt(kg) m].
+  const Eigen::MatrixXd& coordinates() const;
   /// The same over a motion that does not repeat; nothing of others.
   const TransientResponse* transient() const;
   double lowest_frequency() const { return lowest_; }  ///< over the motion [Hz]
@@ -135,18 +133,6 @@ class ElasticMotion {
   Eigen::MatrixXd turned_at(double change, const std::vector<double>& borders);
   double beside_changes(double time) const;
   Moment moment_at(double time) const;
-  /// What elasticity adds at an instant of a motion that repeats: bending, and what each mode of
-  /// the basis does per unit, turned from the posture's own, and dampers by this basis.
-  struct Added {
-    double time = 0.0;  ///< [s]
-    BeamLoads bent;
-    std::vector<BeamLoads> modes;
-    std::vector<JointDamper> dampers;
-  };
-  Added added_in(const LoadedPosture& posture, const Aligned& aligned, double time) const;
-  std::optional<BeamLoads> loads_between(double time) const;
-  /// Between its instants, of values in a motion that repeats.
-  Eigen::VectorXd periodic_at(const Eigen::MatrixXd& values, double time) const;
   void solve_periodic();
   void solve_once();
 
@@ -162,12 +148,10 @@ class ElasticMotion {
     Eigen::Index free = 0;            ///< so many of them, the first, move without force
   };
   std::vector<Passage> passages_;
-  Eigen::MatrixXd eta_, dynamic_, speed_;
-  std::shared_ptr<const ModalTransient> transient_;
+  std::shared_ptr<const RepeatedVibration> repeated_;  ///< of a motion that does
+  std::shared_ptr<const ModalTransient> transient_;    ///< of another one
   double lowest_ = 1e300;
   mutable std::shared_ptr<const Moment> at_end_;  ///< at rest behind the end
-  std::vector<Added> added_;   ///< at equal steps of a motion that repeats, or none
-  double largest_load_ = 0.0;  ///< at these, of the rigid beam [N]
 };
 
 /// Loads on the beam of a planar case by a model of it: those of rigid bodies, or with vibration.

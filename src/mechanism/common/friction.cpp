@@ -104,10 +104,7 @@ void say_locked(const std::vector<std::string>& joints, double time) {
   throw AnalysisError(
       {"friction locks the mechanism: the pressure it causes asks for more friction than the "
        "driver can overcome; lower the friction coefficient or guide the slider otherwise",
-       names,
-       time,
-       {},
-       {}});
+       names, time});
 }
 
 double fitted_creep(const Friction& law, double v_max, double waves) {

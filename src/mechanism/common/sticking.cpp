@@ -24,8 +24,7 @@ struct TriedSlips {
 
 [[noreturn]] void refuse_slips(const std::string& why, const std::vector<std::string>& names,
                                double time) {
-  throw AnalysisError(
-      {why, fmt::format("joint {}", fmt::join(names, ", joint ")), time, {}, {}, {}});
+  throw AnalysisError({why, fmt::format("joint {}", fmt::join(names, ", joint ")), time});
 }
 
 /// Whether contacts that were tried obey the law of standing ones.

@@ -25,10 +25,7 @@ double waves_of(const TimeSpan& span, int most) {
       {fmt::format("the time looked at, {:.6g} s, holds {:.6g} waves of the fastest driver or "
                    "force; up to {} can be resolved: give a shorter [motion] duration",
                    span.length, waves, most / 8),
-       "mechanism",
-       {},
-       {},
-       {}});
+       "mechanism"});
 }
 
 namespace {
@@ -81,10 +78,7 @@ TimeSpan time_span_of(const std::vector<DriverUse>& uses, const Duration& durati
         {"it is not known how long the motion lasts: drivers and forces have no common period "
          "(within 1000 cycles of the fastest), or some repeat and others end; give [motion] "
          "duration",
-         "mechanism",
-         {},
-         {},
-         {}});
+         "mechanism"});
   }
   count_edges(uses, span);
   return span;

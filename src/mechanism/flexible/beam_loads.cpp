@@ -75,13 +75,6 @@ std::vector<Interval> intervals_of(const std::vector<MassStretch>& stretches,
   return intervals;
 }
 
-/// The same polynomial of the distance from another place.
-template <int Degree>
-Polynomial<Degree> shifted(const Polynomial<Degree>& p, double by, double length) {
-  if (by == 0.0) return p;
-  return interpolate<Degree>([&](double x) { return p(x + by); }, length);
-}
-
 LineLoad empty_line(const Interval& of) {
   return {si<Length>(of.from), si<Length>(of.to - of.from), {}, {}};
 }
@@ -133,14 +126,13 @@ class Inertia {
     const MassStretch& stretch = (*stretches_)[of.stretch];
     const Eigen::Vector3d q = motion.col(static_cast<Eigen::Index>(of.piece));
     const double by = of.from - stretch.start;
-    const double length = of.to - of.from;
-    const Polynomial<2> mass = shifted(stretch.mass, by, length);
+    const Polynomial<2> mass = shifted(stretch.mass, by);
     LineLoad line = empty_line(of);
     line.force[0] = q[0] * mass + Polynomial<3>{};
     line.force[2] =
         mass * Polynomial<1>{{q[1] + q[2] * (of.from - divided().elements[of.piece].node), q[2]}};
     // y points into the plane: counter-clockwise is negative about it.
-    line.couple[1] = -q[2] * shifted(stretch.rotary, by, length);
+    line.couple[1] = -q[2] * shifted(stretch.rotary, by);
     return line;
   }
 
@@ -225,11 +217,6 @@ PointLoad point_load(const Link& link, std::string_view name, Length s, const Ei
   return load;
 }
 
-template <int Degree>
-void add(Polynomial<Degree>& sum, double factor, const Polynomial<Degree>& p) {
-  for (std::size_t i = 0; i < p.size; ++i) sum.c[i] += factor * p.c[i];
-}
-
 /// What the axial force that is there does to a part that bends, in the axes of the straight beam:
 /// the load across it d/ds (N w'), which gives the shear in the bent section. `N w'` of a part as a
 /// polynomial whose integral is the couple that its two nodes feel, so that all is in balance.
@@ -271,8 +258,7 @@ void add_second_order(const DividedLink& link, const std::vector<Length>& places
     const auto i = static_cast<Eigen::Index>(at);
     const SpringElement& part = link.springs[at];
     const Polynomial<4> g = tension_times_slope(part, motion.col(i), motion.col(i + 1));
-    line.force[2] = line.force[2] +
-                    shifted(derivative_of(g), line.start.value() - part.from, line.length.value());
+    line.force[2] = line.force[2] + shifted(derivative_of(g), line.start.value() - part.from);
   }
   double largest = 0.0;
   for (const SpringElement& part : link.springs) {
@@ -302,19 +288,6 @@ void add_second_order(const DividedLink& link, const std::vector<Length>& places
 }
 
 }  // namespace
-
-void add(BeamLoads& sum, double factor, const BeamLoads& loads) {
-  for (std::size_t i = 0; i < loads.points.size(); ++i) {
-    sum.points[i].force += factor * loads.points[i].force;
-    sum.points[i].moment += factor * loads.points[i].moment;
-  }
-  for (std::size_t i = 0; i < loads.lines.size(); ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      add(sum.lines[i].force[axis], factor, loads.lines[i].force[axis]);
-      add(sum.lines[i].couple[axis], factor, loads.lines[i].couple[axis]);
-    }
-  }
-}
 
 BeamResponse beam_response_of(const Structure& structure, int link, const TaperedBeam& beam,
                               const Response& response, const LinkColumns<Complex>& inertial) {
@@ -354,8 +327,7 @@ BeamResponse beam_response_of(const Structure& structure, int link, const Tapere
   const Eigen::Matrix3Xcd moved = omega * omega * inertial[index];
   for (const Interval& interval : intervals) {
     const MassStretch& stretch = stretches[interval.stretch];
-    const Polynomial<2> mass =
-        shifted(stretch.mass, interval.from - stretch.start, interval.to - interval.from);
+    const Polynomial<2> mass = shifted(stretch.mass, interval.from - stretch.start);
     LineLoad& weight = result.constant.lines.emplace_back(empty_line(interval));
     weight.force[0] = g.x() * mass + Polynomial<3>{};
     weight.force[2] = g.y() * mass + Polynomial<3>{};

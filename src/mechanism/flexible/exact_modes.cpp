@@ -35,10 +35,7 @@ constexpr double slack = 1e-6;
       {fmt::format("the natural frequencies were not found: stiffnesses and masses near {:.6g} Hz "
                    "are too far apart; write element = \"corrected\"",
                    frequency),
-       "",
-       {},
-       {},
-       {}});
+       ""});
 }
 
 /// Numbers of frequencies below squares of omega, as they become known.

@@ -128,10 +128,7 @@ void DynamicStiffness<Scalar>::fail_singular() const {
         {fmt::format("rigid joints hold the same motion more than once, so that their forces are "
                      "not determined: {}; give one of them a stiffness there",
                      fmt::join(joints, ", ")),
-         joints.empty() ? "" : joints.front(),
-         {},
-         {},
-         {}});
+         joints.empty() ? "" : joints.front()});
   }
   if (square_ != 0.0) {
     const double frequency = std::sqrt(std::abs(square_)) / full_turn;
@@ -140,10 +137,7 @@ void DynamicStiffness<Scalar>::fail_singular() const {
                      "grows without limit; take another frequency or give damping to links or "
                      "joints",
                      frequency),
-         "",
-         {},
-         {},
-         {}});
+         ""});
   }
   // The motion that nothing resists.
   std::vector<std::string> names;
@@ -163,10 +157,7 @@ void DynamicStiffness<Scalar>::fail_singular() const {
            "or a drive",
            kernel.cols() == 1 ? "one motion is" : fmt::format("{} motions are", kernel.cols()),
            fmt::join(names, ", ")),
-       names.empty() ? "" : names.front(),
-       {},
-       {},
-       {}});
+       names.empty() ? "" : names.front()});
 }
 
 template <class Scalar>

@@ -166,10 +166,7 @@ int pieces_at(const Structure& structure, double square) {
       throw AnalysisError(
           {"the frequency is so high, or a stiffness changes so fast, that the "
            "exact form of the links takes too many pieces",
-           "mechanism",
-           {},
-           {},
-           {}});
+           "mechanism"});
     }
   }
   return pieces;

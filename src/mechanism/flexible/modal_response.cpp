@@ -150,8 +150,7 @@ class StaticSolver {
       if (lowest == 0.0) lowest = modes_of(structure_, free_.size() + 1).back().frequency;
       below_ = lowest > 0.0 ? shift * std::pow(omega_of(lowest), 2) : 1.0;
       if (DynamicStiffness<double>(structure_, below_, 0.0).frequencies_below() > free_.size()) {
-        throw AnalysisError(
-            {"the modes leave out motions without strain; take more modes", "", {}, {}, {}});
+        throw AnalysisError({"the modes leave out motions without strain; take more modes", ""});
       }
     }
     stiffness_.emplace(structure_, -below_, 0.0);
@@ -291,10 +290,7 @@ VectorXcd harmonic_coordinates(const ModalModel& model, ModalLoads loads, double
                        "{} damps: the amplitude has no limit; take another frequency or give "
                        "damping to links or joints",
                        frequency, j + 1, model.damping(j, j) > 0.0 ? "next to nothing" : "nothing"),
-           "",
-           {},
-           {},
-           {}});
+           ""});
     }
     A(j, j) = 1.0;  // at rest: what no load excites stays so
     loads.p[j] = 0.0;

@@ -47,8 +47,7 @@ constexpr Index least_space = 8;
 constexpr int most_runs = 100;
 
 [[noreturn]] void fail(const std::string& what) {
-  throw AnalysisError(
-      {fmt::format("the natural frequencies were not found: {}", what), "", {}, {}, {}});
+  throw AnalysisError({fmt::format("the natural frequencies were not found: {}", what), ""});
 }
 
 /// Motions of all rigid elements as one vector.
@@ -412,8 +411,7 @@ Mode finished(const Problem& problem, const VectorXd& q) {
         {"a natural frequency was not found as exactly as it must be; ask for fewer",
          "",
          {},
-         residual,
-         {}});
+         residual});
   }
   const double square = shifted - problem.below;
   if (square > no_strain * problem.below) {

@@ -78,10 +78,7 @@ Deformation<Scalar> response_off_resonance(const Structure& structure,
       {fmt::format("{:.6g} Hz is a natural frequency of the structure, {}: the amplitude has no "
                    "limit; take another frequency or give damping to links or joints",
                    frequency, damping),
-       "",
-       {},
-       {},
-       {}});
+       ""});
 }
 
 Deformation<Complex> undamped_response(const Structure& structure,

@@ -117,10 +117,7 @@ SuddenStartModes::SuddenStartModes(const ModalModel& model)
     throw AnalysisError(
         {"the structure can move without strain: a sudden start of it is not known; hold it, or "
          "leave out sudden_start",
-         "mechanism",
-         {},
-         {},
-         {}});
+         "mechanism"});
   }
   Recovery recovery = recovery_of(model, true);
   of_loads_ = std::move(recovery.of_loads);

@@ -266,7 +266,7 @@ Equilibrium Statics::balance(const ActingLoads& loads) const {
   }
   Eigen::VectorXd x = solver_.solve(right);
   x += solver_.solve(right - matrix_ * x);
-  if (!x.allFinite()) throw AnalysisError({"the loads on the frame are too large", "", {}, {}, {}});
+  if (!x.allFinite()) throw AnalysisError({"the loads on the frame are too large", ""});
 
   for (std::size_t j = 0; j < of.joints.size(); ++j) {
     const Joint& joint = of.joints[j];

@@ -241,7 +241,7 @@ void refuse_to_stand(const VibratingScene& scene) {
   const char* const what = scene.may_move > 0
                                ? "it is free to move by more than what forces move, or without mass"
                                : "with its drivers held it is free to move, or buckles";
-  throw AnalysisError({what, "beam", {}, {}, {}});
+  throw AnalysisError({what, "beam"});
 }
 
 MatrixXd in_beam_axes(const VibratingScene& scene, const SceneRows& rows, MatrixXd motions) {

@@ -124,10 +124,7 @@ BeamLoads taken_over_of(const HeldScene& held, const VectorXd& cuts,
   BeamLoads loads;
   // On the modes' pieces nothing but ties acts.
   loads.lines = modes.front().loads.lines;
-  for (LineLoad& line : loads.lines) {
-    line.force = {};
-    line.couple = {};
-  }
+  unload(loads.lines);
   const VectorXd sizes = held.tie_forces(forces_of(held, moved).elastic - forces);
   const SceneTies& ties = held.ties();
   for (std::size_t t = 0; t < ties.held.size(); ++t)

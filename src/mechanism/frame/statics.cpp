@@ -34,10 +34,7 @@ Statics::Statics(const Structure& structure, int parts) : structure_(&structure)
                          "known, which a frame in space needs; use a profile of "
                          "walls or a solid rectangle",
                          member.name),
-             segment.name,
-             {},
-             {},
-             {}});
+             segment.name});
       }
     }
     profiles_.emplace_back(member.beam, member.youngs_modulus, member.shear_modulus,
@@ -214,10 +211,7 @@ void Statics::refuse_held_twice() const {
                      "the same place hold already: how they share the load is not "
                      "determined; free it of one, or give it a stiffness",
                      joint.name, component < 3 ? "along" : "about", axis_names[component % 3]),
-         joint.name,
-         {},
-         {},
-         {}});
+         joint.name});
   }
 }
 

@@ -81,14 +81,7 @@ BeamMode mode_of_coordinates(const VibratingScene& scene, const SceneRows& rows,
 /// What moves without force is not strained, but by round-off.
 void unload(BeamMode& mode) {
   mode.work.setZero();
-  for (PointLoad& load : mode.loads.points) {
-    load.force.setZero();
-    load.moment.setZero();
-  }
-  for (LineLoad& line : mode.loads.lines) {
-    line.force = {};
-    line.couple = {};
-  }
+  unload(mode.loads);
   for (CutForcePiece& piece : mode.cut.pieces) {
     piece.N = {};
     piece.T = {};

@@ -42,10 +42,9 @@ Assembler::Assembler(const Mechanism& mechanism)
   const SparsePattern& pattern = equations_.pattern();
   std::vector<Eigen::Triplet<double>> triplets;
   for (Eigen::Index r = 0; r < pattern.rows; ++r) {
-    for (int e = pattern.row_start[static_cast<std::size_t>(r)];
-         e < pattern.row_start[static_cast<std::size_t>(r) + 1]; ++e) {
-      triplets.emplace_back(r, pattern.col[static_cast<std::size_t>(e)], e + 1.0);
-    }
+    pattern.in_row(r, [&](std::size_t entry, int column) {
+      triplets.emplace_back(r, column, static_cast<double>(entry) + 1.0);
+    });
   }
   // The numbers of the entries, sorted into columns: where each value goes.
   jacobian_.setFromTriplets(triplets.begin(), triplets.end());

@@ -79,10 +79,7 @@ InstantSolver::Outcome InstantSolver::follow(double time, const State& known, St
     throw AnalysisError(
         {"the motion turns or swings too often between the instants looked at: following it takes "
          "too many steps; give a shorter [motion] duration",
-         "mechanism",
-         known.time,
-         {},
-         {}});
+         "mechanism", known.time});
   }
   const Outcome direct = step(time, known, result, smooth_enough, false);
   if (direct == Outcome::good) {

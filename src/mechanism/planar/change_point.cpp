@@ -71,10 +71,7 @@ void InstantSolver::interpolate_singular(double time, const State& before, const
         {"reactions grow without bound: at a change point the mechanism can go over to another "
          "branch, and only inertia keeps it on this one; guide it (a second crank, a gear), or ask "
          "for an instant beside it",
-         "mechanism",
-         time,
-         {},
-         {}});
+         "mechanism", time});
   }
   const double share = (time - before.time) / (behind.time - before.time);
   result.lambda = (1.0 - share) * before.lambda + share * behind.lambda;

@@ -44,13 +44,11 @@ EquationsOfMotion::EquationsOfMotion(const Mechanism& mechanism)
     rows[static_cast<std::size_t>(k)].emplace_back(static_cast<int>(k), diagonal);
   }
   for (Eigen::Index r = 0; r < m; ++r) {
-    for (int e = own.row_start[static_cast<std::size_t>(r)];
-         e < own.row_start[static_cast<std::size_t>(r) + 1]; ++e) {
-      const auto entry = static_cast<std::size_t>(e);
-      const auto number = static_cast<std::uint32_t>(e);
-      rows[static_cast<std::size_t>(own.col[entry])].emplace_back(static_cast<int>(n + r), number);
-      rows[static_cast<std::size_t>(n + r)].emplace_back(own.col[entry], number);
-    }
+    own.in_row(r, [&](std::size_t entry, int column) {
+      const auto number = static_cast<std::uint32_t>(entry);
+      rows[static_cast<std::size_t>(column)].emplace_back(static_cast<int>(n + r), number);
+      rows[static_cast<std::size_t>(n + r)].emplace_back(column, number);
+    });
     rows[static_cast<std::size_t>(n + r)].emplace_back(static_cast<int>(n + r), regular);
   }
   pattern_.rows = pattern_.cols = n + m;
@@ -109,12 +107,9 @@ void EquationsOfMotion::solve(const SparseElimination& elimination) {
   for (int i = 0; i < refinements; ++i) {
     left_over_ = right_;
     for (Eigen::Index r = 0; r < pattern_.rows; ++r) {
-      for (int e = pattern_.row_start[static_cast<std::size_t>(r)];
-           e < pattern_.row_start[static_cast<std::size_t>(r) + 1]; ++e) {
-        const auto entry = static_cast<std::size_t>(e);
-        if (source_[entry] == regular) continue;
-        left_over_[r] -= values_[entry] * solution_[pattern_.col[entry]];
-      }
+      pattern_.in_row(r, [&](std::size_t entry, int column) {
+        if (source_[entry] != regular) left_over_[r] -= values_[entry] * solution_[column];
+      });
     }
     elimination.solve(left_over_, correction_);
     solution_ += correction_;
@@ -151,11 +146,8 @@ Eigen::VectorXd EquationsOfMotion::imbalance(const Eigen::VectorXd& q, const Eig
   Eigen::VectorXd open = mass_.cwiseProduct(a) - Q;
   const SparsePattern& own = constraints_.pattern();
   for (Eigen::Index r = 0; r < own.rows; ++r) {
-    for (int e = own.row_start[static_cast<std::size_t>(r)];
-         e < own.row_start[static_cast<std::size_t>(r) + 1]; ++e) {
-      const auto entry = static_cast<std::size_t>(e);
-      open[own.col[entry]] += jacobian_[entry] * lambda[r];
-    }
+    own.in_row(
+        r, [&](std::size_t entry, int column) { open[column] += jacobian_[entry] * lambda[r]; });
   }
   return open;
 }
@@ -164,11 +156,8 @@ void EquationsOfMotion::velocity_defect(const Eigen::VectorXd& v, Eigen::VectorX
   constraints_.velocity_right_side(defect);
   const SparsePattern& own = constraints_.pattern();
   for (Eigen::Index r = 0; r < own.rows; ++r) {
-    for (int e = own.row_start[static_cast<std::size_t>(r)];
-         e < own.row_start[static_cast<std::size_t>(r) + 1]; ++e) {
-      const auto entry = static_cast<std::size_t>(e);
-      defect[r] -= jacobian_[entry] * v[own.col[entry]];
-    }
+    own.in_row(r,
+               [&](std::size_t entry, int column) { defect[r] -= jacobian_[entry] * v[column]; });
   }
 }
 

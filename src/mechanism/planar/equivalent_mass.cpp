@@ -42,10 +42,7 @@ double equivalent_mass_in(const Mechanism& mechanism, const std::vector<State>& 
   const double squared = acceleration.dot(acceleration);
   if (!(squared > 0.0)) {
     throw AnalysisError({"no equivalent mass: the driven point has no acceleration",
-                         mechanism.joints[static_cast<std::size_t>(joint)].name,
-                         {},
-                         {},
-                         {}});
+                         mechanism.joints[static_cast<std::size_t>(joint)].name});
   }
   return force.dot(acceleration) / squared;
 }
@@ -73,11 +70,7 @@ EquivalentMass equivalent_mass_of(const Mechanism& mechanism, const Motion& moti
       (equivalent_mass_in(heavier, states_with(heavier, motion), joint, on) - result.given) / more;
   if (std::abs(result.per_mass) < 1e-9) {
     throw AnalysisError(
-        {"no mass of this body gives the wanted equivalent mass: it has no influence",
-         body.name,
-         {},
-         {},
-         {}});
+        {"no mass of this body gives the wanted equivalent mass: it has no influence", body.name});
   }
   result.needed = mechanism.bodies[static_cast<std::size_t>(adjustable)].mass +
                   (wanted - result.given) / result.per_mass;

@@ -67,10 +67,7 @@ void FreeSolver::settle_contacts(State& state) {
     throw AnalysisError(
         {"a contact with dry friction comes to rest where the mechanism passes a "
          "singular position; give it a creep velocity, which smooths its friction",
-         "joint " + names_[j],
-         state.time,
-         {},
-         {}});
+         "joint " + names_[j], state.time});
   }
   decide_contacts(state);
   static_cast<void>(equations_.solve_rates(state));

@@ -111,10 +111,7 @@ State FreeSolver::state_of(const State& known) {
         {"accelerations are not determined: a freedom that no driver moves has no "
          "mass (give the body a mass and inertia, or drive it), or the mechanism "
          "stands exactly in a singular position",
-         "mechanism",
-         state.time,
-         {},
-         {}});
+         "mechanism", state.time});
   }
   state.residual = equations_.residual();
   regular_ = std::max(regular_, equations_.smallest_pivot());
@@ -132,10 +129,7 @@ State FreeSolver::start(double time, const Eigen::VectorXd& q, const Eigen::Vect
       throw AnalysisError(
           {"no assembly found on the wanted branch; change the sign asked for, or "
            "the sketch",
-           off,
-           time,
-           {},
-           {}});
+           off, time});
     }
     assembly = assembler.assemble(time, other_start(*mechanism_, q, attempt));
   }
@@ -145,10 +139,7 @@ State FreeSolver::start(double time, const Eigen::VectorXd& q, const Eigen::Vect
     throw AnalysisError(
         {"the motion starts in a singular position, where velocities cannot be moved "
          "onto the constraints; start beside it",
-         "mechanism",
-         time,
-         {},
-         {}});
+         "mechanism", time});
   }
   State first;
   first.time = time;
@@ -252,10 +243,7 @@ State FreeSolver::advance(double time, const State& known) {
                "for a spring that is far too stiff, a mass that is far too small or a [motion] "
                "duration that is far too long",
                steps_),
-           "mechanism",
-           state.time,
-           {},
-           {}});
+           "mechanism", state.time});
     }
     while (stop != stops.end() && direction * (*stop - state.time) <= smallest) ++stop;
     if (direction > 0.0 && has_changed(state)) {
@@ -303,10 +291,7 @@ State FreeSolver::advance(double time, const State& known) {
           {"the motion under the applied forces cannot be integrated further: it "
            "changes faster than the arithmetic can follow (a singular position, or "
            "far too stiff a spring)",
-           "mechanism",
-           state.time,
-           {},
-           {}});
+           "mechanism", state.time});
     }
     if (sticking_ && !is_near_singular(step.pivot) && std::abs(dt) > 16.0 * smallest &&
         contacts_go_on(step.end)) {
@@ -366,10 +351,7 @@ State FreeSolver::advance(double time, const State& known) {
         throw AnalysisError(
             {"a stop, a cable or a pin in its clearance begins or ends to act where "
              "the motion cannot be followed (a singular position)",
-             "mechanism",
-             state.time,
-             {},
-             {}});
+             "mechanism", state.time});
       }
       step = std::move(until_change);
       change(step.end);

@@ -65,10 +65,7 @@ InstantSolver::InstantSolver(const Mechanism& mechanism, Elimination elimination
         {fmt::format("the motion is not determined: {} equations of joints and "
                      "drivers for {} coordinates of {} bodies",
                      mechanism.equations(), mechanism.coordinates(), mechanism.bodies.size()),
-         "mechanism",
-         {},
-         {},
-         {}});
+         "mechanism"});
   }
   Eigen::Index i = 0;
   for (const Body& body : mechanism.bodies) {
@@ -279,13 +276,11 @@ bool InstantSolver::contradicts(const Eigen::VectorXd& v) const {
   for (Eigen::Index r = 0; r < pattern.rows; ++r) {
     double sum = -right_[r];
     double size = std::abs(right_[r]);
-    for (int e = pattern.row_start[static_cast<std::size_t>(r)];
-         e < pattern.row_start[static_cast<std::size_t>(r) + 1]; ++e) {
-      const auto entry = static_cast<std::size_t>(e);
-      const double part = jacobian_[entry] * v[pattern.col[entry]];
+    pattern.in_row(r, [&](std::size_t entry, int column) {
+      const double part = jacobian_[entry] * v[column];
       sum += part;
       size += std::abs(part);
-    }
+    });
     open = std::max(open, std::abs(sum) * equations_.row_scale()[r]);
     largest = std::max(largest, size * equations_.row_scale()[r]);
   }
@@ -303,10 +298,7 @@ State InstantSolver::solve_at(double time, const Eigen::VectorXd& q) {
         {"velocities, accelerations and reactions are not determined: the Jacobian is singular (a "
          "dead point, or fewer independent joints and drivers than the motion needs), or joints "
          "and drivers that repeat each other ask for different motions",
-         "mechanism",
-         time,
-         state.residual,
-         {}});
+         "mechanism", time, state.residual});
   }
   return state;
 }
@@ -344,10 +336,7 @@ State InstantSolver::solve_from_sketch(double time, const Eigen::VectorXd& sketc
                                        "and {} other starts; change the sign asked for, or the "
                                        "sketch",
                                        other_starts),
-                           off,
-                           time,
-                           {},
-                           {}});
+                           off, time});
     }
   }
   // Where a coupling or a driver counts turns, an angle must stay as it is.
@@ -372,10 +361,7 @@ State InstantSolver::solve_from_sketch(double time, const Eigen::VectorXd& sketc
              "drivers that repeat each other ask for different motions"
            : "the mechanism starts at a dead point, where its velocities are not determined; "
              "begin a little before or behind it (the phase of the driver)",
-       "mechanism",
-       time,
-       {},
-       {}});
+       "mechanism", time});
 }
 
 }  // namespace boxbeam::planar

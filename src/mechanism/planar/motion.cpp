@@ -15,56 +15,6 @@
 namespace boxbeam::planar {
 namespace {
 
-/// What no driver moves, where the first position is regular or nothing moves it at all.
-DegreesOfFreedom freedom_at_start(const Mechanism& mechanism) {
-  Assembler assembler(mechanism);
-  const Assembly first = assembler.assemble(0.0, sketch_of(mechanism));
-  if (!first.closed) throw AnalysisError(failure_of_assembly(mechanism, 0.0, first));
-  DegreesOfFreedom freedom = degrees_of_freedom_of(mechanism, first.q);
-  if (freedom.undriven == 0 || mechanism.equations() < mechanism.coordinates()) return freedom;
-  // A dead point looks like a freedom without driver: a little later it is none.
-  const double later = 1e-3 * time_span_of(mechanism).length;
-  const Assembly second = assembler.assemble(later, first.q);
-  return second.closed ? degrees_of_freedom_of(mechanism, second.q) : freedom;
-}
-
-std::variant<InstantSolver, FreeSolver> solver_for(const Mechanism& mechanism,
-                                                   const DegreesOfFreedom& freedom) {
-  if (freedom.undriven == 0) {
-    for (const OneSided& of : one_sided_in(mechanism)) {
-      if (!of.law.impact) continue;
-      throw AnalysisError(
-          {"drivers decide the whole motion, and nothing parts from a stop by itself, nor moves in "
-           "a clearance; let forces move what it stops, or write damping instead of restitution",
-           "force " + mechanism.forces[of.force].name,
-           {},
-           {},
-           {}});
-    }
-    return InstantSolver(mechanism);
-  }
-  if (mechanism.duration.length > 0.0) return FreeSolver(mechanism);
-  std::string names;
-  for (const int body : freedom.moving) {
-    names +=
-        (names.empty() ? "body " : ", ") + mechanism.bodies[static_cast<std::size_t>(body)].name;
-  }
-  // By count they may do: then the position that the sketch led to may be a singular one.
-  const bool enough = mechanism.equations() >= mechanism.coordinates();
-  throw AnalysisError(
-      {fmt::format("the motion is not determined: {} {} no driver moves{}; {}add a driver, or give "
-                   "[motion] duration to let the forces move it",
-                   freedom.undriven, freedom.undriven == 1 ? "freedom that" : "freedoms that",
-                   enough ? " in the position that the sketch leads to" : "",
-                   enough ? "draw the sketch nearer to the position that is meant, for joints and "
-                            "drivers are enough by their number; else "
-                          : ""),
-       names,
-       {},
-       {},
-       {}});
-}
-
 /// The same at 16 of the states of a motion.
 void judge_uniqueness(const Mechanism& mechanism, Motion& motion) {
   constexpr std::size_t looks = 16;
@@ -219,10 +169,7 @@ std::vector<double> changes_in(const Mechanism& mechanism, const Motion& motion,
                    "than can be looked at one by one; give a shorter [motion] duration, or a "
                    "smaller restitution",
                    changes.size()),
-       "mechanism",
-       changes[most_changes],
-       {},
-       {}});
+       "mechanism", changes[most_changes]});
 }
 
 /// Where contacts begin to stick or to slide while a motion is looked at.
@@ -239,10 +186,7 @@ std::vector<SlipChange> slip_changes_in(const Motion& motion, const StateSolver&
            "one; give a shorter [motion] duration, or a creep velocity, which smooths "
            "friction",
            changes.size()),
-       "joint " + changes[most_changes].joint,
-       changes[most_changes].time,
-       {},
-       {}});
+       "joint " + changes[most_changes].joint, changes[most_changes].time});
 }
 
 Motion motion_with(const Mechanism& mechanism, StateSolver& solver, int instants) {
@@ -278,18 +222,12 @@ Motion motion_with(const Mechanism& mechanism, StateSolver& solver, int instants
     throw AnalysisError(
         {"the torsion spring is wound up further with every period of the drivers; "
          "give [motion] duration",
-         "force " + spring,
-         motion.period,
-         {},
-         {}});
+         "force " + spring, motion.period});
   }
   throw AnalysisError(
       {"the motion does not close: after one period of the drivers the mechanism is elsewhere (on "
        "another branch, or a gear needs more turns); give [motion] duration",
-       "mechanism",
-       motion.period,
-       open,
-       {}});
+       "mechanism", motion.period, open});
 }
 
 /// The motion with a state between every two.
@@ -309,45 +247,6 @@ Motion doubled(StateSolver& solver, const Motion& coarse) {
 }
 
 }  // namespace
-
-StateSolver::StateSolver(const Mechanism& mechanism)
-    : StateSolver(mechanism, freedom_at_start(mechanism)) {}
-
-StateSolver::StateSolver(const Mechanism& mechanism, DegreesOfFreedom freedom)
-    : mechanism_(&mechanism),
-      freedom_(std::move(freedom)),
-      solver_(solver_for(mechanism, freedom_)) {}
-
-State StateSolver::start() {
-  if (auto* free = std::get_if<FreeSolver>(&solver_)) {
-    if (const auto fitting = without_clearance(*mechanism_)) {
-      const State begin = StateSolver(*fitting).start();
-      return free->start(0.0, begin.q, begin.v);
-    }
-    return free->start(0.0, sketch_of(*mechanism_), start_velocity_of(*mechanism_));
-  }
-  return std::get<InstantSolver>(solver_).solve_from_sketch(0.0, sketch_of(*mechanism_));
-}
-
-State StateSolver::near(double time, const State& known) {
-  if (auto* free = std::get_if<FreeSolver>(&solver_)) return free->advance(time, known);
-  return std::get<InstantSolver>(solver_).solve_near(time, known);
-}
-
-std::vector<double> StateSolver::change_points() const {
-  const auto* driven = std::get_if<InstantSolver>(&solver_);
-  return driven != nullptr ? driven->change_points() : std::vector<double>{};
-}
-
-std::vector<double> StateSolver::changes() const {
-  const auto* free = std::get_if<FreeSolver>(&solver_);
-  return free != nullptr ? free->changes() : std::vector<double>{};
-}
-
-std::vector<SlipChange> StateSolver::slip_changes() const {
-  const auto* free = std::get_if<FreeSolver>(&solver_);
-  return free != nullptr ? free->slip_changes() : std::vector<SlipChange>{};
-}
 
 Motion solve_motion(const Mechanism& mechanism, int instants) {
   StateSolver solver(mechanism);
@@ -392,10 +291,7 @@ Motion solve_motion(const Mechanism& mechanism) {
                        "at do not resolve; look for a rate in a wrong unit, or look at a shorter "
                        "time",
                        fastest.rate, most, motion.period),
-           "body " + mechanism.bodies[fastest.body].name,
-           fastest.time,
-           {},
-           {}});
+           "body " + mechanism.bodies[fastest.body].name, fastest.time});
     }
     if (2.0 * count > most) {
       const Misfit& worst = accelerations.value > reactions.value ? accelerations : reactions;
@@ -405,10 +301,7 @@ Motion solve_motion(const Mechanism& mechanism) {
                        "back and forth against much friction with a small creep velocity, or the "
                        "time is too long",
                        most),
-           nearest_dead_point(mechanism, motion),
-           worst.time,
-           {},
-           {}});
+           nearest_dead_point(mechanism, motion), worst.time});
     }
   }
 }
@@ -421,10 +314,7 @@ State StateFinder::at(double time) {
   } else if (time < motion.begin || time > motion.begin + motion.period * (1.0 + 1e-12)) {
     throw AnalysisError({fmt::format("the motion lasts from {:.6g} s to {:.6g} s", motion.begin,
                                      motion.begin + motion.period),
-                         "mechanism",
-                         time,
-                         {},
-                         {}});
+                         "mechanism", time});
   }
   const auto count = motion.states.size();
   const double position = (within - motion.begin) / motion.period * static_cast<double>(count);

@@ -37,4 +37,21 @@ std::optional<Spring> spring_in(const Mechanism& mechanism, const State& state, 
   return spring;
 }
 
+std::vector<bool> acting_springs(const Mechanism& mechanism, const State& state) {
+  std::vector<bool> acting;
+  for (std::size_t i = 0; i < mechanism.forces.size(); ++i)
+    acting.push_back(std::holds_alternative<Spring>(mechanism.forces[i].kind) &&
+                     spring_in(mechanism, state, i).has_value());
+  return acting;
+}
+
+bool has_damped_touches(const Mechanism& mechanism) {
+  return std::any_of(mechanism.forces.begin(), mechanism.forces.end(),
+                     [](const AppliedForce& force) {
+                       const auto* const spring = std::get_if<Spring>(&force.kind);
+                       return spring != nullptr && spring->acts != Acts::both &&
+                              (spring->damping > 0.0 || spring->impact);
+                     });
+}
+
 }  // namespace boxbeam::planar

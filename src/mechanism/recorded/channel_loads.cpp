@@ -11,11 +11,6 @@
 namespace boxbeam::recorded {
 namespace {
 
-template <int Degree>
-void add(double factor, const Polynomial<Degree>& of, Polynomial<Degree>& sum) {
-  for (std::size_t i = 0; i < of.size; ++i) sum.c[i] += factor * of.c[i];
-}
-
 /// The loads between two stations within a segment, where cut forces go from `a` to `b`.
 LineLoad line_between(double from, double to, const SixForces& a, const SixForces& b) {
   const double h = to - from;
@@ -45,31 +40,17 @@ void add_jump(PointLoad& load, const SixForces& behind) {
 
 }  // namespace
 
-void add(double factor, const BeamLoads& loads, BeamLoads& sum) {
-  assert(loads.points.size() == sum.points.size() && loads.lines.size() == sum.lines.size());
-  for (std::size_t i = 0; i < sum.points.size(); ++i) {
-    sum.points[i].force += factor * loads.points[i].force;
-    sum.points[i].moment += factor * loads.points[i].moment;
-  }
-  for (std::size_t i = 0; i < sum.lines.size(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      add(factor, loads.lines[i].force[k], sum.lines[i].force[k]);
-      add(factor, loads.lines[i].couple[k], sum.lines[i].couple[k]);
-    }
-  }
-}
-
-void add(double factor, const CutForceDiagram& diagram, CutForceDiagram& sum) {
+void add(CutForceDiagram& sum, double factor, const CutForceDiagram& diagram) {
   assert(diagram.pieces.size() == sum.pieces.size());
   for (std::size_t i = 0; i < sum.pieces.size(); ++i) {
     const CutForcePiece& of = diagram.pieces[i];
     CutForcePiece& to = sum.pieces[i];
-    add(factor, of.N, to.N);
-    add(factor, of.V_y, to.V_y);
-    add(factor, of.V_z, to.V_z);
-    add(factor, of.T, to.T);
-    add(factor, of.M_y, to.M_y);
-    add(factor, of.M_z, to.M_z);
+    add(to.N, factor, of.N);
+    add(to.V_y, factor, of.V_y);
+    add(to.V_z, factor, of.V_z);
+    add(to.T, factor, of.T);
+    add(to.M_y, factor, of.M_y);
+    add(to.M_z, factor, of.M_z);
   }
 }
 
@@ -106,7 +87,7 @@ std::vector<double> values_at(const Channels& channels, double time) {
 BeamLoads loads_at(const ChannelLoads& of, double time) {
   BeamLoads loads = of.constant;
   const std::vector<double> values = values_at(*of.channels, time);
-  for (std::size_t k = 0; k < values.size(); ++k) add(values[k], of.units[k], loads);
+  for (std::size_t k = 0; k < values.size(); ++k) add(loads, values[k], of.units[k]);
   return loads;
 }
 
@@ -192,8 +173,8 @@ void add_inertia(const TaperedBeam& beam, const MotionChannels& motion, Channels
       BeamLoads of{{}, lines_of({.omega = axis(j)})};
       if (j != k) {  // what both do together beyond what each does
         of.lines = lines_of({.omega = axis(j) + axis(k)});
-        add(-1.0, BeamLoads{{}, lines_of({.omega = axis(j)})}, of);
-        add(-1.0, BeamLoads{{}, lines_of({.omega = axis(k)})}, of);
+        add(of.lines, -1.0, lines_of({.omega = axis(j)}));
+        add(of.lines, -1.0, lines_of({.omega = axis(k)}));
       }
       add_channel(std::move(product), std::move(of.lines));
     }

@@ -19,11 +19,7 @@ void require_no_impact(const Mechanism& mechanism) {
                "carry it"
              : "drivers decide the whole motion, and nothing parts from a stop by itself; write "
                "damping instead of restitution, or let forces move what it stops",
-         (spring.clearance ? "joint " : "force ") + spring.name,
-         {},
-         {},
-         {},
-         {}});
+         (spring.clearance ? "joint " : "force ") + spring.name});
   }
 }
 

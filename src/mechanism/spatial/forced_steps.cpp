@@ -32,11 +32,7 @@ void spend(const Tree& tree, std::size_t freedoms, double time, int steps, doubl
            "to its end; look for a spring that is far too stiff, a mass or a creep velocity of "
            "friction that is far too small, or a [motion] duration that is far too long",
            steps),
-       "mechanism",
-       time,
-       {},
-       {},
-       {}});
+       "mechanism", time});
 }
 
 }  // namespace
@@ -44,8 +40,8 @@ void spend(const Tree& tree, std::size_t freedoms, double time, int steps, doubl
 ForcedMotion::Step ForcedMotion::step_from(const Tree& tree, const Sample& from, double dt,
                                            Effort& effort) const {
   using Vector = std::vector<double>;
-  const std::size_t n = joints_.size();
-  spend(tree, n + contacts_.size(), from.time, effort.steps, effort.bodies);
+  const std::size_t n = equations_.freedoms();
+  spend(tree, n + equations_.contacts().size(), from.time, effort.steps, effort.bodies);
   Step step;
   State state;
   state.touches = from.touches;
@@ -56,11 +52,11 @@ ForcedMotion::Step ForcedMotion::step_from(const Tree& tree, const Sample& from,
   const auto rates = [&](const Vector& y, Vector& rate, double time) {
     std::fill(rate.begin(), rate.end(), 0.0);
     if (!step.followed) return;
-    closed = place(tree, y, time, near, state);
+    closed = equations_.place(tree, y, time, near, state);
     step.followed = closed.has_value();
     if (!step.followed) return;
     const std::vector<char> now = acting_in(tree.mechanism(), state);
-    const Solution of = solve(tree, state, *closed, from.slips);
+    const ForcedEquations::Solution of = equations_.solve(tree, state, *closed, from.slips);
     if (!acting)
       acting = now;
     else if ((now != *acting || !of.go_on) && time != from.time)
@@ -69,8 +65,7 @@ ForcedMotion::Step ForcedMotion::step_from(const Tree& tree, const Sample& from,
     step.followed = !of.unsolved;
     if (of.unsolved) return;
     std::copy_n(y.begin() + static_cast<std::ptrdiff_t>(n), n, rate.begin());
-    for (std::size_t k = 0; k < n; ++k)
-      rate[n + k] = of.accelerations[static_cast<Eigen::Index>(k)] / scales_[k];
+    for (std::size_t k = 0; k < n; ++k) rate[n + k] = equations_.acceleration_of(of, k);
   };
   Vector error(2 * n), begin(2 * n);
   rates(from.y, begin, from.time);
@@ -78,8 +73,8 @@ ForcedMotion::Step ForcedMotion::step_from(const Tree& tree, const Sample& from,
     // With the accelerations that forces give there, the loops are near it for longer.
     Eigen::VectorXd accelerations(static_cast<Eigen::Index>(n));
     for (std::size_t k = 0; k < n; ++k)
-      accelerations[static_cast<Eigen::Index>(k)] = scales_[k] * begin[n + k];
-    move(tree, state, *closed, accelerations);
+      accelerations[static_cast<Eigen::Index>(k)] = equations_.scale(k) * begin[n + k];
+    equations_.move(tree, state, *closed, accelerations);
     near = loops_->sample_of(state);
   }
   step.end.time = from.time + dt;
@@ -94,23 +89,25 @@ ForcedMotion::Step ForcedMotion::step_from(const Tree& tree, const Sample& from,
     step.followed = false;
     return step;
   }
-  closed = place(tree, step.end.y, step.end.time, near, state);
+  closed = equations_.place(tree, step.end.y, step.end.time, near, state);
   step.followed = closed.has_value();
   if (!step.followed) return step;
   step.end.loops = *closed;
   step.end.slips = from.slips;
-  step.changes = *acting != acting_in(tree.mechanism(), state) ||
-                 (sticking_ && !solve(tree, state, *closed, from.slips).go_on);
+  step.changes =
+      *acting != acting_in(tree.mechanism(), state) ||
+      (equations_.sticking() && !equations_.solve(tree, state, *closed, from.slips).go_on);
   return step;
 }
 
 void ForcedMotion::touch(const Tree& tree, const Sample& from, Sample& end) const {
   State state;
-  if (!place(tree, from.y, from.time, from.loops, state)) return;
+  if (!equations_.place(tree, from.y, from.time, from.loops, state)) return;
   const std::vector<Spring>& springs = tree.mechanism().springs;
   std::vector<char> acted;
   for (const Spring& spring : springs) acted.push_back(acts(spring, state) ? 1 : 0);
-  const std::optional<Loops::Sample> closed = place(tree, end.y, end.time, end.loops, state);
+  const std::optional<Loops::Sample> closed =
+      equations_.place(tree, end.y, end.time, end.loops, state);
   if (!closed) return;
   for (std::size_t i = 0; i < springs.size(); ++i) {
     const Spring& spring = springs[i];
@@ -151,9 +148,10 @@ double ForcedMotion::until_another_acts(const Tree& tree, const Sample& from) co
   State state;
   state.touches = from.touches;
   if (!one_sided_) return until;
-  const std::optional<Loops::Sample> closed = place(tree, from.y, from.time, from.loops, state);
+  const std::optional<Loops::Sample> closed =
+      equations_.place(tree, from.y, from.time, from.loops, state);
   if (!closed) return until;
-  accelerate(tree, state, *closed, from.slips);
+  equations_.accelerate(tree, state, *closed, from.slips);
   for (const Spring& of : tree.mechanism().springs) {
     for (const Spring& spring : switches_of(of)) {
       const Eigen::Vector3d d = position_of(state, spring.b) - position_of(state, spring.a);
@@ -203,8 +201,8 @@ std::optional<ForcedMotion::Step> ForcedMotion::step_to_change(const Tree& tree,
 
 double ForcedMotion::acts_within(const Tree& tree, Sample& from, Sample& end) const {
   constexpr int looks = 24;
-  const bool any_sticks =
-      sticking_ && std::find(from.slips.begin(), from.slips.end(), Slip::none) != from.slips.end();
+  const bool any_sticks = equations_.sticking() && std::find(from.slips.begin(), from.slips.end(),
+                                                             Slip::none) != from.slips.end();
   if (from.accelerations.empty()) know_accelerations(tree, from);
   know_accelerations(tree, end);
   const double dt = end.time - from.time;
@@ -214,12 +212,13 @@ double ForcedMotion::acts_within(const Tree& tree, Sample& from, Sample& end) co
   for (int i = 0; i < looks; ++i) {
     const double at = from.time + dt * i / looks;
     const std::vector<double> y = i == 0 ? from.y : between(from, end, at);
-    const std::optional<Loops::Sample> closed = place(tree, y, at, from.loops, state);
+    const std::optional<Loops::Sample> closed = equations_.place(tree, y, at, from.loops, state);
     if (!closed) return 0.0;
     const std::vector<char> now = acting_in(tree.mechanism(), state);
     if (i == 0)
       acting = now;
-    else if (now != acting || (any_sticks && !solve(tree, state, *closed, from.slips).go_on) ||
+    else if (now != acting ||
+             (any_sticks && !equations_.solve(tree, state, *closed, from.slips).go_on) ||
              any_turns_back(tree.mechanism(), state, from.slips))
       return at - from.time;
   }
@@ -228,10 +227,10 @@ double ForcedMotion::acts_within(const Tree& tree, Sample& from, Sample& end) co
 
 bool ForcedMotion::any_turns_back(const Mechanism& mechanism, const State& state,
                                   const std::vector<Slip>& slips) const {
-  for (std::size_t j = 0; sticking_ && j < contacts_.size(); ++j) {
-    if (!can_stick(laws_[j]) || slips[j] == Slip::none) continue;
-    const double v = sliding_velocity_of(mechanism, contacts_[j], state);
-    if (static_cast<double>(slips[j]) * v < -rest_) return true;
+  for (std::size_t j = 0; equations_.sticking() && j < equations_.contacts().size(); ++j) {
+    if (!can_stick(equations_.laws()[j]) || slips[j] == Slip::none) continue;
+    const double v = sliding_velocity_of(mechanism, equations_.contacts()[j], state);
+    if (static_cast<double>(slips[j]) * v < -equations_.rest()) return true;
   }
   return false;
 }
@@ -256,7 +255,7 @@ std::optional<ForcedMotion::Step> ForcedMotion::good_step(const Tree& tree, Samp
   Step step = step_from(tree, from, dt, effort);
   const bool too_short = std::abs(dt) <= smallest;
   if (!step.followed || step.error > 1.0) {
-    if (too_short && step.unsolved) say_unsolved(tree, from.time, *step.unsolved);
+    if (too_short && step.unsolved) equations_.say_unsolved(tree, from.time, *step.unsolved);
     if (too_short) {
       throw AnalysisError(
           {loops_ != nullptr && !step.followed
@@ -266,11 +265,7 @@ std::optional<ForcedMotion::Step> ForcedMotion::good_step(const Tree& tree, Samp
                  "faster than the arithmetic can follow (far too stiff a spring, or friction with "
                  "far "
                  "too small a creep velocity)",
-           "mechanism",
-           from.time,
-           {},
-           {},
-           {}});
+           "mechanism", from.time});
     }
     // The order of the error estimate is eight; Source: Hairer, Norsett, Wanner (1993), II.4.
     dt *= step.followed ? std::max(0.2, 0.9 * std::pow(step.error, -1.0 / 8.0)) : 0.25;
@@ -284,7 +279,7 @@ std::optional<ForcedMotion::Step> ForcedMotion::good_step(const Tree& tree, Samp
       return std::nullopt;
     }
     step = *std::move(until_change);
-  } else if (one_sided_ || sticking_) {
+  } else if (one_sided_ || equations_.sticking()) {
     // What begins and ends to act between two stages is seen between the ends of the step.
     const double within = acts_within(tree, from, step.end);
     if (within != 0.0) {

@@ -201,11 +201,7 @@ void require_known_pressure(const Mechanism& mechanism, const Loops& loops,
              "not solved; write pressure_angle = \"0 deg\" where that push presses nothing "
              "that rubs, or drive the mechanism",
              name),
-         "joint " + name,
-         {},
-         {},
-         {},
-         {}});
+         "joint " + name});
   }
   for (const FrictionContact& contact : contacts) {
     if (contact.law.coulomb == 0.0 || loops.unique()[contact.joint] != 0) continue;
@@ -216,11 +212,7 @@ void require_known_pressure(const Mechanism& mechanism, const Loops& loops,
                      "their stiffness; release one of them (\"spherical\" or \"cylindrical\" for "
                      "\"revolute\")",
                      name, fmt::join(names_not_unique(mechanism, loops), ", ")),
-         "joint " + name,
-         {},
-         {},
-         {},
-         {}});
+         "joint " + name});
   }
 }
 

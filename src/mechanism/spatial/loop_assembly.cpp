@@ -54,11 +54,7 @@ AnalysisError undetermined(const Mechanism& mechanism, std::size_t freedoms,
            "dead point at t = 0 begin at another posture",
            freedoms, freedoms == 1 ? "" : "s", names.size() == 1 ? "" : "s",
            fmt::join(names, ", ")),
-       "joint " + names.front(),
-       0.0,
-       {},
-       {},
-       {}});
+       "joint " + names.front(), 0.0});
 }
 
 /// Time in which the fastest driver turns an eighth of a radian, where it is not known how long the
@@ -230,11 +226,7 @@ void Loops::assemble(const Tree& tree, State& state) const {
                        "joints and {} other ones; change the sign that is asked for, or give "
                        "starts near the position that is meant",
                        other_starts),
-           off,
-           0.0,
-           {},
-           {},
-           {}});
+           off, 0.0});
   }
   if (!is_closed) {
     const LoopRow& row = rows_[static_cast<std::size_t>(worst)];
@@ -244,11 +236,7 @@ void Loops::assemble(const Tree& tree, State& state) const {
                      "joint \"{}\" is {}; give the free joints starts near the position that is "
                      "meant, or other lengths",
                      name, open_text(row, values[worst] / row_scale_[worst])),
-         "joint " + name,
-         0.0,
-         std::abs(values[worst]),
-         {},
-         {}});
+         "joint " + name, 0.0, std::abs(values[worst])});
   }
   for (const ClosingJoint& joint : mechanism.closing) {
     if (stands_right(joint, state)) continue;
@@ -256,11 +244,7 @@ void Loops::assemble(const Tree& tree, State& state) const {
         {fmt::format("near the given starts the loops close with joint \"{}\" turned by half a "
                      "turn; give starts near the position that is meant",
                      joint.name),
-         "joint " + joint.name,
-         0.0,
-         {},
-         {},
-         {}});
+         "joint " + joint.name, 0.0});
   }
 }
 
@@ -352,11 +336,7 @@ void Loops::follow(const Tree& tree, const ForcedMotion* forced) {
         {fmt::format("after a period of the drivers, {:.6g} s, the loops stand elsewhere than "
                      "before it; give [motion] duration with the time that is to be looked at",
                      span.length),
-         "joint " + mechanism.closing.front().name,
-         end.time,
-         {},
-         {},
-         {}});
+         "joint " + mechanism.closing.front().name, end.time});
   }
   begin_ = span.begin;
   period_ = span.length;

@@ -255,8 +255,7 @@ Loops::Sample Loops::followed(const Tree& tree, Sample from, double until,
          "joint " + tree.mechanism().closing.front().name,
          from.time,
          {},
-         of.largest / of.smallest.tail(1)[0],
-         {}});
+         of.largest / of.smallest.tail(1)[0]});
   }
   return from;
 }
@@ -295,11 +294,7 @@ Loops::Sample Loops::close(const Tree& tree, State& state) const {
            "to the loops",
            tree.mechanism().closing[row.joint].name,
            open_text(row, values[worst] / row_scale_[worst])),
-       "joint " + tree.mechanism().closing[row.joint].name,
-       state.time,
-       std::abs(values[worst]),
-       {},
-       {}});
+       "joint " + tree.mechanism().closing[row.joint].name, state.time, std::abs(values[worst])});
 }
 
 void Loops::wrenches(const Tree& tree, const State& state, std::span<const BodyWrench> others,

@@ -107,11 +107,7 @@ TimeSpan time_span_of(const Mechanism& mechanism) {
     throw AnalysisError({fmt::format("forces move joint \"{}\": [motion] duration says how long "
                                      "that is looked at",
                                      forced->name),
-                         "joint " + forced->name,
-                         {},
-                         {},
-                         {},
-                         {}});
+                         "joint " + forced->name});
   }
   TimeSpan span = boxbeam::time_span_of(functions_of(mechanism), mechanism.duration);
   span.begin = mechanism.duration.settle;

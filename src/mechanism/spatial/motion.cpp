@@ -136,11 +136,7 @@ std::vector<double> changes_of(const Chain& chain, const TimeSpan& span) {
                    "than can be looked at one by one; give a shorter [motion] duration, their "
                    "springs more damping, or contacts a creep velocity",
                    changes.size()),
-       "mechanism",
-       changes[most_changes],
-       {},
-       {},
-       {}});
+       "mechanism", changes[most_changes]});
 }
 
 }  // namespace
@@ -171,10 +167,7 @@ Motion motion_of(const Chain& chain) {
                "looked at; give a shorter [motion] duration, smoother drivers and loads, or a "
                "larger creep velocity of what rubs",
                motion.instants),
-           "mechanism",
-           misfit.time,
-           {},
-           {}});
+           "mechanism", misfit.time});
     }
     motion.instants *= 2;
   }

@@ -1,11 +1,10 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <utility>
 
+#include "boxbeam/core/code_points.hpp"
 #include "boxbeam/core/error.hpp"
 #include "file_unit.hpp"
 #include "number_rows.hpp"
@@ -18,15 +17,8 @@ namespace {
 constexpr const char* csv_head_hint =
     "the first line reads for example: time [s], force [kN]; below it numbers";
 
-std::string small_word(std::string_view word) {
-  std::string small(word);
-  std::transform(small.begin(), small.end(), small.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return small;
-}
-
 /// "T" is a torsional moment.
-bool is_time_name(std::string_view name) { return name == "t" || small_word(name) == "time"; }
+bool is_time_name(std::string_view name) { return name == "t" || small_letters(name) == "time"; }
 
 bool is_time_unit(std::string_view unit) {
   const auto parsed = parse_file_unit(unit);
@@ -109,7 +101,7 @@ class CsvReader : public SignalReader {
   /// Committee (fde.uwaterloo.ca).
   void take_sae_key(std::string_view line) {
     constexpr std::string_view key = "#timestep=";
-    const std::string small = small_word(trimmed(line));
+    const std::string small = small_letters(trimmed(line));
     if (!small.starts_with(key)) return;
     const std::string_view text = trimmed(std::string_view(small).substr(key.size()));
     double value = 0.0;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "../csv_text.hpp"
+#include "boxbeam/core/code_points.hpp"
 
 namespace boxbeam {
 namespace {
@@ -21,9 +22,7 @@ std::string_view usual_word(std::string_view word) {
       {"millimeter", "mm"}, {"millimeters", "mm"}, {"degree", "deg"}, {"degrees", "deg"},
       {"radian", "rad"},    {"radians", "rad"},    {"Nm", "N m"},     {"kNm", "kN m"},
       {"MNm", "MN m"},      {"Nmm", "N mm"},       {"kNmm", "kN mm"}, {"hz", "Hz"}};
-  std::string small(word);
-  std::transform(small.begin(), small.end(), small.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string small = small_letters(word);
   for (const auto& [from, to] : words) {
     // Capitals count in symbols, not in words: "MNm" is no "mNm".
     const bool symbol =

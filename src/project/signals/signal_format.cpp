@@ -1,9 +1,8 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 
+#include "boxbeam/core/code_points.hpp"
 #include "number_rows.hpp"
 #include "signal_reader.hpp"
 #include "text_lines.hpp"
@@ -37,10 +36,7 @@ constexpr NotRead not_read[] = {{"MDF ", "MDF", "convert it to CSV, for example 
                                 {"PK\x03\x04", "a spreadsheet or an archive", "save it as CSV"}};
 
 std::string small_extension(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
+  return small_letters(std::filesystem::path(path).extension().string());
 }
 
 /// The format of a text whose first lines tell it.

@@ -166,7 +166,7 @@ TEST_CASE("inertia from channels is that of the motion, in any direction", "[rec
   for (std::size_t i = 0; i < 3; ++i) {
     BeamLoads sum = loads.constant;
     for (std::size_t k = 0; k < loads.units.size(); ++k)
-      recorded::add(channels.values[k][i], loads.units[k], sum);
+      add(sum, channels.values[k][i], loads.units[k]);
     const std::vector<LineLoad> whole = weight_and_inertia(
         beam, mass_distribution_of(beam), Eigen::Vector3d::Zero(),
         {three(motion.acceleration, i), three(motion.omega, i), three(motion.alpha, i)});

@@ -34,9 +34,6 @@ struct BeamResponse {
 BeamResponse beam_response_of(const Structure& structure, int link, const TaperedBeam& beam,
                               const Response& response, const LinkColumns<Complex>& inertial);
 
-/// Adds loads of the same places, in the same order, so many times.
-void add(BeamLoads& sum, double factor, const BeamLoads& loads);
-
 /// constant + sine sin(omega t) + cosine cos(omega t).
 BeamLoads beam_loads_at(const BeamResponse& response, double time);
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "boxbeam/mechanism/planar/instant_solver.hpp"
 #include "boxbeam/mechanism/planar/mechanism.hpp"
@@ -20,5 +21,11 @@ double tension_in_spring(const Mechanism& mechanism, const State& state, std::si
 /// there: with the stiffness of an impact's law at its depth; nothing where it acts one way and not
 /// now. Precondition: the force is a `Spring`.
 std::optional<Spring> spring_in(const Mechanism& mechanism, const State& state, std::size_t force);
+
+/// Which forces are springs that act in a state.
+std::vector<bool> acting_springs(const Mechanism& mechanism, const State& state);
+
+/// Whether a spring that acts one way is damped: while its ends part it may bear nothing.
+bool has_damped_touches(const Mechanism& mechanism);
 
 }  // namespace boxbeam::planar

@@ -37,10 +37,8 @@ struct ChannelLoads {
   std::vector<BeamLoads> units;  ///< of each channel for a value of one
 };
 
-/// Adds loads of the same places and stretches, so many times.
-void add(double factor, const BeamLoads& loads, BeamLoads& sum);
-/// The same of their cut forces.
-void add(double factor, const CutForceDiagram& diagram, CutForceDiagram& sum);
+/// Adds cut forces on the same pieces, so many times.
+void add(CutForceDiagram& sum, double factor, const CutForceDiagram& diagram);
 
 /// Index of the last instant not behind a time; the first before all. Below the last index, so that
 /// an instant follows.

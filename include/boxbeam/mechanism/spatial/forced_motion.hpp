@@ -1,33 +1,24 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
 #include "boxbeam/mechanism/common/sticking_spans.hpp"
-#include "boxbeam/mechanism/spatial/friction.hpp"
-#include "boxbeam/mechanism/spatial/loops.hpp"
+#include "boxbeam/mechanism/spatial/forced_equations.hpp"
 
 namespace boxbeam::spatial {
 
-/// The coordinates that forces move, from their start at t = 0 on. Their accelerations a are those
-/// with which all that acts, and what is inert, has no power in any motion that they leave free:
-///
-///     sum_k M_jk a_k + sum_i u_ij Q_i = 0,   M_jk = sum m c_j . c_k + w_j . I w_k
-///
-/// c_j, w_j velocity of a body's centre of mass and its rate of turn per rate of coordinate j, u_ij
-/// the rate of joint i, Q_i what the inverse dynamics of all joints without the loops asks of it
-/// where a = 0. Integrated by a Runge-Kutta method of order 8 with a step chosen by its error
-/// (Fehlberg 7(8), Boost.Odeint), which sees its first and last stages only: each step must agree
-/// with its two halves. Steps end where drivers or loads bend or jump, where a stop or a cable
-/// begins or ends to act, and where a contact without a creep velocity begins to stick or to slide
+/// The coordinates that forces move, from their start at t = 0 on, as `ForcedEquations` say.
+/// Integrated by a Runge-Kutta method of order 8 with a step chosen by its error (Fehlberg 7(8),
+/// Boost.Odeint), which sees its first and last stages only: each step must agree with its two
+/// halves. Steps end where drivers or loads bend or jump, where a stop or a cable begins or ends to
+/// act, and where a contact without a creep velocity begins to stick or to slide
 /// (`decide_sticking`). Between, by Hermite's polynomial from positions, rates and accelerations at
 /// two times (degree 5) or also halfway (degree 8), so near each other that it differs from a step
 /// by no more than a hundred times its tolerance: where it does most, what it leaves of the
-/// accelerations says by how much. Source: Kane and Levinson, Dynamics: Theory and Applications
-/// (1985), 4.1 to 6.1; Fehlberg, NASA TR R-287 (1968); Enright, J. Comput. Appl. Math. 27 (1989),
-/// of what polynomials leave.
+/// accelerations says by how much. Source: Fehlberg, NASA TR R-287 (1968); Enright, J. Comput.
+/// Appl. Math. 27 (1989), of what polynomials leave.
 class ForcedMotion {
  public:
   /// Over the time that is looked at. `loops`: assembled at t = 0, or nothing; keeps it.
@@ -44,14 +35,14 @@ class ForcedMotion {
   /// (`Loops::close`, `Tree::move`): these, of all bodies, and what rubs.
   void accelerate(const Tree& tree, State& state, const Loops::Sample& closed) const;
 
-  std::size_t freedoms() const { return joints_.size(); }
+  std::size_t freedoms() const { return equations_.freedoms(); }
 
   /// When a stop or a cable begins or ends to act, or a contact to stick, ascending, over the time
   /// that is looked at and what goes before it.
   const std::vector<double>& changes() const { return changes_; }
   /// What contacts that can stick do at t = 0, and where they change.
   std::vector<FirstSlip> first_slips() const {
-    return first_slips_of(laws_, names_, samples_.front().slips);
+    return first_slips_of(equations_.laws(), equations_.names(), samples_.front().slips);
   }
   const std::vector<SlipChange>& slip_changes() const { return slip_changes_; }
 
@@ -68,16 +59,11 @@ class ForcedMotion {
     std::vector<Touch> touches = {};  ///< of every spring, of that from here on
     std::vector<Slip> slips = {};     ///< of contacts that can stick, from there on
   };
-  /// Why accelerations are not determined.
-  struct Unsolved {
-    std::size_t massless = 0;  ///< a joint that moves nothing inert, or
-    bool locked = false;       ///< friction locks
-  };
   struct Step {
     Sample end;
-    bool followed = true;                   ///< the loops, and accelerations are determined
-    std::optional<Unsolved> unsolved = {};  ///< why they are not
-    double error = 0.0;                     ///< in tolerances
+    bool followed = true;  ///< the loops, and accelerations are determined
+    std::optional<ForcedEquations::Unsolved> unsolved = {};  ///< why they are not
+    double error = 0.0;                                      ///< in tolerances
     bool changes = false;  ///< others act at its end than at its beginning, or contacts change
     std::optional<Sample> before = {};  ///< just before those do, where a force jumps
     double change = 1.0;  ///< of the step, where a stage first has others acting than its beginning
@@ -89,36 +75,8 @@ class ForcedMotion {
     int steps = 0;
   };
 
-  /// Sets the coordinates, of a state whose time drivers have been asked for, and all bodies, where
-  /// loops are closed beside `near`, without what forces give of accelerations. Nothing where they
-  /// are not closed.
-  std::optional<Loops::Sample> place(const Tree& tree, const std::vector<double>& y, double time,
-                                     const Loops::Sample& near, State& state) const;
-  void set(State& state, const std::vector<double>& y) const;
-  /// The accelerations without friction and what it does to them, without units.
-  struct Response {
-    Eigen::VectorXd accelerations;
-    Eigen::MatrixXd by_friction;  ///< per unit of each force, a column each
-    FrictionResponse of;
-    std::optional<Unsolved> unsolved = {};
-  };
-  Response response_in(const Tree& tree, const State& state, const Loops::Sample& closed) const;
-  /// The accelerations, the friction force of every contact, and what presses on it.
-  struct Solution {
-    Eigen::VectorXd accelerations;
-    std::vector<double> friction = {};
-    bool go_on = true;  ///< contacts, as they slide or stick
-    std::optional<Unsolved> unsolved = {};
-  };
-  Solution solve(const Tree& tree, const State& state, const Loops::Sample& closed,
-                 const std::vector<Slip>& slips) const;
-  void accelerate(const Tree& tree, State& state, const Loops::Sample& closed,
-                  const std::vector<Slip>& slips) const;
   /// What contacts do at a time.
   const std::vector<Slip>& slips_at(double time) const;
-  /// A state as `accelerate` asks for it, with accelerations that forces give.
-  void move(const Tree& tree, State& state, const Loops::Sample& closed,
-            const Eigen::VectorXd& accelerations) const;
   /// A coordinate between two positions, with its rate and acceleration, without units.
   DriverState course(const Sample& from, const Sample& to, std::size_t k, double time) const;
   std::vector<double> between(const Sample& from, const Sample& to, double time) const;
@@ -133,7 +91,6 @@ class ForcedMotion {
   /// Adds positions between two until those between are known by polynomials.
   void refine(const Tree& tree, const Sample& from, Sample& to, int depth, Effort& effort,
               std::vector<Sample>& kept) const;
-  [[noreturn]] void say_unsolved(const Tree& tree, double time, const Unsolved& why) const;
 
   /// Decides how contacts go on from a sample, where they do not go on, or nothing is known of them
   /// yet; those that stick slide no more. What changes is added to `found`.
@@ -167,19 +124,13 @@ class ForcedMotion {
   bool agrees_with_halves(const Tree& tree, const Sample& from, const Step& step, double dt,
                           Effort& effort) const;
 
+  ForcedEquations equations_;
   const Loops* loops_;
   double tolerance_;
-  std::vector<FrictionContact> contacts_;
-  std::vector<std::size_t> joints_;
-  std::vector<double> scales_;  ///< of their coordinates: 1, or the mechanism's size [m]
-  bool one_sided_ = false;      ///< whether any spring only pulls or only pushes
-  std::vector<double> stops_;   ///< times at which steps end
+  bool one_sided_ = false;     ///< whether any spring only pulls or only pushes
+  std::vector<double> stops_;  ///< times at which steps end
   std::vector<Sample> samples_;
   std::vector<double> changes_;
-  bool sticking_ = false;  ///< whether any contact can
-  double rest_ = 0.0;      ///< sliding velocity that is none, for the tolerance [m/s]
-  std::vector<Friction> laws_;
-  std::vector<std::string> names_;  ///< of the contacts
   std::vector<SlipChange> slip_changes_;
   double gap_ = 0.0;  ///< from one side of a break to the other, and twice that [s]
 };
