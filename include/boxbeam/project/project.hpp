@@ -7,26 +7,17 @@
 #include <vector>
 
 #include "boxbeam/beam/tapered_beam.hpp"
-#include "boxbeam/fatigue/damage.hpp"
-#include "boxbeam/fatigue/detail.hpp"
-#include "boxbeam/fatigue/sn_curve.hpp"
 #include "boxbeam/mechanism/flexible/mechanism.hpp"
 #include "boxbeam/mechanism/frame/structure.hpp"
-#include "boxbeam/mechanism/planar/elastic_joint.hpp"
 #include "boxbeam/mechanism/planar/mechanism.hpp"
 #include "boxbeam/mechanism/planar/newton_chain.hpp"
 #include "boxbeam/mechanism/recorded/loads.hpp"
-#include "boxbeam/mechanism/spatial/beam_loads.hpp"
-#include "boxbeam/mechanism/spatial/elastic_joint.hpp"
 #include "boxbeam/mechanism/spatial/mechanism.hpp"
+#include "boxbeam/project/beam_demands.hpp"
 #include "boxbeam/project/case_document.hpp"
+#include "boxbeam/project/neighbour_demands.hpp"
 #include "boxbeam/section/plate_kind.hpp"
-#include "boxbeam/strength/column_buckling.hpp"
-#include "boxbeam/strength/effective_width.hpp"
-#include "boxbeam/strength/hole_concentration.hpp"
-#include "boxbeam/strength/lug.hpp"
 #include "boxbeam/strength/material.hpp"
-#include "boxbeam/strength/pin.hpp"
 
 namespace boxbeam {
 
@@ -51,107 +42,6 @@ enum class Dynamics {
 };
 
 const char* to_text(Dynamics dynamics);
-
-/// A point of a section that the user wants to see, at a station (both sides of it).
-struct NamedPoint {
-  std::string name;
-  Length s;
-  Length z;
-};
-
-/// Where in a section a detail is.
-enum class DetailPlace {
-  section,  ///< anywhere
-  fibres,   ///< flanges, corners, round walls, stiffeners, walls of paths, solid sections
-  webs,     ///< webs between their ends
-  seams,    ///< where webs and flanges meet
-};
-
-/// A detail on a stretch of the beam.
-struct BeamDetail {
-  Length from, to;
-  DetailPlace on = DetailPlace::section;
-  Detail detail;
-  /// The stress of the detail over the nominal one of the section: k_f of EN 1993-1-9 6.3, the
-  /// structural stress of annex B, the stress in a throat by t/a.
-  double stress_factor = 1.0;
-  std::string assumed;  ///< why it is taken so, where nobody classified it
-};
-
-/// The line of a flat along a plate of a box.
-struct FlatLine {
-  std::string name;  ///< "stiffener 1 weld", "stiffener 1 end", as a point of the section
-  BoxPlate plate = BoxPlate::top_flange;
-  Length from, to;  ///< where on the plate it stands, at both ends of the stretch
-};
-
-/// A weld of what is attached to the beam: it is looked at beside the details that the case has
-/// there, not in their place.
-struct AttachmentWeld {
-  BeamDetail detail;
-  std::optional<FlatLine> flat;  ///< nothing: around the section, of a diaphragm
-};
-
-/// What resists a range: the detail's curve with its size effect.
-SnCurve curve_of(const Detail& detail);
-
-/// The two ways of EN 1993-1-5 to judge plates that buckle, which are never mixed in one section.
-enum class PlateRoute {
-  effective_widths,  ///< clauses 4 to 7: what buckles sheds its load to what does not
-  reduced_stresses,  ///< clause 10: gross section, each plate by itself
-};
-
-struct StrengthDemand {
-  double gamma_M0 = 1.0;
-  double gamma_M1 = 1.0;   ///< of plates and members that buckle
-  double gamma_M2 = 1.25;  ///< of welds and pins
-  WidthRule effective_widths = WidthRule::at_yield;
-  /// Equivalent uniform moment factors of members, EN 1993-1-1, table B.3; 1 on the safe side.
-  double C_my = 1.0, C_mz = 1.0;
-  bool shear_lag = true;  ///< whether wide flanges are reduced, EN 1993-1-5 3.2
-  PlateRoute plates = PlateRoute::effective_widths;  ///< steep segments by reduced stresses anyway
-  double required = 1.0;
-};
-
-struct FatigueInput {
-  /// Whether the case asks for fatigue at all; without [fatigue] the rest means nothing and no
-  /// situation has cycles.
-  bool asked = true;
-  BeamDetail beam;  ///< of the whole beam, unless one of the details says otherwise
-  /// Plates under shear stress, and the throats of seams, anywhere on the beam.
-  Detail shear, throat;
-  /// Plates of boxes bent across, in their corners.
-  Detail corner;
-  /// The thesis' arithmetic instead of the standard's curve, for comparison only.
-  bool published_step = false;
-  /// Fatigue strengths are rounded to a multiple of this where given (published arithmetic).
-  std::optional<Stress> round_strength_to;
-  FatigueDemand demand;
-  std::string gamma_Mf_source;  ///< "safe life, high consequence" where table 3.1 gave it
-  double required = 1.0;
-  std::vector<BeamDetail> details;
-  std::vector<AttachmentWeld> attachments;  ///< of its diaphragms and flats
-  std::vector<std::string> codes;           ///< families of curves to be shown beside
-};
-
-/// A hole of the beam and how the stress at it is verified. Its material is missing from the stress
-/// section through its centre only; the mass of the beam is taken without holes.
-struct BeamHole {
-  Length s;
-  Hole hole;
-  /// Which problem its concentration is; none where its detail is one for the net section.
-  std::optional<HoleCase> concentration;
-  std::optional<BeamDetail> detail;  ///< of its own; none: that of the beam
-};
-
-/// What holds the beam at a station, as the case says it: of each way that it is held in anywhere
-/// the case says all, in place of what the program would take from the mechanism.
-struct Restraint {
-  Length s;
-  bool along_y = false, along_z = false;  ///< its axis stays there
-  bool turning = false;                   ///< and it does not turn about it
-  bool clamped = false;                   ///< along y and z it keeps its direction, too
-};
 
 /// A stress taken from a published calculation instead of being computed.
 struct GivenStress {
@@ -196,121 +86,6 @@ struct Situation {
   /// Whether it is a motion of its own.
   bool runs() const { return between.empty(); }
   bool is_change() const { return !between.empty() && !in_order; }
-};
-
-/// A plate that a pin pulls at.
-struct LugInput {
-  bool inner = true;  ///< else each of both outer ones
-  Lug plate;
-  Stress yield_strength;
-  BeamDetail detail;        ///< with the stress at the hole over that of the net section
-  bool own_factor = false;  ///< which the case gives; else it is K_t
-};
-
-/// A pin of the mechanism and the plates it bears on.
-struct PinInput {
-  std::string name;
-  int joint = 0;  ///< in space behind those that carry bodies those that close loops
-  PinJoint geometry;
-  PinStrength strength;
-  bool replaceable = false;  ///< in service, whose limits it keeps as well
-  std::vector<LugInput> lugs;
-  double required = 1.0;
-};
-
-/// A rod between two points of one body, in the plane or in space.
-struct PlanarRod {
-  planar::Attachment from, to;
-};
-struct SpatialRod {
-  spatial::Attachment from, to;
-};
-
-/// A rod without mass: a joint that keeps or drives a distance, or a spring.
-struct RodLink {
-  bool spring = false;
-  /// Among the joints of the plane, in space those that close loops; of a spring among the forces
-  /// of the plane, in space the springs.
-  std::size_t index = 0;
-};
-
-/// A body that is a beam.
-struct WholeBody {
-  int body = 0;
-  spatial::BeamPlacement placement = {};  ///< in space only
-};
-
-/// A body in space that is a rod from one of its points to another.
-struct RodBody {
-  spatial::BeamPlacement placement;
-  bool directed = false;  ///< whether the case says where its section's z points
-};
-
-/// What is elastic with the verified beam of a mechanism: another beam of the case, a rod by its
-/// section, or a joint that has a stiffness.
-struct ElasticBeside {
-  std::string name;  ///< of the beam's body, the rod or the joint
-  std::variant<WholeBody, PlanarRod, RodLink, planar::ElasticJoint, RodBody, spatial::ElasticJoint>
-      place;
-  TaperedBeam
-      beam;  ///< of a rod from end to end, its mass being what its body says; of a joint none
-};
-
-/// A rod of the mechanism, looked at under tension and compression.
-struct RodInput {
-  std::string name;
-  std::variant<PlanarRod, SpatialRod, RodLink> place;
-  Length length;  ///< between its ends; of one whose length changes that against buckling
-  Section section;
-  Stress yield_strength;         ///< of its thickest wall
-  Stress tensile_strength;       ///< likewise
-  std::optional<Area> net_area;  ///< where holes for fasteners weaken it most; nothing: no holes
-  Length buckling_length;
-  BucklingCurve curve = BucklingCurve::c;
-  double gamma_M0 = 1.0, gamma_M1 = 1.0, gamma_M2 = 1.25;
-  double required = 1.0;
-};
-
-/// A weld around a profile that joins two parts of the beam at a station and carries all that is
-/// cut there.
-struct WeldInput {
-  std::string name;
-  Length s;
-  Profile around;      ///< the weld follows its outline
-  Length throat;       ///< nominal; zero where it penetrates fully
-  Length penetration;  ///< beyond that, as tests confirm it: EN 1993-1-8, 4.5.2(3), 4.7.2
-  bool full = false;   ///< penetrates fully: as strong as the weaker part, 4.7.1
-  Length thickness;    ///< of the thicker part joined, which decides the tensile strength
-  BeamDetail root;     ///< across the throat: EN 1993-1-9, row 8.5/3; none of full penetration
-  Detail shear;        ///< along it
-  BeamDetail toe;      ///< in the profile's walls: row 8.5/1
-  double required = 1.0;
-};
-
-/// The straight line between the places of two stations, which stay on it.
-struct Chord {
-  Length from, to;
-};
-
-/// The line along the beam as it lies at a station: the place and the turn there are none.
-struct Tangent {
-  Length at;
-};
-
-/// The beam's axis where nothing loads it; of frames at rest, whose motion as a whole is known.
-struct UnloadedAxis {};
-
-/// The line from which a deflection is measured.
-using MeasuredFrom = std::variant<Chord, Tangent, UnloadedAxis>;
-
-/// How far the beam may bend away from a line.
-struct DeflectionInput {
-  Length limit;
-  MeasuredFrom against;
-  std::string measured_from;  ///< "the tangent at s = 0 m, where joint root clamps the beam"
-  bool load_factor = false;   ///< whether the situations' load factors multiply it
-  Stress youngs_modulus;
-  Stress shear_modulus;
 };
 
 struct EquivalentMassDemand {
