@@ -634,7 +634,7 @@ TEST_CASE("random starts in space are as near to many modes as the tolerance say
     const ModelledRuns chosen = run_by_chosen_model(of.project);
     INFO("seed " << seed << ": " << chosen.model.reason);
     const SituationRun& run = chosen.runs.front();
-    const ElasticMotionInSpace best = of.by(12, 32);
+    const ElasticMotionInSpace best = of.bent_by(12, 32);
     const bool by_rigid = chosen.model.chosen.level == ModelLevel::rigid;
     if (by_rigid && vibration_missed_in_space(of.project, chosen.model) > 0.02) {
       ++unproven;
