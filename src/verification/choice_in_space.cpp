@@ -31,16 +31,18 @@ std::string dry_friction_in_space(const std::deque<SituationRun>& rigid) {
 }
 
 /// Of the situation in which rigid bodies miss most, or of the first whose beam has no modes; where
-/// that is not `estimated`, of the one with the lowest frequency.
+/// that is not `estimated`, of the one with the lowest frequency. `bends_known`: as of each.
 VibrationInSpace worst_estimate_in_space(const Project& project,
-                                         const std::deque<SituationRun>& rigid, bool estimated) {
+                                         const std::deque<SituationRun>& rigid, bool estimated,
+                                         bool bends_known) {
   std::optional<VibrationInSpace> worst;
   const auto rank = [&](const VibrationEstimate& of) {
     const double slow = of.frequencies.empty() ? 0.0 : 1.0 / of.frequencies.front();
     return std::pair(estimated ? of.without_modes.front() : 0.0, slow);
   };
   for (const SituationRun& run : rigid) {
-    VibrationInSpace of = estimate_vibration_in_space(project, run);
+    constexpr int parts = 8;
+    VibrationInSpace of = estimate_vibration_in_space(project, run, parts, bends_known);
     if (!of.obstacle.empty()) return of;
     if (!worst || rank(of.estimate) > rank(worst->estimate)) worst = std::move(of);
   }
@@ -78,7 +80,8 @@ std::optional<WeighedInSpace> weigh_in_space(const Project& project,
     choose_unvibrated(project, obstacle.empty() ? "the beam buckles" : obstacle, choice);
     return std::nullopt;
   }
-  const VibrationInSpace found = worst_estimate_in_space(project, rigid, obstacle.empty());
+  const VibrationInSpace found =
+      worst_estimate_in_space(project, rigid, obstacle.empty(), second.whole);
   if (!found.obstacle.empty()) {
     choose_unvibrated(project, found.obstacle, choice);
     return std::nullopt;

@@ -136,7 +136,7 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
       [&](const spatial::State& state) {
         return rigid_cut_forces(chain, state, body, chain.joint_wrenches(state));
       },
-      modes);
+      modes, takes_over_);
   const auto posture_at = [&](double time) {
     ModesInMotion at = followed.at(time);
     Posture posture;

@@ -24,11 +24,12 @@ std::size_t whole_groups(const std::vector<frame::BeamMode>& modes, std::size_t 
 }  // namespace
 
 FollowedModes::FollowedModes(StoppedVibration& stopped, StateAt state_at, CutsIn cuts_in,
-                             std::size_t modes)
+                             std::size_t modes, bool statically)
     : stopped_(&stopped),
       state_at_(std::move(state_at)),
       cuts_in_(std::move(cuts_in)),
-      modes_(modes) {}
+      modes_(modes),
+      statically_(statically) {}
 
 ModesOfPosture FollowedModes::begin_at(double time) {
   /// Modes beyond those asked for, one of which may be alike.
@@ -44,7 +45,7 @@ ModesOfPosture FollowedModes::begin_at(double time) {
 
 ModesInMotion FollowedModes::at(double time) {
   const spatial::State state = state_at_(time);
-  ModesInMotion at = stopped_->modes_in_motion(state, cuts_in_(state), count_);
+  ModesInMotion at = stopped_->modes_in_motion(state, cuts_in_(state), count_, statically_);
   require_all(at.modes.size(), time);
   return at;
 }

@@ -18,8 +18,10 @@ class FollowedModes {
   using CutsIn = std::function<CutForceDiagram(const spatial::State& state)>;
 
   /// `cuts_in`: cut forces of the verified beam as a rigid body. `modes`: at least so many beside
-  /// those of frequency zero, where there are. `stopped` stays.
-  FollowedModes(StoppedVibration& stopped, StateAt state_at, CutsIn cuts_in, std::size_t modes);
+  /// those of frequency zero, where there are. `statically`: as of `modes_in_motion`. `stopped`
+  /// stays.
+  FollowedModes(StoppedVibration& stopped, StateAt state_at, CutsIn cuts_in, std::size_t modes,
+                bool statically);
 
   /// Begins with those of the posture at a time, which are returned. Throws AnalysisError where
   /// there are none.
@@ -50,6 +52,7 @@ class FollowedModes {
   StateAt state_at_;
   CutsIn cuts_in_;
   std::size_t modes_, count_ = 0;
+  bool statically_;
   Eigen::MatrixXd reference_;
 };
 

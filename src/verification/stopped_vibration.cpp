@@ -261,6 +261,8 @@ BeamLoads StoppedVibration::taken_over_in(frame::VibratingScene scene,
                                           const std::vector<frame::BeamMode>& modes,
                                           const Eigen::VectorXd& cuts) {
   scene.pressed = false;
+  // What dampers do is known.
+  for (frame::Tie& tie : scene.ties) tie.damping = 0.0;
   const frame::FactoredScene straight(std::move(scene), ties_);
   return *frame::static_parts_of(straight, modes, cuts).taken_over;
 }
@@ -273,7 +275,8 @@ BeamLoads StoppedVibration::taken_over(const spatial::State& state, const CutFor
 }
 
 ModesInMotion StoppedVibration::modes_in_motion(const spatial::State& state,
-                                                const CutForceDiagram& rigid, std::size_t count) {
+                                                const CutForceDiagram& rigid, std::size_t count,
+                                                bool statically) {
   SceneWithContacts all = contacts_in(state, rigid);
   ModesOfPosture of = modes_with_shapes(std::move(all.scene), state, count);
   const frame::VibratingScene& scene = of.scene.scene();
@@ -295,11 +298,11 @@ ModesInMotion StoppedVibration::modes_in_motion(const spatial::State& state,
   if (scene.may_move > 0) press_free(scene, result.modes, frames, result.turning);
   const Eigen::VectorXd cuts = cuts_of_scene(scene);
   std::optional<Eigen::VectorXd> bending;
-  if (scene.may_move > 0) bending = cuts;
+  if (statically && scene.may_move > 0) bending = cuts;
   frame::StaticParts parts = frame::static_parts_of(of.scene, result.modes, bending);
   result.dampers = std::move(parts.dampers);
   result.taken_over = std::move(parts.taken_over);
-  if (scene.may_move == 0 && takes_over())
+  if (statically && scene.may_move == 0 && takes_over())
     result.taken_over = taken_over_in(scene, result.modes, cuts);
   const auto size = static_cast<Eigen::Index>(result.modes.size());
   result.force.resize(size);

@@ -82,8 +82,9 @@ class StoppedVibration {
 
   /// The same of a posture that is passed in motion. Where forces move it, axial forces are in what
   /// turning adds, between modes that are faster than twice the turning.
+  /// `statically`: whether what is taken over is asked for.
   ModesInMotion modes_in_motion(const spatial::State& state, const CutForceDiagram& rigid,
-                                std::size_t count);
+                                std::size_t count, bool statically = true);
 
   /// What springs take over from the verified beam as it bends statically where drivers move the
   /// mechanism, without what axial forces do to the bent beam. `modes`: of that posture, at least

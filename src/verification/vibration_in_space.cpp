@@ -9,7 +9,6 @@
 #include <limits>
 #include <string_view>
 
-#include "bent_in_space.hpp"
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/spatial/rest.hpp"
@@ -296,7 +295,7 @@ double vibration_missed_in_space(const Project& project, const ModelChoice& mode
 }
 
 VibrationInSpace estimate_vibration_in_space(const Project& project, const SituationRun& run,
-                                             int parts) {
+                                             int parts, bool bends_known) {
   const spatial::Chain& chain = chain_of(run);
   StoppedVibration stopped(project, chain, parts);
   const SpaceEstimate of_loads(run.loads, chain, stopped, project.beam);
@@ -307,9 +306,7 @@ VibrationInSpace estimate_vibration_in_space(const Project& project, const Situa
   const double begin = run.loads.begin().value(), period = run.loads.period().value();
   double fastest = 0.0, sliding = 0.0;
   double beside = 0.0;  // of the first mode's mass what is not the beam's
-  // Elsewhere it is part of what the second order adds.
-  const bool bends_beside = stopped.freedoms() == 0 && stopped.takes_over() &&
-                            !obstacle_to_bending_in_space(project, chain).empty();
+  const bool bends_beside = !bends_known && stopped.freedoms() == 0 && stopped.takes_over();
   std::vector<BeamLoads> statically;
   /// The first frequency in a posture, which is weighed; infinite without mass.
   const auto look_at = [&](double time) {

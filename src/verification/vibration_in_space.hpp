@@ -74,8 +74,10 @@ std::string obstacle_to_vibration_in_space(const std::deque<SituationRun>& rigid
 double vibration_missed_in_space(const Project& project, const ModelChoice& model);
 
 /// At instants evenly spread over a run and about the lowest first frequency. Of loads whose edges
-/// are steeper than the instants the frequencies alone.
+/// are steeper than the instants the frequencies alone. `bends_known`: whether what springs take
+/// over from a beam that bends statically is part of what the second order adds; else it is of
+/// this.
 VibrationInSpace estimate_vibration_in_space(const Project& project, const SituationRun& run,
-                                             int parts = 8);
+                                             int parts = 8, bool bends_known = true);
 
 }  // namespace boxbeam

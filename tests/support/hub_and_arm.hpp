@@ -7,13 +7,15 @@
 
 #include "support/space_arm.hpp"
 
-/// The arm of `space_arm` clamped to a hub that moves up and down, with a load beside its tip.
+/// The arm of `space_arm` clamped to a hub that moves across it, with a load at or beside its tip.
 namespace test::hub_and_arm {
 
 struct HubAndArm {
   double hub = 300.0, load = 30.0;                                 ///< [kg]
   Eigen::Vector3d centre{0.1, 0.3, -0.2}, inertia{2.0, 1.0, 1.5};  ///< of the load [m, kg m^2]
   double start = 0.0, rate = 0.0;                                  ///< of the hub [m, m/s]
+  std::string across = "z";                                        ///< the way it moves
+  double density = 7850.0, gravity = 9.81;  ///< of the arm [kg/m^3], down along z [m/s^2]
 
   /// The case, with forces and what moves it: a driver, or forces. `points`: further ones of the
   /// arm; `model`: what stands behind the beam.
@@ -32,7 +34,7 @@ points = {{ c = ["0 m", "0 m", "0 m"] }}
 kind = "prismatic"
 connect = ["ground", "hub.o"]
 at = ["0 m", "0 m", "0 m"]
-axis = "z"
+axis = "{}"
 {}
 [joints.root]
 kind = "fixed"
@@ -42,12 +44,14 @@ kind = "fixed"
 connect = ["arm.tip", "load.c"]
 )",
         hub, load, centre.x(), centre.y(), centre.z(), inertia.x(), inertia.y(), inertia.z(),
+        across,
         driven ? ""
                : fmt::format("moved_by = \"forces\"\nstart = \"{:.15g} m\"\nstart_rate = "
                              "\"{:.15g} m/s\"",
                              start, rate));
-    return test::space_arm::arm(bodies + forces, "density = \"7850 kg/m^3\"\n", model, 9.81,
-                                points);
+    return test::space_arm::arm(bodies + forces,
+                                fmt::format("density = \"{:.15g} kg/m^3\"\n", density), model,
+                                gravity, points);
   }
 };
 
