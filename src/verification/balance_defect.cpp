@@ -73,14 +73,14 @@ class Bending {
     const double rate = full_turn / rigid_->motion->period;
     const auto elements = static_cast<Index>(elements_.size());
     // What the model says, against the rigid bodies.
-    std::vector<std::vector<BeamCut>> by_model;
+    std::vector<std::vector<ElementCut>> by_model;
     MatrixXd stressed(n, 3 * elements);
     for (Index i = 0; i < n; ++i) {
       const CutForceDiagram diagram = model_->even_diagram(static_cast<std::size_t>(i));
       by_model.push_back(cuts_of(diagram));
       for (Index k = 0; k < elements; ++k) {
         const DividedAxis::Element& element = elements_[static_cast<std::size_t>(k)];
-        const BeamCut& cut = by_model.back()[static_cast<std::size_t>(k)];
+        const ElementCut& cut = by_model.back()[static_cast<std::size_t>(k)];
         stressed.row(i).segment<3>(3 * k) << cut.N / element.EA, cut.V / element.GA,
             cut.couple() / element.EI;
       }
@@ -117,14 +117,14 @@ class Bending {
       const VectorXd rigid_accelerations = accelerations(state);
       const VectorXd moved_accelerations =
           rigid_accelerations + rates.second.row(i).tail(3 * elements).transpose();
-      const std::vector<BeamCut> by_bent =
+      const std::vector<ElementCut> by_bent =
           dynamics.cuts_of(axis_.with(axis), moved, axis, moved_accelerations);
       // The same division of the rigid beam: what its lumped masses miss is in both.
-      const std::vector<BeamCut> by_straight =
+      const std::vector<ElementCut> by_straight =
           dynamics.cuts_of(*rigid_->mechanism, state, straight_, rigid_accelerations);
       const BeamLoads loads = rigid_->loads(si<Time>(state.time));
-      const std::vector<BeamCut> by_rigid = cuts_of(cut_forces_of(loads));
-      std::vector<BeamCut> defect;
+      const std::vector<ElementCut> by_rigid = cuts_of(cut_forces_of(loads));
+      std::vector<ElementCut> defect;
       for (std::size_t k = 0; k < elements_.size(); ++k) {
         defect.push_back((by_bent[k] - by_straight[k]) -
                          (by_model[static_cast<std::size_t>(i)][k] - by_rigid[k]));
@@ -137,8 +137,8 @@ class Bending {
  private:
   const planar::State& state_at(Index i) const { return (*states_)[static_cast<std::size_t>(i)]; }
 
-  std::vector<BeamCut> cuts_of(const CutForceDiagram& diagram) const {
-    std::vector<BeamCut> cuts;
+  std::vector<ElementCut> cuts_of(const CutForceDiagram& diagram) const {
+    std::vector<ElementCut> cuts;
     for (std::size_t k = 0; k < elements_.size(); ++k) {
       const double from = s_[k], to = s_[k + 1];
       // Inside the element: at its ends it may jump.
@@ -199,7 +199,7 @@ class Bending {
   }
 
   /// Point loads with these cut forces, whose couple is linear along every group of elements.
-  BeamLoads loads_of(const std::vector<BeamCut>& cuts, std::vector<LineLoad> lines) const {
+  BeamLoads loads_of(const std::vector<ElementCut>& cuts, std::vector<LineLoad> lines) const {
     const std::vector<std::size_t>& groups = axis_.groups();
     BeamLoads loads;
     unload(lines);

@@ -89,9 +89,9 @@ Matrix3Xd BentDynamics::acting_at_nodes(const planar::Mechanism& mechanism,
   return acting;
 }
 
-std::vector<BeamCut> BentDynamics::cuts_of(const planar::Mechanism& mechanism, planar::State state,
-                                           const BentAxis& axis,
-                                           const VectorXd& accelerations) const {
+std::vector<ElementCut> BentDynamics::cuts_of(const planar::Mechanism& mechanism,
+                                              planar::State state, const BentAxis& axis,
+                                              const VectorXd& accelerations) const {
   const Index at_beam = 3 * static_cast<Index>(beam_), count = axis.middle.cols();
   const VectorXd where = places_of(axis, beam_, state.q);
   const Vector2d origin = state.q.segment<2>(at_beam);
@@ -105,7 +105,7 @@ std::vector<BeamCut> BentDynamics::cuts_of(const planar::Mechanism& mechanism, p
   const Matrix3Xd acting = acting_at_nodes(mechanism, state);
   const double angle = state.q[at_beam + 2];
   const Eigen::Rotation2Dd turn(angle);
-  std::vector<BeamCut> cuts;
+  std::vector<ElementCut> cuts;
   Vector3d sum = Vector3d::Zero();
   for (Index k = 0; k < count; ++k) {
     sum += acting.col(k);
@@ -113,7 +113,7 @@ std::vector<BeamCut> BentDynamics::cuts_of(const planar::Mechanism& mechanism, p
       return -(sum[2] - moment_about_origin(turn * place + state.q.segment<2>(at_beam) - origin,
                                             sum.head<2>()));
     };
-    BeamCut cut;
+    ElementCut cut;
     cut.from = couple_at(axis.node.col(k));
     const Vector3d load = own.col(k);
     const Vector2d force = sum.head<2>() + 0.5 * load.head<2>();

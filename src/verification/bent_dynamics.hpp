@@ -8,12 +8,12 @@
 namespace boxbeam {
 
 /// Cut forces of the beam in a link's axes: N, V and the couple counter-clockwise.
-struct BeamCut {
+struct ElementCut {
   double N = 0.0, V = 0.0, from = 0.0, to = 0.0;  ///< the couple at both ends of an element
   double couple() const { return 0.5 * (from + to); }
 };
 
-inline BeamCut operator-(const BeamCut& a, const BeamCut& b) {
+inline ElementCut operator-(const ElementCut& a, const ElementCut& b) {
   return {a.N - b.N, a.V - b.V, a.from - b.from, a.to - b.to};
 }
 
@@ -29,8 +29,8 @@ class BentDynamics {
 
   /// Of every element. `mechanism`: as `DividedAxis::with` has it; `state`: positions, velocities
   /// and accelerations of its bodies; `accelerations`: those of `places_of`.
-  std::vector<BeamCut> cuts_of(const planar::Mechanism& mechanism, planar::State state,
-                               const BentAxis& axis, const Eigen::VectorXd& accelerations) const;
+  std::vector<ElementCut> cuts_of(const planar::Mechanism& mechanism, planar::State state,
+                                  const BentAxis& axis, const Eigen::VectorXd& accelerations) const;
 
  private:
   /// Multipliers of the joints. `own`: weight and inertia of the elements, `where` they are.
