@@ -18,18 +18,6 @@ namespace {
 /// a flange that the force stands on up to this use of the webs.
 constexpr double hardly_pressed = 0.1, hardly_stood_on = 0.01;
 
-/// How far from a force a hole matters, from centre to centre.
-Length reach_of(const Project& project, const Patch& patch, const BeamHole& at) {
-  const Section section = section_at(project.beam, {at.s, Side::both});
-  const HoleWalls web = patch.along_z ? HoleWalls::webs : HoleWalls::flanges;
-  const Extent extent = extent_of(section.outer);
-  const Length size = patch.along_z ? extent.z_high - extent.z_low : extent.y_high - extent.y_low;
-  const Length depth = clear_for_holes(section.outer, web);
-  // Half of s_s + 2 t_f, the flanges taken as thick as both together at the worst.
-  const Length loaded = 0.5 * patch.stiff_length + (size - depth);
-  return loaded + 0.5 * at.hole.diameter + (at.hole.walls == web ? 0.5 * depth : Length{});
-}
-
 const PatchedWeb* web_of(const PatchBasis& basis) {
   if (const auto* const reduced = std::get_if<ReducedWeb>(&basis.bears)) return &reduced->web;
   return std::get_if<PatchedWeb>(&basis.bears);
@@ -111,6 +99,22 @@ double raised_by_row(const Project& project, const Patch& patch, const BeamHole&
 
 }  // namespace
 
+Length PatchedHoles::reach_of(const Patch& patch, const BeamHole& at) {
+  const HoleWalls web = patch.along_z ? HoleWalls::webs : HoleWalls::flanges;
+  const auto [known, is_new] = depths_.try_emplace({&at, patch.along_z});
+  Depth& of = known->second;
+  if (is_new) {
+    const Section section = section_at(project_->beam, {at.s, Side::both});
+    const Extent extent = extent_of(section.outer);
+    const Length size = patch.along_z ? extent.z_high - extent.z_low : extent.y_high - extent.y_low;
+    of.clear = clear_for_holes(section.outer, web);
+    of.beside = size - of.clear;
+  }
+  // Half of s_s + 2 t_f, the flanges taken as thick as both together at the worst.
+  const Length loaded = 0.5 * patch.stiff_length + of.beside;
+  return loaded + 0.5 * at.hole.diameter + (at.hole.walls == web ? 0.5 * of.clear : Length{});
+}
+
 void PatchedHoles::take_small(const Patch& patch, const BeamHole& at, double use) {
   const double raised = raised_by_row(*project_, patch, at);
   if (raised == 1.0 || !(raised * use > 1.0)) return;
@@ -126,7 +130,7 @@ void PatchedHoles::take(const Patch& patch, const PatchBasis& basis, double load
   const StrengthDemand& strength = project_->strength;
   for (const BeamHole& at : project_->holes) {
     const bool by_its_pin = patch.may_come_beside_flanges() && at.s == patch.s;
-    if (by_its_pin || abs(at.s - patch.s) >= reach_of(*project_, patch, at)) continue;
+    if (by_its_pin || abs(at.s - patch.s) >= reach_of(patch, at)) continue;
     if (!is_wide(*project_, at)) {
       take_small(patch, at, use);
       continue;

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "boxbeam/verification/gates.hpp"
@@ -23,6 +24,8 @@ class PatchedHoles {
   std::vector<Gate> gates() const;
 
  private:
+  /// How far from a force a hole matters, from centre to centre.
+  Length reach_of(const Patch& patch, const BeamHole& at);
   /// A hole that by itself does not count (2.3), with those in its row: has no verdict where webs
   /// would be used up by what they leave of the loaded length.
   void take_small(const Patch& patch, const BeamHole& at, double use);
@@ -35,6 +38,12 @@ class PatchedHoles {
   };
   const Project* project_;
   std::map<const BeamHole*, Pressed> worst_;
+  /// Along an axis the clear depth of the webs where a hole stands, and what of the section is
+  /// beside it: the same for all forces at all instants.
+  struct Depth {
+    Length clear, beside;
+  };
+  std::map<std::pair<const BeamHole*, bool>, Depth> depths_;
 };
 
 }  // namespace boxbeam

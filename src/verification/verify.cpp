@@ -44,9 +44,17 @@ std::vector<CheckResult> all_checks(std::vector<CheckResult> of_beam,
 }
 
 void sort_worst_first(std::vector<CheckResult>& checks) {
-  std::stable_sort(checks.begin(), checks.end(), [](const CheckResult& a, const CheckResult& b) {
-    return a.check.utilisation() > b.check.utilisation();
-  });
+  // Results are large: their order is found first, then each is moved once.
+  std::vector<std::pair<double, std::size_t>> order;
+  order.reserve(checks.size());
+  for (const CheckResult& result : checks)
+    order.emplace_back(result.check.utilisation(), order.size());
+  std::stable_sort(order.begin(), order.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<CheckResult> sorted;
+  sorted.reserve(checks.size());
+  for (const auto& [use, i] : order) sorted.push_back(std::move(checks[i]));
+  checks = std::move(sorted);
 }
 
 std::vector<Gate> all_gates(std::vector<Gate> of_beam, std::vector<Gate> of_neighbours,
@@ -190,8 +198,7 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
   std::vector<MotionSummary> motions = motion_summaries_of(project, runs);
   append(lifted_supports_of(project, motions), not_judged);
   std::vector<CriticalInstant> instants = critical_instants_of(project, beam.stations, checks);
-  Pictures pictures =
-      pictures_of(project, runs, model.chosen, checks, instants, motions, figures, memory);
+  Pictures pictures = pictures_of(project, runs, model.chosen, checks, instants, motions, figures);
   std::optional<ChainComparison> chain = chain_comparison_of(project, runs, instants);
   require_numbers(chain);
   std::vector<CodeResult> codes = compare_codes(project, checks);
