@@ -104,6 +104,18 @@ bool peaks_at(const CutForceDiagram& diagram, BendingAxis about, double from, do
   return at_end >= (1.0 - nothing) * largest;
 }
 
+/// Whether the moment is anywhere more than nothing between two of its zeros: where the beam is not
+/// bent over a stretch, every sample is one.
+bool bends_between(const CutForceDiagram& diagram, double largest, BendingAxis about, double from,
+                   double to) {
+  const double slack = nothing * (to - from);
+  bool bends = false;
+  each_sample(diagram, about, [&](double s, double moment) {
+    bends = bends || (s > from + slack && s < to - slack && std::abs(moment) >= nothing * largest);
+  });
+  return bends;
+}
+
 /// Nothing where the moment is nowhere above `least`.
 std::vector<BendingZone> zones_about(BendingAxis about, const Project& project,
                                      const LargestBending& largest, double least) {
@@ -122,8 +134,7 @@ std::vector<BendingZone> zones_about(BendingAxis about, const Project& project,
   for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
     const double from = borders[i];
     const double to = borders[i + 1];
-    // Neighbouring samples of a stretch that is not bent.
-    if (to - from < 1e-3 * length) continue;
+    if (!bends_between(diagram, largest.moment, about, from, to)) continue;
     const bool clamped =
         (i == 0 && !free_start && peaks_at(diagram, about, from, to, from)) ||
         (i + 2 == borders.size() && !free_end && peaks_at(diagram, about, from, to, to));

@@ -329,6 +329,8 @@ MUTATIONS = [
     *_in("src/verification", "bending_zones.cpp",
          ("clamped", "si<Length>((clamped ? 2.0 : 1.0) * (to - from))", "si<Length>((clamped ? 1.0 : 1.0) * (to - from))",
           "EN 1993-1-5, figure 3.1: effective length of a cantilever", "space_test"),
+         ("not-bent", "bends = bends || (s > from + slack && s < to - slack && std::abs(moment) >= nothing * largest);",
+          "bends = true;", "no shear lag where nothing bends the beam", "bending_zones_test"),
          ("lag-middles", "auto lag = plate_lag_at(zones, station, axis, 0.5 * plates->middles,", "auto lag = plate_lag_at(zones, station, axis, plates->middles,",
           "b_0 is half of the width", "gates_test verify_test")),
     *_in("src/verification", "front_end.cpp",
