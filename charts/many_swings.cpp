@@ -21,7 +21,7 @@ namespace {
 
 using planar::EquationsOfMotion, planar::FreeSolver, planar::State;
 
-constexpr double default_tolerance = 1e-11;  ///< of FreeSolver
+constexpr double usual_tolerance = 1e-11;  ///< of FreeSolver
 
 /// A method that goes on from a state to a time.
 struct Runner {
@@ -63,7 +63,7 @@ Runner fehlberg_runner(const planar::Mechanism& mechanism, double tolerance, boo
   Runner runner;
   runner.method = fmt::format("Fehlberg 7(8) at {:.0e}, {}", tolerance,
                               project ? "projected" : "not projected");
-  runner.is_default = project && tolerance == default_tolerance;
+  runner.is_default = project && tolerance == usual_tolerance;
   runner.yardstick = !project;
   const auto solver = std::make_shared<FreeSolver>(mechanism, tolerance, project);
   runner.advance = [solver](const Moving& from, double until) {
@@ -119,8 +119,8 @@ Chart drift_chart(const Effort& effort) {
     return planar::position_of({0, {1.0, 0.0}}, moving.q).norm();
   };
   const std::vector<Runner> runners = {
-      fehlberg_runner(mechanism, default_tolerance, true),
-      fehlberg_runner(mechanism, default_tolerance, false), fehlberg_runner(mechanism, 1e-8, false),
+      fehlberg_runner(mechanism, usual_tolerance, true),
+      fehlberg_runner(mechanism, usual_tolerance, false), fehlberg_runner(mechanism, 1e-8, false),
       stepping_runner(mechanism, "Runge-Kutta 4, 200 steps a swing, not projected",
                       [](EquationsOfMotion& equations, Moving& moving, double until, int steps) {
                         runge_kutta_4(equations, moving, until, steps, Constraints::left);
@@ -150,7 +150,7 @@ Chart energy_chart(const Effort& effort) {
     return std::abs(energy_of(mechanism, moving.q, moving.v)) / exchanged;
   };
   const std::vector<Runner> runners = {
-      fehlberg_runner(mechanism, default_tolerance, true), fehlberg_runner(mechanism, 1e-8, true),
+      fehlberg_runner(mechanism, usual_tolerance, true), fehlberg_runner(mechanism, 1e-8, true),
       stepping_runner(mechanism, "Runge-Kutta 4, 200 steps a swing, projected",
                       [](EquationsOfMotion& equations, Moving& moving, double until, int steps) {
                         runge_kutta_4(equations, moving, until, steps, Constraints::projected);
