@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "boxbeam/mechanism/planar/free_motion.hpp"
 #include "charts/integrators.hpp"
 #include "charts/known_motions.hpp"
+#include "charts/many_swings.hpp"
 #include "charts/topics.hpp"
 #include "charts/trials.hpp"
 
@@ -41,10 +41,6 @@ Outcomes judged(const Course& course, const Moving& end, int evaluations) {
   const double error = course.error(end);
   if (!(error < 1.0)) return {0.0, evaluations, "wrong by more than its size"};
   return {error, evaluations, ""};
-}
-
-Moving moving_of(const State& state) {
-  return {state.time, state.q, state.v, state.a, state.lambda, {}, ""};
 }
 
 /// The program's own integration, in one go or stopping at instants on its way.
@@ -292,169 +288,6 @@ Chart andrews_chart(const Effort& effort) {
   return chart;
 }
 
-// ---- over many swings -----------------------------------------------------------------------
-
-/// A method that goes on from a state to a time.
-struct Runner {
-  std::string method;
-  bool yardstick = false;
-  bool is_default = false;
-  std::function<Moving(const Moving&, double)> advance;
-};
-
-/// One point per number of swings: the largest of what was seen at the end of each until then.
-Series over_swings(const Runner& runner, const Moving& start, const std::vector<int>& swings,
-                   const std::function<double(const Moving&)>& error) {
-  Series series{runner.method, {}, runner.yardstick};
-  Moving now = start;
-  double worst = 0.0;
-  int done = 0;
-  for (const int n : swings) {
-    // An eighth of a swing further each time, so that no place is looked at alone.
-    for (; done < n && now.failure.empty(); ++done) {
-      for (int part = 1; part <= 8 && now.failure.empty(); ++part) {
-        now = runner.advance(now, (done + part / 8.0) * simple_pendulum_period());
-        if (now.failure.empty()) worst = std::max(worst, error(now));
-      }
-    }
-    Point point;
-    point.setting = fmt::format("{} swings", n);
-    point.parameter = n;
-    point.operations = n;
-    point.error = worst;
-    point.failure = now.failure;
-    series.points.push_back(point);
-  }
-  series.points.back().is_default = runner.is_default;
-  return series;
-}
-
-std::vector<int> swings_for(const Effort& effort) {
-  return effort.quick ? std::vector{1, 3, 10, 30} : std::vector{1, 3, 10, 30, 100, 300, 1000};
-}
-
-/// The program's own solver, with or without projection.
-Runner fehlberg_runner(const planar::Mechanism& mechanism, double tolerance, bool project) {
-  Runner runner;
-  runner.method = fmt::format("Fehlberg 7(8) at {:.0e}, {}", tolerance,
-                              project ? "projected" : "not projected");
-  runner.is_default = project && tolerance == default_tolerance;
-  runner.yardstick = !project;
-  const auto solver = std::make_shared<FreeSolver>(mechanism, tolerance, project);
-  runner.advance = [solver](const Moving& from, double until) {
-    State state;
-    state.time = from.time;
-    state.q = from.q;
-    state.v = from.v;
-    return moving_of(solver->advance(until, state));
-  };
-  return runner;
-}
-
-/// A method of equal steps, 25 per eighth of a swing.
-template <class Advance>
-Runner stepping_runner(const planar::Mechanism& mechanism, std::string method,
-                       const Advance& advance) {
-  constexpr int steps = 25;
-  const auto equations = std::make_shared<EquationsOfMotion>(mechanism);
-  return {std::move(method), true, false, [=](const Moving& from, double until) {
-            Moving moving = from;
-            advance(*equations, moving, until, steps);
-            return moving;
-          }};
-}
-
-/// The power of the number of swings with which a series grows.
-double growth_of(const Series& series) {
-  return -order_over_work(series.points.front(), series.points.back());
-}
-
-Chart drift_chart(const Effort& effort) {
-  const planar::Mechanism mechanism = simple_pendulum();
-  const auto open = [](const Moving& moving) {
-    return planar::position_of({0, {1.0, 0.0}}, moving.q).norm();
-  };
-  std::vector<Runner> runners = {
-      fehlberg_runner(mechanism, default_tolerance, true),
-      fehlberg_runner(mechanism, default_tolerance, false), fehlberg_runner(mechanism, 1e-8, false),
-      stepping_runner(mechanism, "Runge-Kutta 4, 200 steps a swing, not projected",
-                      [](EquationsOfMotion& equations, Moving& moving, double until, int steps) {
-                        runge_kutta_4(equations, moving, until, steps, Constraints::left);
-                      })};
-  Chart chart;
-  chart.name = "integration-drift";
-  chart.title = "Integration: constraints drift unless they are projected";
-  chart.scene = "simple pendulum from the horizontal (IFToMM benchmark A01)";
-  chart.error = "largest distance of the pin's two halves, by the length";
-  chart.reference = "the closed pin: zero";
-  chart.operations = "swings";
-  chart.operations_cost = false;
-  chart.unit = "";
-  const Moving start = moving_of(start_state_of(mechanism));
-  for (const Runner& runner : runners) {
-    chart.series.push_back(over_swings(runner, start, swings_for(effort), open));
-  }
-  chart.guides = {{-2.0, 1}};
-  chart.floor = ErrorLevel{2e-16, "round-off of a coordinate"};
-  const Point& closed = chart.series[0].points.back();
-  const Point& open_pin = chart.series[1].points.back();
-  chart.lesson = fmt::format(
-      "Without projection the pin opens with the power {:.1f} of the number of swings, to {:.0e} "
-      "of "
-      "the length after {:.0f} at a tolerance of 1e-11; projected after every step it stays closed "
-      "to {:.0e}.",
-      growth_of(chart.series[1]), open_pin.error, open_pin.parameter, closed.error);
-  return chart;
-}
-
-Chart energy_chart(const Effort& effort) {
-  const planar::Mechanism mechanism = simple_pendulum();
-  // Released from the horizontal, the energy is zero; m g l of it changes place.
-  const double exchanged = mechanism.bodies[0].mass * mechanism.gravity.norm();
-  const auto lost = [&](const Moving& moving) {
-    return std::abs(energy_of(mechanism, moving.q, moving.v)) / exchanged;
-  };
-  std::vector<Runner> runners = {
-      fehlberg_runner(mechanism, default_tolerance, true), fehlberg_runner(mechanism, 1e-8, true),
-      stepping_runner(mechanism, "Runge-Kutta 4, 200 steps a swing, projected",
-                      [](EquationsOfMotion& equations, Moving& moving, double until, int steps) {
-                        runge_kutta_4(equations, moving, until, steps, Constraints::projected);
-                      }),
-      stepping_runner(mechanism, "generalised alpha, radius 0.8, 200 steps a swing",
-                      [&](EquationsOfMotion& equations, Moving& moving, double until, int steps) {
-                        generalised_alpha(equations, mechanism, moving, until, steps,
-                                          damped_by(0.8));
-                      }),
-      stepping_runner(mechanism, "central differences, 200 steps a swing",
-                      [&](EquationsOfMotion& equations, Moving& moving, double until, int steps) {
-                        central_differences(equations, mechanism, moving, until, steps);
-                      })};
-  Chart chart;
-  chart.name = "integration-energy";
-  chart.title = "Integration: energy over many swings";
-  chart.scene = "simple pendulum from the horizontal (IFToMM benchmark A01)";
-  chart.error = "largest change of the energy, by what falling exchanges";
-  chart.reference = "conservation of energy";
-  chart.operations = "swings";
-  chart.operations_cost = false;
-  chart.unit = "";
-  const Moving start = moving_of(start_state_of(mechanism));
-  for (const Runner& runner : runners) {
-    chart.series.push_back(over_swings(runner, start, swings_for(effort), lost));
-  }
-  chart.guides = {{-1.0, 0}};
-  chart.floor = ErrorLevel{2e-16, "round-off of a coordinate"};
-  const Point& last = chart.series[0].points.back();
-  chart.lesson = fmt::format(
-      "At a tolerance of 1e-11 the energy changes by {:.0e} in {:.0f} swings, with the power "
-      "{:.1f} "
-      "of their number. Central differences keep theirs within {:.0e} for ever, but that far off; "
-      "numerical damping loses {:.0e}.",
-      last.error, last.parameter, growth_of(chart.series[0]), chart.series[4].points.back().error,
-      chart.series[3].points.back().error);
-  return chart;
-}
-
 }  // namespace
 
 TopicResult integration(const Scenes& scenes, const Effort& effort) {
@@ -463,9 +296,8 @@ TopicResult integration(const Scenes& scenes, const Effort& effort) {
     result.not_applicable = "its experiments are on mechanisms with known motions, not on the case";
     return result;
   }
-  result.charts = {pendulum_chart(effort), singular_chart(effort), andrews_chart(effort)};
-  result.charts.push_back(drift_chart(effort));
-  result.charts.push_back(energy_chart(effort));
+  result.charts = {pendulum_chart(effort), singular_chart(effort), andrews_chart(effort),
+                   drift_chart(effort), energy_chart(effort)};
   return result;
 }
 

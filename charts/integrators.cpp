@@ -76,11 +76,13 @@ void finish(EquationsOfMotion& equations, Moving& moving) {
 
 }  // namespace
 
+Moving moving_of(const planar::State& state) {
+  return {state.time, state.q, state.v, state.a, state.lambda, {}, ""};
+}
+
 Moving start_of(const planar::Mechanism& mechanism) {
-  planar::FreeSolver solver(mechanism);
-  const planar::State state =
-      solver.start(0.0, planar::sketch_of(mechanism), planar::start_velocity_of(mechanism));
-  return {0.0, state.q, state.v, state.a, state.lambda, {}, ""};
+  return moving_of(planar::FreeSolver(mechanism).start(0.0, planar::sketch_of(mechanism),
+                                                       planar::start_velocity_of(mechanism)));
 }
 
 void runge_kutta_4(EquationsOfMotion& equations, Moving& moving, double until, int steps,

@@ -17,6 +17,8 @@ struct Moving {
   std::string failure;  ///< why it came no further, in a few words
 };
 
+Moving moving_of(const planar::State& state);
+
 /// The assembled start of a mechanism.
 Moving start_of(const planar::Mechanism& mechanism);
 

@@ -1,220 +1,18 @@
-#include "boxbeam/fatigue/rainflow.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
-#include <numbers>
-#include <random>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "boxbeam/fatigue/spectrum.hpp"
+#include "charts/damage_counts.hpp"
 #include "charts/topics.hpp"
 #include "charts/trials.hpp"
 
 namespace boxbeam::charts {
 namespace {
-
-using Samples = std::vector<double>;
-
-constexpr std::size_t sample_count = std::size_t{1} << 17U;
-constexpr double MPa = 1e6;
-constexpr double largest_range = 240.0 * MPa;  ///< of every history
-constexpr const char* unit = "history of 131 072 samples";
-
-// ---- histories ------------------------------------------------------------------------------
-
-/// Turned so that the whole goes from -120 to 120 MPa.
-Samples spread(Samples samples) {
-  const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
-  const double middle = 0.5 * (*low + *high), scale = largest_range / (*high - *low);
-  for (double& x : samples) x = scale * (x - middle);
-  return samples;
-}
-
-/// x_i = a x_(i-1) + b x_(i-2) + noise: random, but the same on every machine.
-Samples filtered_noise(double a, double b) {
-  std::mt19937_64 random(1049);
-  Samples samples;
-  samples.reserve(sample_count);
-  double before = 0.0, last = 0.0;
-  for (std::size_t i = 0; i < sample_count; ++i) {
-    // Sum of four uniform numbers, close to normal.
-    double noise = -2.0;
-    for (int k = 0; k < 4; ++k) noise += std::ldexp(static_cast<double>(random() >> 11U), -53);
-    const double x = a * last + b * before + noise;
-    before = std::exchange(last, x);
-    samples.push_back(x);
-  }
-  return spread(std::move(samples));
-}
-
-Samples wide_band() { return filtered_noise(0.9, 0.0); }
-
-/// About a frequency of 0.05 per sample, damped by 1 % of the critical.
-Samples narrow_band() {
-  const double omega = 2.0 * std::numbers::pi * 0.05;
-  const double decay = std::exp(-0.01 * omega);
-  return filtered_noise(2.0 * decay * std::cos(omega), -decay * decay);
-}
-
-/// Three harmonics whose frequencies have no common period.
-Samples harmonics() {
-  Samples samples;
-  samples.reserve(sample_count);
-  for (std::size_t i = 0; i < sample_count; ++i) {
-    const auto t = static_cast<double>(i);
-    samples.push_back(std::sin(0.02 * t) + 0.5 * std::sin(0.02 * std::numbers::sqrt2 * t) +
-                      0.3 * std::sin(0.02 * std::numbers::phi * 2.0 * t));
-  }
-  return spread(std::move(samples));
-}
-
-// ---- damage ---------------------------------------------------------------------------------
-
-SnCurve category_100() { return en_1993_1_9_direct(100.0); }
-
-/// range^m N = constant, without end.
-SnCurve one_slope(double m) {
-  SnCurve curve = category_100();
-  curve.name = fmt::format("m = {:.0f}", m);
-  curve.branches = {{m, std::numeric_limits<double>::infinity()}};
-  curve.constant_amplitude_limit.reset();
-  curve.cut_off.reset();
-  return curve;
-}
-
-/// Damage of one cycle.
-double damage_per_cycle(const SnLine& line, double range) {
-  return 1.0 / line.cycles_to_failure(range, Loading::spectrum);
-}
-
-/// Counting as the texts have it: a stack of turning points, three at a time. Source: ASTM
-/// E1049-85, 5.4.4.
-template <class Take>
-void count_by_stack(const Samples& samples, const Take& take) {
-  Samples points;
-  const auto close = [&](bool last) {
-    while (points.size() >= (last ? 2U : 3U)) {
-      const std::size_t n = points.size();
-      if (last) {
-        take(std::abs(points[n - 1] - points[n - 2]), 0.5);
-        points.pop_back();
-        continue;
-      }
-      const double X = std::abs(points[n - 1] - points[n - 2]);
-      const double Y = std::abs(points[n - 2] - points[n - 3]);
-      if (X < Y) return;
-      take(Y, n == 3 ? 0.5 : 1.0);
-      if (n == 3) {
-        points.erase(points.begin());
-      } else {
-        points.erase(points.end() - 3, points.end() - 1);
-      }
-    }
-  };
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double x = samples[i];
-    const bool turns = i == 0 || i + 1 == samples.size() ||
-                       (samples[i - 1] < x && samples[i + 1] < x) ||
-                       (samples[i - 1] > x && samples[i + 1] > x);
-    if (!turns) continue;
-    points.push_back(x);
-    close(false);
-  }
-  close(true);
-}
-
-/// The truth: every cycle by itself, summed in long double.
-double exact_damage(const Samples& samples, const SnCurve& curve) {
-  const SnLine line(curve);
-  long double sum = 0.0L;
-  count_by_stack(samples, [&](double range, double count) {
-    sum += static_cast<long double>(count) * damage_per_cycle(line, range);
-  });
-  return static_cast<double>(sum);
-}
-
-/// As the program does it: counted in chunks as they come, each cycle's damage by itself.
-double streamed_damage(const Samples& samples, const SnCurve& curve, std::size_t chunk,
-                       const RainflowKernels& kernels) {
-  SpectrumCollector collector(curve, {}, false);
-  RainflowCounter counter(
-      {}, [&](const CycleBatch& batch) { collector.add(batch); }, kernels);
-  for (std::size_t at = 0; at < samples.size(); at += chunk) {
-    counter.push(std::span(samples).subspan(at, std::min(chunk, samples.size() - at)));
-  }
-  counter.finish();
-  return collector.damage();
-}
-
-double damage_in_memory(const Samples& samples, const SnCurve& curve) {
-  return damage_of(count_cycles(samples), curve, {});
-}
-
-double stack_damage(const Samples& samples, const SnCurve& curve) {
-  const SnLine line(curve);
-  double sum = 0.0;
-  count_by_stack(samples,
-                 [&](double range, double count) { sum += count * damage_per_cycle(line, range); });
-  return sum;
-}
-
-/// Each chunk a history of its own: what spans two of them is lost.
-double separate_damage(const Samples& samples, const SnCurve& curve, std::size_t chunk) {
-  SpectrumCollector collector(curve, {}, false);
-  RainflowCounter counter({}, [&](const CycleBatch& batch) { collector.add(batch); });
-  for (std::size_t at = 0; at < samples.size(); at += chunk) {
-    counter.push(std::span(samples).subspan(at, std::min(chunk, samples.size() - at)));
-    counter.finish();
-  }
-  return collector.damage();
-}
-
-/// What stands for the cycles of a class.
-enum class Stands { middle, upper_edge, mean };
-
-/// Cycles gathered in equal classes of range first, damage once per class.
-double damage_in_classes(const Samples& samples, const SnCurve& curve, int classes, Stands stands) {
-  const SnLine line(curve);
-  const double width = largest_range / classes;
-  Samples counts(static_cast<std::size_t>(classes), 0.0), sums(counts);
-  RainflowCounter counter({}, [&](const CycleBatch& batch) {
-    for (const double range : batch.range) {
-      const auto k = std::min(static_cast<std::size_t>(range / width), counts.size() - 1);
-      counts[k] += batch.count;
-      sums[k] += batch.count * range;
-    }
-  });
-  counter.push(samples);
-  counter.finish();
-  double damage = 0.0;
-  for (std::size_t k = 0; k < counts.size(); ++k) {
-    if (counts[k] == 0.0) continue;
-    const double place = stands == Stands::middle ? 0.5 : 1.0;
-    const double range =
-        stands == Stands::mean ? sums[k] / counts[k] : width * (static_cast<double>(k) + place);
-    damage += counts[k] * damage_per_cycle(line, range);
-  }
-  return damage;
-}
-
-/// Samples moved to the middle of their class of stress first, as a from-to matrix needs it.
-double damage_from_matrix(const Samples& samples, const SnCurve& curve, int classes) {
-  const double width = largest_range / classes;
-  Samples moved(samples.size());
-  std::transform(samples.begin(), samples.end(), moved.begin(), [&](double x) {
-    const double k = std::floor((x + 0.5 * largest_range) / width);
-    return (std::min(k, classes - 1.0) + 0.5) * width;
-  });
-  return streamed_damage(moved, curve, moved.size(), fastest_kernels());
-}
-
-// ---- charts ---------------------------------------------------------------------------------
 
 Trial tried(std::string setting, double parameter, double operations, double exact,
             const std::function<double()>& damage) {
@@ -242,15 +40,18 @@ TriedMethod over_classes(std::string method, const Effort& effort, double exact,
   return tried_method;
 }
 
-double cycles_of(const Samples& samples) {
-  double cycles = 0.0;
-  count_by_stack(samples, [&](double, double) { cycles += 1.0; });
-  return cycles;
-}
-
 const Point& at_setting(const Series& series, double parameter) {
   return *std::find_if(series.points.begin(), series.points.end(),
                        [&](const Point& point) { return point.parameter == parameter; });
+}
+
+Chart damage_chart(const std::vector<TriedMethod>& methods, const Effort& effort) {
+  Chart chart;
+  chart.error = "relative error of the damage sum";
+  chart.reference = "every cycle by itself, plain stack, summed in long double";
+  chart.unit = "history of 131 072 samples";
+  chart.series = timed(methods, effort);
+  return chart;
 }
 
 Chart classes_chart(const Effort& effort) {
@@ -275,15 +76,11 @@ Chart classes_chart(const Effort& effort) {
   methods.push_back(over_classes("from-to matrix", effort, exact, [&samples, curve](int n) {
     return damage_from_matrix(samples, curve, n);
   }));
-  Chart chart;
+  Chart chart = damage_chart(methods, effort);
   chart.name = "rainflow-classes";
   chart.title = "Rainflow: damage from cycles in classes";
   chart.scene = "wide-band noise, ranges up to 240 MPa, EN 1993-1-9 category 100";
-  chart.error = "relative error of the damage sum";
-  chart.reference = "every cycle by itself, plain stack, summed in long double";
   chart.operations = "classes";
-  chart.unit = unit;
-  chart.series = timed(methods, effort);
   chart.guides = {{2.0, 1}, {1.0, 2}};
   chart.floor = ErrorLevel{1e-14, "round-off of the sum"};
   chart.lesson = fmt::format(
@@ -315,15 +112,11 @@ Chart slopes_chart(const Effort& effort) {
         of.name, effort, exact_damage(of.samples, of.curve),
         [&of](int n) { return damage_in_classes(of.samples, of.curve, n, Stands::middle); }));
   }
-  Chart chart;
+  Chart chart = damage_chart(methods, effort);
   chart.name = "rainflow-histories";
   chart.title = "Rainflow: classes against kind of history and slope";
   chart.scene = "classes of range, their middle; ranges up to 240 MPa";
-  chart.error = "relative error of the damage sum";
-  chart.reference = "every cycle by itself, plain stack, summed in long double";
   chart.operations = "classes";
-  chart.unit = unit;
-  chart.series = timed(methods, effort);
   chart.guides = {{2.0, 3}};
   const auto off_by = [&](std::size_t series) {
     return at_setting(chart.series[series], 64.0).error;
@@ -387,16 +180,12 @@ Chart filter_chart(const Effort& effort) {
   }));
   all.trials[0].point.is_default = true;
   methods.insert(methods.begin(), all);
-  Chart chart;
+  Chart chart = damage_chart(methods, effort);
   chart.name = "rainflow-filter";
   chart.title = "Rainflow: small ranges left out before counting";
   chart.scene = "wide-band noise, ranges up to 240 MPa";
-  chart.error = "relative error of the damage sum";
-  chart.reference = "every cycle by itself, plain stack, summed in long double";
   chart.operations = "turning points left";
   chart.operations_cost = false;  // nor is what leaving them out costs
-  chart.unit = unit;
-  chart.series = timed(methods, effort);
   chart.floor = ErrorLevel{1e-14, "round-off of the sum"};
   chart.lesson = fmt::format(
       "Leaving out ranges below 5 % of the largest costs {:.0e} of the damage at m = 3, {:.0e} at "
@@ -441,16 +230,12 @@ Chart chunks_chart(const Effort& effort) {
   methods.back().trials.push_back(
       tried("the whole history", whole, whole, exact,
             [&samples, curve] { return stack_damage(samples, curve); }));
-  Chart chart;
+  Chart chart = damage_chart(methods, effort);
   chart.name = "rainflow-stream";
   chart.title = "Rainflow: a history in chunks";
   chart.scene = "wide-band noise, ranges up to 240 MPa, EN 1993-1-9 category 100";
-  chart.error = "relative error of the damage sum";
-  chart.reference = "every cycle by itself, plain stack, summed in long double";
   chart.operations = "samples per chunk";
   chart.operations_cost = false;
-  chart.unit = unit;
-  chart.series = timed(methods, effort);
   chart.guides = {{1.0, 2}};
   chart.floor = ErrorLevel{1e-14, "round-off of the sum"};
   chart.lesson = fmt::format(

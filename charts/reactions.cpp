@@ -3,6 +3,10 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "charts/runs.hpp"
 #include "charts/topics.hpp"
@@ -112,6 +116,86 @@ Chart chart_of(const DrivenScene& scene, const ReferenceMotion& reference) {
   return chart;
 }
 
+/// Which method is how exact, and what a balance of forces shows of that.
+std::vector<Chart> methods_charts(const DrivenScene& scene, const ReferenceMotion& reference,
+                                  std::span<const Run> runs, const ErrorOf& error_of) {
+  Chart methods = chart_of(scene, reference);
+  methods.name = "reactions-methods";
+  methods.title = "Reactions: how the balance is solved";
+  methods.series = {{"dense LU", {}, true},
+                    {"static sparse order", {}, true},
+                    {"orthogonal decomposition", {}, true},
+                    {"normal equations", {}, true},
+                    {"accelerations by differences", {}, true},
+                    {"boxbeam", {}, false}};
+  Chart balance = methods;
+  balance.name = "reactions-balance";
+  balance.title = "Reactions: what a balance of forces shows";
+  balance.error = "largest open force or moment of a body, by the largest that act";
+  balance.reference = "forces in balance, evaluated in long double";
+  for (const Run& run : runs) {
+    Point point = point_of(run, error_of, Quantity::reaction);
+    methods.series[run.series].points.push_back(point);
+    if (point.failure.empty()) point.error = open_balance(scene, reference, run.instants);
+    balance.series[run.series].points.push_back(point);
+  }
+  const Point& program = methods.series[5].points.front();
+  const Point& normal = methods.series[3].points.front();
+  const Point& differences = methods.series[4].points.front();
+  if (normal.failure.empty() && differences.failure.empty()) {
+    methods.lesson = fmt::format(
+        "All factorisations of the Jacobian itself keep the digits ({:.0e} with boxbeam's); "
+        "normal "
+        "equations square its condition and leave {:.0e}; accelerations by differences of 96 "
+        "instants leave {:.0e}. The factors of the last Newton step serve the reactions as well.",
+        program.error, normal.error, differences.error);
+    balance.lesson = fmt::format(
+        "The balance is a check of the elimination alone: reactions from accelerations by "
+        "differences are in balance to {:.0e} and wrong by {:.0e}. A closed balance does not "
+        "prove "
+        "a motion.",
+        balance.series[4].points.front().error, differences.error);
+  } else {
+    methods.lesson = fmt::format(
+        "boxbeam leaves {:.0e}; where a method has no place for the "
+        "mechanism the chart says why.",
+        program.error);
+    balance.lesson = fmt::format("boxbeam's reactions are in balance to {:.0e}.",
+                                 balance.series[5].points.front().error);
+  }
+  return {std::move(methods), std::move(balance)};
+}
+
+/// `program`: boxbeam's own point.
+Chart tolerance_chart(const DrivenScene& scene, const ReferenceMotion& reference,
+                      std::span<const Run> runs, const ErrorOf& error_of, const Point& program) {
+  Chart tolerance = chart_of(scene, reference);
+  tolerance.name = "reactions-tolerance";
+  tolerance.title = "Reactions: what a tolerance of positions costs";
+  tolerance.series = {{"Newton, static sparse order, from the last instant", {}, true},
+                      {"boxbeam", {}, false}};
+  for (const Run& run : runs) {
+    tolerance.series[0].points.push_back(point_of(run, error_of, Quantity::reaction));
+  }
+  tolerance.series[1].points.push_back(program);
+  if (tolerance.series[0].points.front().failure.empty()) {
+    double largest = 0.0;
+    for (const auto& instant : reference.instants) {
+      largest = std::max(largest, static_cast<double>(instant.lambda.lpNorm<Eigen::Infinity>()));
+    }
+    const Point& coarse = tolerance.series[0].points.front();
+    tolerance.lesson = fmt::format(
+        "A tolerance of 1e-2 leaves reactions wrong by {:.0e} of the largest, {:.2g} of {:.3g} "
+        "N; "
+        "the error falls as its square, and a further iteration is cheap. boxbeam has no such "
+        "tolerance: it goes to round-off, {:.0e}.",
+        coarse.error, coarse.error * largest, largest, tolerance.series[1].points.front().error);
+  } else {
+    tolerance.lesson = tolerance.series[0].points.front().failure;
+  }
+  return tolerance;
+}
+
 }  // namespace
 
 TopicResult reactions(const Scenes& scenes, const Effort& effort) {
@@ -144,78 +228,10 @@ TopicResult reactions(const Scenes& scenes, const Effort& effort) {
     }
     time_runs(runs, reference.times.size(), effort);
 
-    Chart methods = chart_of(scene, reference);
-    methods.name = "reactions-methods";
-    methods.title = "Reactions: how the balance is solved";
-    methods.series = {{"dense LU", {}, true},
-                      {"static sparse order", {}, true},
-                      {"orthogonal decomposition", {}, true},
-                      {"normal equations", {}, true},
-                      {"accelerations by differences", {}, true},
-                      {"boxbeam", {}, false}};
-    Chart balance = methods;
-    balance.name = "reactions-balance";
-    balance.title = "Reactions: what a balance of forces shows";
-    balance.error = "largest open force or moment of a body, by the largest that act";
-    balance.reference = "forces in balance, evaluated in long double";
-    for (std::size_t i = 0; i < tolerances_from; ++i) {
-      Point point = point_of(runs[i], error_of, Quantity::reaction);
-      methods.series[runs[i].series].points.push_back(point);
-      if (point.failure.empty()) point.error = open_balance(scene, reference, runs[i].instants);
-      balance.series[runs[i].series].points.push_back(point);
-    }
-    const Point& program = methods.series[5].points.front();
-    const Point& normal = methods.series[3].points.front();
-    const Point& differences = methods.series[4].points.front();
-    if (normal.failure.empty() && differences.failure.empty()) {
-      methods.lesson = fmt::format(
-          "All factorisations of the Jacobian itself keep the digits ({:.0e} with boxbeam's); "
-          "normal "
-          "equations square its condition and leave {:.0e}; accelerations by differences of 96 "
-          "instants leave {:.0e}. The factors of the last Newton step serve the reactions as well.",
-          program.error, normal.error, differences.error);
-      balance.lesson = fmt::format(
-          "The balance is a check of the elimination alone: reactions from accelerations by "
-          "differences are in balance to {:.0e} and wrong by {:.0e}. A closed balance does not "
-          "prove "
-          "a motion.",
-          balance.series[4].points.front().error, differences.error);
-    } else {
-      methods.lesson = fmt::format(
-          "boxbeam leaves {:.0e}; where a method has no place for the "
-          "mechanism the chart says why.",
-          program.error);
-      balance.lesson = fmt::format("boxbeam's reactions are in balance to {:.0e}.",
-                                   balance.series[5].points.front().error);
-    }
-    result.charts.push_back(std::move(methods));
-    result.charts.push_back(std::move(balance));
-
-    Chart tolerance = chart_of(scene, reference);
-    tolerance.name = "reactions-tolerance";
-    tolerance.title = "Reactions: what a tolerance of positions costs";
-    tolerance.series = {{"Newton, static sparse order, from the last instant", {}, true},
-                        {"boxbeam", {}, false}};
-    for (std::size_t i = tolerances_from; i < runs.size(); ++i) {
-      tolerance.series[0].points.push_back(point_of(runs[i], error_of, Quantity::reaction));
-    }
-    tolerance.series[1].points.push_back(result.charts[0].series[5].points.front());
-    if (tolerance.series[0].points.front().failure.empty()) {
-      double largest = 0.0;
-      for (const auto& instant : reference.instants) {
-        largest = std::max(largest, static_cast<double>(instant.lambda.lpNorm<Eigen::Infinity>()));
-      }
-      const Point& coarse = tolerance.series[0].points.front();
-      tolerance.lesson = fmt::format(
-          "A tolerance of 1e-2 leaves reactions wrong by {:.0e} of the largest, {:.2g} of {:.3g} "
-          "N; "
-          "the error falls as its square, and a further iteration is cheap. boxbeam has no such "
-          "tolerance: it goes to round-off, {:.0e}.",
-          coarse.error, coarse.error * largest, largest, tolerance.series[1].points.front().error);
-    } else {
-      tolerance.lesson = tolerance.series[0].points.front().failure;
-    }
-    result.charts.push_back(std::move(tolerance));
+    result.charts = methods_charts(scene, reference, {runs.data(), tolerances_from}, error_of);
+    result.charts.push_back(tolerance_chart(scene, reference,
+                                            std::span(runs).subspan(tolerances_from), error_of,
+                                            result.charts.front().series[5].points.front()));
     result.charts.push_back(differences_chart(scene, reference, Quantity::reaction, effort));
     result.charts.back().name = "reactions-differences";
     return result;

@@ -201,6 +201,33 @@ class ActiveMatrix {
   Counts rows_by_count_, cols_by_count_;
 };
 
+constexpr std::uint32_t no_pivot = std::numeric_limits<std::uint32_t>::max();
+
+/// The pivots one after the other, and the number of each row's and column's.
+struct PivotOrder {
+  std::vector<ActiveMatrix::Pivot> pivots;
+  std::vector<std::uint32_t> row_number, col_number;  ///< `no_pivot` without a pivot
+  std::vector<int> rows_left, cols_left;
+};
+
+PivotOrder order_of(const SparsePattern& pattern, const std::vector<double>& values,
+                    const Eigen::VectorXd& row_scale, const Eigen::VectorXd& col_scale) {
+  ActiveMatrix active(pattern, values, row_scale, col_scale);
+  PivotOrder order;
+  order.row_number.assign(static_cast<std::size_t>(pattern.rows), no_pivot);
+  order.col_number.assign(static_cast<std::size_t>(pattern.cols), no_pivot);
+  for (ActiveMatrix::Pivot pivot; active.find_pivot(pivot); pivot = {}) {
+    active.eliminate(pivot);
+    const auto k = static_cast<std::uint32_t>(order.pivots.size());
+    order.row_number[static_cast<std::size_t>(pivot.row)] = k;
+    order.col_number[static_cast<std::size_t>(pivot.col)] = k;
+    order.pivots.push_back(std::move(pivot));
+  }
+  order.rows_left = active.rows_left();
+  order.cols_left = active.cols_left();
+  return order;
+}
+
 }  // namespace
 
 template <class Scalar>
@@ -209,26 +236,16 @@ Eigen::Index SparseEliminationOf<Scalar>::analyse(const SparsePattern& pattern,
                                                   const Eigen::VectorXd& row_scale,
                                                   const Eigen::VectorXd& col_scale) {
   rows_ = pattern.rows;
-  ActiveMatrix active(pattern, values, row_scale, col_scale);
-  std::vector<ActiveMatrix::Pivot> pivots;
-  for (ActiveMatrix::Pivot pivot; active.find_pivot(pivot); pivot = {}) {
-    active.eliminate(pivot);
-    pivots.push_back(std::move(pivot));
-  }
-  rows_left_ = active.rows_left();
-  cols_left_ = active.cols_left();
-
+  const PivotOrder order = order_of(pattern, values, row_scale, col_scale);
+  const auto& [pivots, row_number, col_number, rows_left, cols_left] = order;
+  rows_left_ = rows_left;
+  cols_left_ = cols_left;
   const std::size_t n = pivots.size();
-  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> row_number(static_cast<std::size_t>(pattern.rows), none);
-  std::vector<std::uint32_t> col_number(static_cast<std::size_t>(pattern.cols), none);
   pivot_row_.assign(n, 0);
   pivot_col_.assign(n, 0);
   for (std::size_t k = 0; k < n; ++k) {
     pivot_row_[k] = pivots[k].row;
     pivot_col_[k] = pivots[k].col;
-    row_number[static_cast<std::size_t>(pivots[k].row)] = static_cast<std::uint32_t>(k);
-    col_number[static_cast<std::size_t>(pivots[k].col)] = static_cast<std::uint32_t>(k);
   }
 
   // Places: rows of U, then multipliers column by column.
@@ -242,7 +259,7 @@ Eigen::Index SparseEliminationOf<Scalar>::analyse(const SparsePattern& pattern,
     upper_col_.push_back(static_cast<std::uint32_t>(k));
     for (const int col : pivots[k].cols) {
       const std::uint32_t j = col_number[static_cast<std::size_t>(col)];
-      if (j == none) continue;  // only where the matrix is singular
+      if (j == no_pivot) continue;  // only where the matrix is singular
       place_of[key(k, j)] = static_cast<std::uint32_t>(upper_col_.size());
       upper_col_.push_back(j);
     }
@@ -255,7 +272,7 @@ Eigen::Index SparseEliminationOf<Scalar>::analyse(const SparsePattern& pattern,
   for (std::size_t k = 0; k < n; ++k) {
     for (const int row : pivots[k].rows) {
       const std::uint32_t i = row_number[static_cast<std::size_t>(row)];
-      if (i == none) continue;  // left over
+      if (i == no_pivot) continue;  // left over
       place_of[key(i, k)] = static_cast<std::uint32_t>(upper_col_.size() + lower_row_.size());
       lower_row_.push_back(i);
       lower_limit_.push_back(
@@ -280,12 +297,12 @@ Eigen::Index SparseEliminationOf<Scalar>::analyse(const SparsePattern& pattern,
   place_.assign(pattern.entries(), nowhere);
   for (Eigen::Index r = 0; r < pattern.rows; ++r) {
     const std::uint32_t i = row_number[static_cast<std::size_t>(r)];
-    if (i == none) continue;
+    if (i == no_pivot) continue;
     const auto begin = static_cast<std::size_t>(pattern.row_start[static_cast<std::size_t>(r)]);
     const auto end = static_cast<std::size_t>(pattern.row_start[static_cast<std::size_t>(r) + 1]);
     for (std::size_t e = begin; e < end; ++e) {
       const std::uint32_t j = col_number[static_cast<std::size_t>(pattern.col[e])];
-      if (j != none) place_[e] = place_of.at(key(i, j));
+      if (j != no_pivot) place_[e] = place_of.at(key(i, j));
     }
   }
   work_.assign(nowhere + 1, Scalar(0));

@@ -228,6 +228,45 @@ frame::LoadCase& load_case(Structure& structure, const std::string& name) {
   return structure.cases[static_cast<std::size_t>(index)];
 }
 
+/// Each of two loads that move may stand anywhere while the other does: their places together are
+/// not searched.
+void refuse_loads_that_move_apart(const Structure& structure, TableReader& root) {
+  std::string moves;
+  bool wheels_run = false;
+  for (const frame::LoadCase& of : structure.cases) {
+    for (const frame::Action& action : of.actions) {
+      const bool runs = std::holds_alternative<frame::Wheels>(action.kind);
+      if (!runs && !std::holds_alternative<frame::DrivenAction>(action.kind)) continue;
+      if (!moves.empty() && (runs || wheels_run)) {
+        root.problem(
+            "loads",
+            fmt::format("wheels \"{}\" and load \"{}\" change independently of each other, "
+                        "and the worst of both together is not searched",
+                        runs ? action.name : moves, runs ? moves : action.name),
+            "write all wheels as one load, or a case of its own for each");
+        break;
+      }
+      moves = action.name;
+      wheels_run = wheels_run || runs;
+    }
+  }
+}
+
+/// The weight is there unless somebody places it in a case of its own.
+void place_weight(Structure& structure) {
+  const bool weighed =
+      std::any_of(structure.cases.begin(), structure.cases.end(), [](const frame::LoadCase& of) {
+        return std::any_of(of.actions.begin(), of.actions.end(), [](const frame::Action& action) {
+          return std::holds_alternative<frame::OwnWeight>(action.kind);
+        });
+      });
+  if (!weighed && index_by_name(structure.cases, "weight") < 0) {
+    structure.cases.insert(structure.cases.begin(), {"weight", {{"weight", frame::OwnWeight{}}}});
+  } else if (!weighed) {
+    load_case(structure, "weight").actions.push_back({"weight", frame::OwnWeight{}});
+  }
+}
+
 }  // namespace
 
 void read_frame_loads(TableReader& root, Structure& structure, TimeTables& tables) {
@@ -269,39 +308,8 @@ void read_frame_loads(TableReader& root, Structure& structure, TimeTables& table
     table.finish();
     in.actions.push_back(std::move(action));
   }
-  // Each of two loads that move may stand anywhere while the other does: their places together are
-  // not searched.
-  std::string moves;
-  bool wheels_run = false;
-  for (const frame::LoadCase& of : structure.cases) {
-    for (const frame::Action& action : of.actions) {
-      const bool runs = std::holds_alternative<frame::Wheels>(action.kind);
-      if (!runs && !std::holds_alternative<frame::DrivenAction>(action.kind)) continue;
-      if (!moves.empty() && (runs || wheels_run)) {
-        root.problem(
-            "loads",
-            fmt::format("wheels \"{}\" and load \"{}\" change independently of each other, "
-                        "and the worst of both together is not searched",
-                        runs ? action.name : moves, runs ? moves : action.name),
-            "write all wheels as one load, or a case of its own for each");
-        break;
-      }
-      moves = action.name;
-      wheels_run = wheels_run || runs;
-    }
-  }
-  // The weight is there unless somebody places it in a case of its own.
-  const bool weighed =
-      std::any_of(structure.cases.begin(), structure.cases.end(), [](const frame::LoadCase& of) {
-        return std::any_of(of.actions.begin(), of.actions.end(), [](const frame::Action& action) {
-          return std::holds_alternative<frame::OwnWeight>(action.kind);
-        });
-      });
-  if (!weighed && index_by_name(structure.cases, "weight") < 0) {
-    structure.cases.insert(structure.cases.begin(), {"weight", {{"weight", frame::OwnWeight{}}}});
-  } else if (!weighed) {
-    load_case(structure, "weight").actions.push_back({"weight", frame::OwnWeight{}});
-  }
+  refuse_loads_that_move_apart(structure, root);
+  place_weight(structure);
   structure.factors.assign(structure.cases.size(), 1.0);
   const std::vector<DriverUse> functions = functions_of(structure);
   if (!functions.empty()) {

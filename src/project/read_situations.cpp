@@ -278,6 +278,38 @@ double read_cycles(TableReader& table) {
   return cycles;
 }
 
+/// Whether the vibrating loads of a situation begin at once.
+bool read_sudden_start(TableReader& table, const FrontEndReader& front_end,
+                       const Project& project) {
+  const bool sudden_start = table.boolean(
+      {"sudden_start",
+       "elastic links: the vibrating loads are switched on at once on the structure at rest"},
+      false);
+  if (!sudden_start) return false;
+  if (!front_end.vibrates()) {
+    table.problem("sudden_start", "a sudden start is known for elastic links only",
+                  "leave it out, or write the start as a driver or a force over time");
+  }
+  const auto* links = std::get_if<flexible::Mechanism>(&project.mechanism);
+  if (links != nullptr) {
+    if (links->element == flexible::Element::exact) {
+      table.problem("sudden_start",
+                    "a sudden start is the sum of the modes of divided links, which the exact "
+                    "form has not",
+                    "write element = \"corrected\" in [model]");
+    }
+    for (const flexible::Link& link : links->links) {
+      if (link.parts <= limits::most_parts_at_start) continue;
+      table.problem("sudden_start",
+                    fmt::format("the link {} has {} parts, of which the whole history after a "
+                                "start is kept: at most {}",
+                                link.name, link.parts, limits::most_parts_at_start),
+                    "give it fewer parts");
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 void read_situations(TableReader& root, const Node& tree, const FrontEndReader& front_end,
@@ -312,31 +344,7 @@ void read_situations(TableReader& root, const Node& tree, const FrontEndReader& 
                       "write a situation for it: between = [\"empty\", \"lifting\"]");
       }
       situation.load_factor = table.number({"load_factor", "on all its loads, for strength"}, 1.0);
-      situation.sudden_start = table.boolean(
-          {"sudden_start",
-           "elastic links: the vibrating loads are switched on at once on the structure at rest"},
-          false);
-      if (situation.sudden_start && !front_end.vibrates()) {
-        table.problem("sudden_start", "a sudden start is known for elastic links only",
-                      "leave it out, or write the start as a driver or a force over time");
-      }
-      const auto* links = std::get_if<flexible::Mechanism>(&project.mechanism);
-      if (situation.sudden_start && links != nullptr) {
-        if (links->element == flexible::Element::exact) {
-          table.problem("sudden_start",
-                        "a sudden start is the sum of the modes of divided links, which the exact "
-                        "form has not",
-                        "write element = \"corrected\" in [model]");
-        }
-        for (const flexible::Link& link : links->links) {
-          if (link.parts <= limits::most_parts_at_start) continue;
-          table.problem("sudden_start",
-                        fmt::format("the link {} has {} parts, of which the whole history after a "
-                                    "start is kept: at most {}",
-                                    link.name, link.parts, limits::most_parts_at_start),
-                        "give it fewer parts");
-        }
-      }
+      situation.sudden_start = read_sudden_start(table, front_end, project);
       if (table.has("set")) {
         TableReader set =
             table.table({"set", "what differs: \"drivers.exciter.frequency\" = \"0.8 Hz\""});

@@ -73,6 +73,33 @@ std::string words_of_failing(const DesignRows& rows, const DesignColumn* verdict
                     : "");
 }
 
+/// Where designs do not pass, in strips.
+void shade_failing(const GridOfValues& uses, const Panel& panel, Drawing& drawing) {
+  constexpr int fine = 8;
+  for (std::size_t j = 0; j + 1 < uses.y.size(); ++j)
+    for (int b = 0; b < fine; ++b) {
+      const auto row = static_cast<double>(j) + (b + 0.5) / fine;
+      // Along a strip, as long pieces as there are.
+      double from = -1.0;
+      const std::size_t steps = (uses.x.size() - 1) * fine;
+      for (std::size_t a = 0; a <= steps; ++a) {
+        const double column = static_cast<double>(a) / fine;
+        const bool fails = a < steps && uses.at(column + 0.5 / fine, row) > 1.0;
+        if (fails && from < 0.0) from = column;
+        if (fails || from < 0.0) continue;
+        const auto corner = [&](double c, double half) {
+          const Pixel at = uses.place(c, row + half / fine);
+          return panel.at(at.x(), at.y());
+        };
+        drawing.shapes.emplace_back(
+            Line{{corner(from, -0.5), corner(column, -0.5), corner(column, 0.5), corner(from, 0.5)},
+                 {fails_shade, 0.6, {}, fails_shade, ""},
+                 true});
+        from = -1.0;
+      }
+    }
+}
+
 }  // namespace
 
 std::optional<Drawing> parallel_axes(const DesignRows& rows) {
@@ -232,29 +259,7 @@ std::optional<Drawing> contour(const DesignRows& rows) {
                     values->x.back(),
                     values->y.front(),
                     values->y.back()};
-  constexpr int fine = 8;
-  for (std::size_t j = 0; j + 1 < uses.y.size(); ++j)
-    for (int b = 0; b < fine; ++b) {
-      const auto row = static_cast<double>(j) + (b + 0.5) / fine;
-      // Along a strip, as long pieces as there are.
-      double from = -1.0;
-      const std::size_t steps = (uses.x.size() - 1) * fine;
-      for (std::size_t a = 0; a <= steps; ++a) {
-        const double column = static_cast<double>(a) / fine;
-        const bool fails = a < steps && uses.at(column + 0.5 / fine, row) > 1.0;
-        if (fails && from < 0.0) from = column;
-        if (fails || from < 0.0) continue;
-        const auto corner = [&](double c, double half) {
-          const Pixel at = uses.place(c, row + half / fine);
-          return panel.at(at.x(), at.y());
-        };
-        drawing.shapes.emplace_back(
-            Line{{corner(from, -0.5), corner(column, -0.5), corner(column, 0.5), corner(from, 0.5)},
-                 {fails_shade, 0.6, {}, fails_shade, ""},
-                 true});
-        from = -1.0;
-      }
-    }
+  shade_failing(uses, panel, drawing);
   put_axes(drawing, panel);
   const auto draw = [&](const GridOfValues& of, double level, const Pen& pen) {
     std::vector<std::pair<Pixel, Pixel>> lines = level_lines(of, level);

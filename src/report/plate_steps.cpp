@@ -8,8 +8,8 @@
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/strength/yield.hpp"
 #include "boxbeam/verification/design_factor.hpp"
+#include "boxbeam/verification/path_checks.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
-#include "boxbeam/verification/slender_path.hpp"
 #include "derivation_text.hpp"
 #include "stress_steps.hpp"
 

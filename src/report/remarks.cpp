@@ -218,6 +218,25 @@ std::string second_order_not_checked(const ModelChoice& model) {
                      of.change ? ": " + text::percent(*of.change) + " estimated" : std::string());
 }
 
+/// What a case says that changes nothing.
+void add_without_effect(const Project& project, const SecondOrderEstimate& stability,
+                        std::vector<std::string>& remarks) {
+  const bool held_in_plane =
+      std::any_of(project.restraints.begin(), project.restraints.end(),
+                  [](const Restraint& restraint) { return restraint.along_z; });
+  if (held_in_plane && stability.whole)
+    remarks.push_back(
+        "what [[beam.restraints]] hold along z does not count: the mechanism holds the beam in the "
+        "plane of motion");
+  const bool torque_by =
+      std::any_of(project.beam.introductions.begin(), project.beam.introductions.end(),
+                  [](const LoadIntroduction& of) { return of.torque_by.has_value(); });
+  if (torque_by && !project.in_space)
+    remarks.push_back(
+        "torque_by of [[beam.load_introductions]] does not count: a case in the plane has no "
+        "torque");
+}
+
 }  // namespace
 
 std::string Remark::whole() const {
@@ -277,20 +296,7 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
   report::add_joined_profiles(project, remarks);
   report::add_nested_profiles(project, remarks);
   report::add_slender_plates(project, verification, remarks);
-  const bool held_in_plane =
-      std::any_of(project.restraints.begin(), project.restraints.end(),
-                  [](const Restraint& restraint) { return restraint.along_z; });
-  if (held_in_plane && stability.whole)
-    remarks.push_back(
-        "what [[beam.restraints]] hold along z does not count: the mechanism holds the beam in the "
-        "plane of motion");
-  const bool torque_by =
-      std::any_of(project.beam.introductions.begin(), project.beam.introductions.end(),
-                  [](const LoadIntroduction& of) { return of.torque_by.has_value(); });
-  if (torque_by && !project.in_space)
-    remarks.push_back(
-        "torque_by of [[beam.load_introductions]] does not count: a case in the plane has no "
-        "torque");
+  add_without_effect(project, stability, remarks);
   if (const auto& lateral = stability.lateral)
     remarks.push_back(
         lateral_text(*lateral) +

@@ -135,15 +135,7 @@ Table bodies_table(const Mechanism& mechanism) {
   return table;
 }
 
-Entries entries_of(const Project& project) {
-  const Mechanism& mechanism = spatial_of(project);
-  const spatial::BeamPlacement& placement = project.placement;
-  Entries entries;
-  entries.emplace_back(
-      "beam",
-      fmt::format("in body {}: from {} m, x along {}, z along {} of its axes",
-                  body_name(mechanism, placement.body), triple(placement.start),
-                  direction_text(placement.axes.col(0)), direction_text(placement.axes.col(2))));
+void add_drivers(const Mechanism& mechanism, Entries& entries) {
   for (const spatial::Joint& joint : mechanism.joints) {
     const bool turns = spatial::is_angle(joint.kind);
     if (spatial::is_forced(joint)) {
@@ -166,6 +158,9 @@ Entries entries_of(const Project& project) {
                          fmt::format("{}: length = {}", spatial::driver_text(joint),
                                      function_text(joint.length, "m")));
   }
+}
+
+void add_branches(const Mechanism& mechanism, Entries& entries) {
   for (const spatial::Branch& branch : mechanism.branches) {
     const std::string over =
         branch.via ? "over " + place_text(mechanism, *branch.via) + " to " : "to ";
@@ -179,16 +174,9 @@ Entries entries_of(const Project& project) {
                                : (branch.sign > 0 ? "along" : "against"),
                     direction_text(branch.direction), axes_text(mechanism, branch.axes)));
   }
-  for (const ElasticBeside& of : project.elastic_beside) {
-    if (const auto* const joint = std::get_if<spatial::ElasticJoint>(&of.place))
-      entries.emplace_back("joint", fmt::format("{}: {}{}", of.name, spatial::to_text(joint->kind),
-                                                giving_way_text(*joint)));
-  }
-  for (const spatial::FrictionContact& contact : spatial::friction_contacts_of(mechanism)) {
-    entries.emplace_back("friction",
-                         fmt::format("{}: {}", spatial::name_of_contact(mechanism, contact),
-                                     friction_text(contact.law)));
-  }
+}
+
+void add_loads(const Mechanism& mechanism, Entries& entries) {
   for (const spatial::AppliedLoad& load : mechanism.loads) {
     const bool force = load.kind == spatial::LoadKind::force;
     entries.emplace_back(
@@ -206,6 +194,9 @@ Entries entries_of(const Project& project) {
                     place_text(mechanism, {line.on, line.to}), direction_text(line.direction),
                     axes_text(mechanism, line.axes), function_text(line.size, "N/m")));
   }
+}
+
+void add_springs(const Mechanism& mechanism, Entries& entries) {
   for (const spatial::Spring& spring : mechanism.springs) {
     const bool round = spring.impact && spring.impact->exponent != 1.0;
     if (spring.clearance) {
@@ -233,6 +224,31 @@ Entries entries_of(const Project& project) {
                     spring.name, plain(spring.stiffness), mechanism.joints[joint].name,
                     degrees(spring.free_angle), plain(spring.damping)));
   }
+}
+
+Entries entries_of(const Project& project) {
+  const Mechanism& mechanism = spatial_of(project);
+  const spatial::BeamPlacement& placement = project.placement;
+  Entries entries;
+  entries.emplace_back(
+      "beam",
+      fmt::format("in body {}: from {} m, x along {}, z along {} of its axes",
+                  body_name(mechanism, placement.body), triple(placement.start),
+                  direction_text(placement.axes.col(0)), direction_text(placement.axes.col(2))));
+  add_drivers(mechanism, entries);
+  add_branches(mechanism, entries);
+  for (const ElasticBeside& of : project.elastic_beside) {
+    if (const auto* const joint = std::get_if<spatial::ElasticJoint>(&of.place))
+      entries.emplace_back("joint", fmt::format("{}: {}{}", of.name, spatial::to_text(joint->kind),
+                                                giving_way_text(*joint)));
+  }
+  for (const spatial::FrictionContact& contact : spatial::friction_contacts_of(mechanism)) {
+    entries.emplace_back("friction",
+                         fmt::format("{}: {}", spatial::name_of_contact(mechanism, contact),
+                                     friction_text(contact.law)));
+  }
+  add_loads(mechanism, entries);
+  add_springs(mechanism, entries);
   add_duration(mechanism.duration, entries);
   return entries;
 }

@@ -59,6 +59,82 @@ void label_slopes(Script& gp, Labels& labels, const SnFigure& figure, const SnCu
   }
 }
 
+std::vector<LegendEntry> legend_of(const SnFigure& figure) {
+  std::vector<LegendEntry> legend{
+      {figure.published_step
+           ? fmt::format("published step, category {} taken at 5e6 cycles", figure.name)
+           : fmt::format("{}, category {}, spectrum", figure.code, figure.name),
+       "lw 2 lc rgb '" + std::string(colour(0)) + "'"}};
+  if (!figure.published_step)
+    legend.push_back(
+        {"the same, constant range", fmt::format("lw 1.4 dt (6,4) lc rgb '{}'", colour(0))});
+  legend.push_back({"ranges of the governing place, partial factors applied", "",
+                    fmt::format("pt 7 ps 0.7 lc rgb '{}'", colour(1))});
+  if (figure.required != 1.0)
+    legend.push_back(
+        {fmt::format("these times the required factor {}", text::significant(figure.required, 3)),
+         "", fmt::format("pt 6 ps 0.8 lw 1.2 lc rgb '{}'", colour(1))});
+  return legend;
+}
+
+/// The curves of other categories, thin.
+void put_others(Script& gp, Labels& labels, const SnFigure& figure, const Panel& panel,
+                std::vector<std::string>& curves) {
+  for (std::size_t k = 0; k < figure.others.size(); ++k) {
+    const SnFigure::Other& other = figure.others[k];
+    std::vector<Row2> rows;
+    for (std::size_t i = 0; i < figure.cycles.size(); ++i)
+      rows.emplace_back(figure.cycles[i], 1e-6 * other.spectrum[i]);
+    const std::string data = fmt::format("other{}", k);
+    gp.block(data, rows);
+    labels.keep_off(panel, rows);
+    curves.push_back(fmt::format("${} using 1:2 with lines lw 0.9 lc rgb '#7d8b99'", data));
+    const auto& [n, strength] = rows[20 + 6 * k % 24];
+    if (strength < panel.y_high)
+      labels.put(gp, "category " + other.name, panel.at(n, strength), panel.frame, "#5d6b79", 4.0);
+  }
+}
+
+/// From the ranges that work to those that are needed, where they are seen.
+void put_arrows(Script& gp, Labels& labels, const Panel& panel, const std::vector<Row2>& work,
+                const std::vector<Row2>& needed, double lowest) {
+  for (std::size_t i = 0; i < work.size(); ++i) {
+    const Pixel from = panel.at(std::get<0>(work[i]), std::get<1>(work[i]));
+    const Pixel to = panel.at(std::get<0>(needed[i]), std::get<1>(needed[i]));
+    if (std::get<1>(work[i]) < lowest || (to - from).norm() < 8.0) continue;
+    const Eigen::Vector2d way = (to - from).normalized();
+    put_arrow(gp, from + 4.0 * way, to - 4.0 * way,
+              fmt::format("lw 0.9 lc rgb '{}' size screen 0.008,20 filled", colour(1)));
+    labels.keep_off(from, to);
+  }
+}
+
+/// Where the curve has its numbers. `curve`: of EN 1993-1-9, or nullptr.
+void put_marks(Script& gp, Labels& labels, const SnFigure& figure, const SnCurve* curve,
+               const Panel& panel, std::vector<std::string>& curves) {
+  std::vector<Row2> marks;
+  const auto mark = [&](double n, double pascals, const std::string& what) {
+    if (pascals <= 0.0 || n < panel.x_low || n > panel.x_high) return;
+    marks.emplace_back(n, 1e-6 * pascals);
+    labels.put(gp, fmt::format("{} {} MPa", what, text::significant(1e-6 * pascals, 3)),
+               panel.at(n, 1e-6 * pascals), panel.frame, "#202020", 6.0);
+  };
+  if (curve != nullptr) {
+    mark(curve->reference_cycles, curve->reference.value(), "category " + figure.name + ":");
+    if (curve->constant_amplitude_limit)
+      mark(*curve->constant_amplitude_limit, figure.knee, "knee");
+    if (curve->cut_off) mark(*curve->cut_off, figure.cut_off, "cut-off");
+    label_slopes(gp, labels, figure, *curve, panel);
+  } else {
+    mark(5e6, figure.knee, figure.published_step ? "step" : "knee");
+    mark(1e8, figure.cut_off, "at 1e8 cycles:");
+  }
+  if (!marks.empty()) {
+    gp.block("marks", marks);
+    curves.push_back("$marks using 1:2 with points pt 6 ps 0.7 lc rgb '#202020'");
+  }
+}
+
 }  // namespace
 
 void sn(Script& gp, const Project&, const Verification& verification) {
@@ -91,20 +167,7 @@ void sn(Script& gp, const Project&, const Verification& verification) {
   const CheckResult* governing = verification.governing(Criterion::fatigue);
   const bool en = !figure.published_step && governing != nullptr && governing->basis.has_value();
   const bool shows_constant = !figure.published_step;
-  std::vector<LegendEntry> legend{
-      {figure.published_step
-           ? fmt::format("published step, category {} taken at 5e6 cycles", figure.name)
-           : fmt::format("{}, category {}, spectrum", figure.code, figure.name),
-       "lw 2 lc rgb '" + std::string(colour(0)) + "'"}};
-  if (shows_constant)
-    legend.push_back(
-        {"the same, constant range", fmt::format("lw 1.4 dt (6,4) lc rgb '{}'", colour(0))});
-  legend.push_back({"ranges of the governing place, partial factors applied", "",
-                    fmt::format("pt 7 ps 0.7 lc rgb '{}'", colour(1))});
-  if (figure.required != 1.0)
-    legend.push_back(
-        {fmt::format("these times the required factor {}", text::significant(figure.required, 3)),
-         "", fmt::format("pt 6 ps 0.8 lw 1.2 lc rgb '{}'", colour(1))});
+  const std::vector<LegendEntry> legend = legend_of(figure);
   constexpr double height = 330.0;
   const double below = footing_room + height_of_legend(legend);
   gp.begin("sn", below + height + 30.0);
@@ -128,22 +191,7 @@ void sn(Script& gp, const Project&, const Verification& verification) {
   Labels labels;
   std::vector<std::string> curves;
   labels.keep_off(panel, line);
-  if (en) {
-    for (std::size_t k = 0; k < figure.others.size(); ++k) {
-      const SnFigure::Other& other = figure.others[k];
-      std::vector<Row2> rows;
-      for (std::size_t i = 0; i < figure.cycles.size(); ++i)
-        rows.emplace_back(figure.cycles[i], 1e-6 * other.spectrum[i]);
-      const std::string data = fmt::format("other{}", k);
-      gp.block(data, rows);
-      labels.keep_off(panel, rows);
-      curves.push_back(fmt::format("${} using 1:2 with lines lw 0.9 lc rgb '#7d8b99'", data));
-      const auto& [n, strength] = rows[20 + 6 * k % 24];
-      if (strength < panel.y_high)
-        labels.put(gp, "category " + other.name, panel.at(n, strength), panel.frame, "#5d6b79",
-                   4.0);
-    }
-  }
+  if (en) put_others(gp, labels, figure, panel, curves);
   curves.push_back(fmt::format("$line using 1:2 with lines lw 2 lc rgb '{}'", colour(0)));
   if (shows_constant) {
     gp.block("constant", constant);
@@ -154,15 +202,7 @@ void sn(Script& gp, const Project&, const Verification& verification) {
   curves.push_back(fmt::format("$work using 1:2 with points pt 7 ps 0.7 lc rgb '{}'", colour(1)));
   curves.push_back(
       fmt::format("$needed using 1:2 with points pt 6 ps 0.8 lw 1.2 lc rgb '{}'", colour(1)));
-  for (std::size_t i = 0; i < work.size(); ++i) {
-    const Pixel from = panel.at(std::get<0>(work[i]), std::get<1>(work[i]));
-    const Pixel to = panel.at(std::get<0>(needed[i]), std::get<1>(needed[i]));
-    if (std::get<1>(work[i]) < lowest || (to - from).norm() < 8.0) continue;
-    const Eigen::Vector2d way = (to - from).normalized();
-    put_arrow(gp, from + 4.0 * way, to - 4.0 * way,
-              fmt::format("lw 0.9 lc rgb '{}' size screen 0.008,20 filled", colour(1)));
-    labels.keep_off(from, to);
-  }
+  put_arrows(gp, labels, panel, work, needed, lowest);
   if (range >= lowest) {
     labels.put(gp, text::significant(range, 3) + " MPa", panel.at(cycles, range), panel.frame,
                colour(1), 6.0);
@@ -170,27 +210,7 @@ void sn(Script& gp, const Project&, const Verification& verification) {
       labels.put(gp, text::significant(range * figure.required, 3) + " MPa",
                  panel.at(cycles, range * figure.required), panel.frame, colour(1), 6.0);
   }
-  std::vector<Row2> marks;
-  const auto mark = [&](double n, double pascals, const std::string& what) {
-    if (pascals <= 0.0 || n < fewest || n > 1e9) return;
-    marks.emplace_back(n, 1e-6 * pascals);
-    labels.put(gp, fmt::format("{} {} MPa", what, text::significant(1e-6 * pascals, 3)),
-               panel.at(n, 1e-6 * pascals), panel.frame, "#202020", 6.0);
-  };
-  if (en) {
-    const SnCurve& curve = governing->basis->curves.front();
-    mark(curve.reference_cycles, curve.reference.value(), "category " + figure.name + ":");
-    if (curve.constant_amplitude_limit) mark(*curve.constant_amplitude_limit, figure.knee, "knee");
-    if (curve.cut_off) mark(*curve.cut_off, figure.cut_off, "cut-off");
-    label_slopes(gp, labels, figure, curve, panel);
-  } else {
-    mark(5e6, figure.knee, figure.published_step ? "step" : "knee");
-    mark(1e8, figure.cut_off, "at 1e8 cycles:");
-  }
-  if (!marks.empty()) {
-    gp.block("marks", marks);
-    curves.push_back("$marks using 1:2 with points pt 6 ps 0.7 lc rgb '#202020'");
-  }
+  put_marks(gp, labels, figure, en ? &governing->basis->curves.front() : nullptr, panel, curves);
   gp.plot(curves);
 }
 

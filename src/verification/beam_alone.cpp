@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/section/section_properties.hpp"
 #include "second_order_growth.hpp"
+#include "whole_in_space.hpp"
 
 namespace boxbeam {
 namespace {
@@ -84,6 +88,16 @@ double compression_of(const CutForceDiagram& diagram) {
   return most;
 }
 
+double cantilever_load_of(const Project& project) {
+  double least = std::numeric_limits<double>::infinity();
+  const double squared = std::pow(0.5 * std::numbers::pi / project.beam.length().value(), 2);
+  for (const Segment& segment : project.beam.segments)
+    for (const Section& section : {segment.from, segment.to})
+      least = std::min(least,
+                       squared * project.model.youngs_modulus * properties_of(section).I_2.value());
+  return least;
+}
+
 bool bears_axial_force(const CutForceDiagram& diagram) {
   constexpr double round_off = 1e-12;
   double axial = 0.0, across = 0.0;
@@ -141,10 +155,9 @@ double pressed_part_in(const Project& project, const SituationRun& run) {
     part = part_of_critical(make, part);
     if (!project.in_space) continue;
     part = part_of_critical(sideways.under(loads, holds.along_y.at), part);
-    if (holds.along_z.said || holds.along_y.said) continue;
-    constexpr double most = 1e3;
-    const auto whole = run.motion->critical_factor_at(time, cut_forces_of(loads), most);
-    if (whole && *whole < most) part = std::max(part, 1.0 / *whole);
+    if (!held_by_whole(project, holds)) continue;
+    constexpr double least = 1e-3;
+    part = std::max(part, part_of_whole(run, time, cut_forces_of(loads), 1.0, least).value_or(0.0));
   }
   return part;
 }

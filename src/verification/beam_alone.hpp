@@ -34,6 +34,13 @@ double part_of_critical(const MakePosture& make, double known);
 /// Largest compression along the beam [N].
 double compression_of(const CutForceDiagram& diagram);
 
+/// N_cr of a cantilever as long as the beam, of its least second moment of area [N].
+///
+///     N_cr = (pi/(2 L))^2 E I
+///
+/// Source: Euler; Timoshenko, Gere, Theory of Elastic Stability (1961), section 2.1.
+double cantilever_load_of(const Project& project);
+
 /// Whether anything presses or pulls along the beam, by the size of what bends it.
 bool bears_axial_force(const CutForceDiagram& diagram);
 

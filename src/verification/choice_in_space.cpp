@@ -156,6 +156,21 @@ bool modes_are_needless(const Project& project, const VibrationEstimate& estimat
   return false;
 }
 
+/// What rigid bodies miss, and how that was weighed.
+ModelEstimate rigid_estimate_of(const std::deque<SituationRun>& rigid,
+                                const SecondOrderEstimate& pressed, double missed,
+                                double of_bending) {
+  const bool repeats = std::all_of(rigid.begin(), rigid.end(),
+                                   [](const SituationRun& run) { return run.loads.closed(); });
+  return {{},
+          fmt::format("{} the modes of the mechanism stopped in postures over its motion {}{}",
+                      repeats ? "harmonics of the loads against" : "response over time of",
+                      percent_text(missed),
+                      pressed.whole ? ", second order " + percent_text(of_bending) : std::string()),
+          missed + of_bending,
+          {}};
+}
+
 }  // namespace
 
 ModelChoice choose_in_space(const Project& project, const std::deque<SituationRun>& rigid,
@@ -170,16 +185,7 @@ ModelChoice choose_in_space(const Project& project, const std::deque<SituationRu
   const double missed = estimate.without_modes.front();
   // Elsewhere it is weighed where checks are used.
   const double of_bending = pressed.whole ? pressed.change.value_or(0.0) : 0.0;
-  const bool repeats = std::all_of(rigid.begin(), rigid.end(),
-                                   [](const SituationRun& run) { return run.loads.closed(); });
-  choice.weighed.push_back(
-      {{},
-       fmt::format("{} the modes of the mechanism stopped in postures over its motion {}{}",
-                   repeats ? "harmonics of the loads against" : "response over time of",
-                   percent_text(missed),
-                   pressed.whole ? ", second order " + percent_text(of_bending) : std::string()),
-       missed + of_bending,
-       {}});
+  choice.weighed.push_back(rigid_estimate_of(rigid, pressed, missed, of_bending));
   const std::string misses = missed_text(estimate, choice);
   const ModelDemand demand = project.model.demand;
   choice.reason = fmt::format("rigid bodies{}: {}; {}",

@@ -75,6 +75,22 @@ struct LoadsOfModes {
   }
 };
 
+/// Modes of a motion that repeats go on all the time.
+template <class ActingAt>
+void refuse_changing_modes(const LoadSpan& span, const ActingAt& acting_at,
+                           const std::string& otherwise) {
+  std::vector<double> borders{span.begin.value()};
+  for (const Time& at : span.breaks) borders.push_back(at.value());
+  borders.push_back((span.begin + span.period).value());
+  const std::vector<double> changes = changes_between(borders, acting_at);
+  if (!changes.empty())
+    refuse_vibration(
+        "a stop or a cable begins or ends to act in a motion that repeats, and the modes of the "
+        "beam change at once" +
+            otherwise,
+        changes.front());
+}
+
 }  // namespace
 
 std::string obstacle_to_modes(const spatial::Mechanism& mechanism,
@@ -137,52 +153,15 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
         return rigid_cut_forces(chain, state, body, chain.joint_wrenches(state));
       },
       modes, takes_over_);
+  const bool yields = project.model.retardation > 0.0;
   const auto posture_at = [&](double time) {
     ModesInMotion at = followed.at(time);
-    Posture posture;
-    ModalPosture& modal = posture.modal;
-    modal.turn = followed.turn_of(at.shapes, time);
-    const auto k = static_cast<Eigen::Index>(followed.count());
-    modal.squares.resize(k);
-    Eigen::MatrixXd numbers;
-    for (Eigen::Index j = 0; j < k; ++j) {
-      const frame::BeamMode& mode = at.modes[static_cast<std::size_t>(j)];
-      modal.squares[j] = std::pow(full_turn * mode.frequency, 2);
-      const Eigen::RowVectorXd of = numbers_.of(mode.loads);
-      // What begins to act later stands behind the others.
-      if (j == 0) numbers.resize(k, of.size());
-      numbers.row(j) = of;
-    }
-    modal.force = std::move(at.force);
-    modal.damping = std::move(at.damping);
-    // Of a material without damping dampers would leave round-off, which no polynomial follows.
-    const bool yields = project.model.retardation > 0.0;
-    modal.of_material = yields ? modal.damping : Eigen::MatrixXd::Zero(k, k);
-    Eigen::MatrixXd by_rate = Eigen::MatrixXd::Zero(damped_ ? k : 0, numbers.cols());
-    for (const frame::DampedTie& of : at.dampers) {
-      if (yields) modal.of_material -= of.damping * of.gaps * of.gaps.transpose();
-      by_rate += of.damping * of.gaps * numbers_.of(of.loads);
-    }
-    modal.of_rate = std::move(at.turning.of_rate);
-    modal.of_size = std::move(at.turning.of_size);
-    posture.loads = modal.turn.transpose() * numbers;
-    if (damped_) posture.by_rate = modal.turn.transpose() * by_rate;
-    if (takes_over_) posture.taken_over = numbers_.of(*at.taken_over).transpose();
-    posture.gaps = modal.turn.transpose() * at.gaps.transpose();
-    return posture;
+    Eigen::MatrixXd turn = followed.turn_of(at.shapes, time);
+    return posture_of(std::move(at), std::move(turn), yields);
   };
   if (span.closed) {
     if (stopped.freedoms() > 0) refuse_vibration("forces decide a motion that repeats" + otherwise);
-    std::vector<double> borders{begin_};
-    for (const Time& at : span.breaks) borders.push_back(at.value());
-    borders.push_back(begin_ + period_);
-    const std::vector<double> changes = changes_between(borders, acting_at);
-    if (!changes.empty())
-      refuse_vibration(
-          "a stop or a cable begins or ends to act in a motion that repeats, and the modes of the "
-          "beam change at once" +
-              otherwise,
-          changes.front());
+    refuse_changing_modes(span, acting_at, otherwise);
     followed.begin_at(begin_);
     const Eigen::Index stride = stride_of(span.instants, followed.count());
     solve_periodic(posture_at, static_cast<Eigen::Index>(span.instants) / stride);
@@ -210,6 +189,40 @@ ElasticMotionInSpace::ElasticMotionInSpace(const Project& project, const spatial
         .gaps;
   };
   check_contacts(chain, states, once_->response(), gaps_at, project.model.tolerance);
+}
+
+ElasticMotionInSpace::Posture ElasticMotionInSpace::posture_of(ModesInMotion at,
+                                                               Eigen::MatrixXd turn, bool yields) {
+  Posture posture;
+  ModalPosture& modal = posture.modal;
+  modal.turn = std::move(turn);
+  const auto k = static_cast<Eigen::Index>(at.modes.size());
+  modal.squares.resize(k);
+  Eigen::MatrixXd numbers;
+  for (Eigen::Index j = 0; j < k; ++j) {
+    const frame::BeamMode& mode = at.modes[static_cast<std::size_t>(j)];
+    modal.squares[j] = std::pow(full_turn * mode.frequency, 2);
+    const Eigen::RowVectorXd of = numbers_.of(mode.loads);
+    // What begins to act later stands behind the others.
+    if (j == 0) numbers.resize(k, of.size());
+    numbers.row(j) = of;
+  }
+  modal.force = std::move(at.force);
+  modal.damping = std::move(at.damping);
+  // Of a material without damping dampers would leave round-off, which no polynomial follows.
+  modal.of_material = yields ? modal.damping : Eigen::MatrixXd::Zero(k, k);
+  Eigen::MatrixXd by_rate = Eigen::MatrixXd::Zero(damped_ ? k : 0, numbers.cols());
+  for (const frame::DampedTie& of : at.dampers) {
+    if (yields) modal.of_material -= of.damping * of.gaps * of.gaps.transpose();
+    by_rate += of.damping * of.gaps * numbers_.of(of.loads);
+  }
+  modal.of_rate = std::move(at.turning.of_rate);
+  modal.of_size = std::move(at.turning.of_size);
+  posture.loads = modal.turn.transpose() * numbers;
+  if (damped_) posture.by_rate = modal.turn.transpose() * by_rate;
+  if (takes_over_) posture.taken_over = numbers_.of(*at.taken_over).transpose();
+  posture.gaps = modal.turn.transpose() * at.gaps.transpose();
+  return posture;
 }
 
 void ElasticMotionInSpace::solve_periodic(const PostureAt& posture_at, Eigen::Index instants) {

@@ -14,6 +14,8 @@
 
 namespace boxbeam {
 
+struct ModesInMotion;
+
 /// Elastic vibration of the verified beam in a large motion of its mechanism in space, the other
 /// beams of the case, its rods and joints that give way elastic as well: bending about both axes,
 /// torsion and stretching.
@@ -86,6 +88,8 @@ class ElasticMotionInSpace {
     Eigen::MatrixXd gaps;        ///< of springs that act from a length on, a row for each mode
   };
   using PostureAt = std::function<Posture(double time)>;
+  /// `turn`: of the modes' basis there; `yields`: whether the material dampens.
+  Posture posture_of(ModesInMotion at, Eigen::MatrixXd turn, bool yields);
 
   void solve_periodic(const PostureAt& posture_at, Eigen::Index instants);
   /// `passed`: but for postures and accuracy.

@@ -7,9 +7,9 @@
 
 #include "below_yield.hpp"
 #include "boxbeam/verification/judged_section.hpp"
-#include "boxbeam/verification/slender_path.hpp"
+#include "boxbeam/verification/path_checks.hpp"
 #include "plate_panels.hpp"
-#include "worst_instant.hpp"
+#include "slender_check.hpp"
 
 namespace boxbeam {
 namespace {
@@ -50,20 +50,30 @@ class PlateUses {
   const SlenderPlates* plates_;
 };
 
-/// Whether what acts leaves a plate that does not work whole.
-bool buckles_under(const EffectiveBox& box, const CutForces& cut) {
-  const auto buckles = [&](ActingAlone acting) {
-    const SectionAlone& of = box.alone(acting);
-    return std::any_of(of.walls.begin(), of.walls.end(),
-                       [](const WallAlone& wall) { return wall.buckles(); });
+/// Whether what acts leaves a plate that does not work whole. `idle`: whether what acts alone does.
+template <class Idle>
+bool buckles_under(const CutForces& cut, const SectionUse& worst, const Idle& idle) {
+  const auto bent = [&](bool about_y, Moment moment) {
+    return moment.value() != 0.0 && idle(moment_alone(about_y, moment.value() < 0.0));
   };
-  using enum ActingAlone;
-  const CornerUse worst = box.worst_corner(cut);
-  return (cut.N.value() < 0.0 && buckles(compression)) ||
-         (worst.M_y.value() != 0.0 &&
-          buckles(worst.M_y.value() > 0.0 ? M_y_positive : M_y_negative)) ||
-         (worst.M_z.value() != 0.0 &&
-          buckles(worst.M_z.value() > 0.0 ? M_z_positive : M_z_negative));
+  return (cut.N.value() < 0.0 && idle(ActingAlone::compression)) || bent(true, worst.M_y) ||
+         bent(false, worst.M_z);
+}
+
+bool buckles_under(const EffectiveBox& box, const CutForces& cut) {
+  return buckles_under(cut, box.worst_corner(cut), [&](ActingAlone acting) {
+    const auto& walls = box.alone(acting).walls;
+    return std::any_of(walls.begin(), walls.end(),
+                       [](const WallAlone& wall) { return wall.buckles(); });
+  });
+}
+
+bool buckles_under(const EffectivePath& path, const CutForces& cut) {
+  return buckles_under(cut, path.worst_place(cut), [&](ActingAlone acting) {
+    const std::vector<PlateAlone>& plates = path.alone(acting).plates;
+    return std::any_of(plates.begin(), plates.end(),
+                       [](const PlateAlone& of) { return of.idle() > 0.0; });
+  });
 }
 
 /// The checks of a station's plates as they are gathered.
@@ -126,53 +136,21 @@ class StationPlates {
     PlateBasis& basis = result.plates.emplace();
     basis.plates = plates_;
     basis.cut = worst.at->history.at(worst.largest.time);
-    basis.box =
-        section_under(plates_, plates_->box, basis.cut, project_->strength.effective_widths);
+    const WidthRule rule = project_->strength.effective_widths;
+    basis.box = section_under(plates_, plates_->box, basis.cut, rule);
     basis.corner = basis.box->worst_corner(basis.cut);
     basis.load_factor = worst.at->situation->load_factor;
     basis.plate = plate;
     basis.reduced = reduced;
-    Check& check = result.check;
-    check.criterion = criterion;
-    check.station = station_;
-    check.point = plate != nullptr ? plate->name : to_text(basis.corner.corner.flange);
+    SlenderUse of{criterion, plate, reduced};
+    of.point = plate != nullptr ? plate->name : to_text(basis.corner.corner.flange);
     if (plate == nullptr && project_->in_space)
-      check.point += fmt::format(" at {}", to_text(basis.corner.corner.web));
-    check.id = id_of(criterion, station_, check.point);
-    check.situation = worst.at->situation->name;
-    check.time = worst.largest.time;
-    check.safety_factor = 1.0 / worst.use;
-    check.required = project_->strength.required;
-    say_amounts(basis, worst.use, check);
+      of.point += fmt::format(" at {}", to_text(basis.corner.corner.web));
+    of.yield_strength = basis.corner.yield_strength;
+    of.clause = clause_of(basis.box.get() != &plates_->box, rule);
+    of.web = criterion == Criterion::interaction && uses_.together(*plate, basis.cut).share > 0.0;
+    result.check = slender_check_of(*project_, station_, worst, of);
     results_.push_back(std::move(result));
-  }
-
-  void say_amounts(const PlateBasis& basis, double use, Check& check) const {
-    switch (check.criterion) {
-      case Criterion::effective_section:
-        check.resisting = Stress(basis.corner.yield_strength / project_->strength.gamma_M0);
-        check.acting = Stress(check.resisting.value() * use * pascal);
-        check.source = fmt::format(
-            "EN 1993-1-5:2006, 4.6, equation 4.15 (effective widths, {})",
-            clause_of(basis.box.get() != &plates_->box, project_->strength.effective_widths));
-        break;
-      case Criterion::shear_buckling:
-        check.resisting = basis.plate->resists.resistance;
-        check.acting = Force(use * basis.plate->resists.resistance);
-        check.source = "EN 1993-1-5:2006, 5.5, equation 5.10 (without the flanges' part)";
-        break;
-      case Criterion::reduced_stress:
-        check.resisting = Stress(basis.reduced->panel.yield_strength / project_->strength.gamma_M1);
-        check.acting = Stress(check.resisting.value() * use * pascal);
-        check.source = "EN 1993-1-5:2006, clause 10, equation 10.5";
-        break;
-      default:
-        check.resisting = 1.0;
-        check.acting = use;
-        check.source = uses_.together(*basis.plate, basis.cut).share > 0.0
-                           ? "EN 1993-1-5:2006, 7.1(1), equation 7.1"
-                           : "EN 1993-1-5:2006, 7.1(5), equation 7.1";
-    }
   }
 
   const Project* project_;

@@ -1,17 +1,11 @@
 #include "boxbeam/verification/second_order_estimate.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 #include "beam_alone.hpp"
-#include "bent_in_space.hpp"
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/strength/column_buckling.hpp"
 #include "boxbeam/verification/design_factor.hpp"
 #include "boxbeam/verification/front_end.hpp"
@@ -22,6 +16,8 @@
 #include "lateral_instants.hpp"
 #include "pressed_vibration.hpp"
 #include "second_order_growth.hpp"
+#include "vibration_in_space.hpp"
+#include "whole_in_space.hpp"
 #include "yield_shares.hpp"
 
 namespace boxbeam {
@@ -29,8 +25,8 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// Less than this part of the compression that buckles a cantilever as long as the beam, of its
-/// least stiffness, counts nowhere.
+/// Less than this part of N_cr counts nowhere: of a cantilever as long as the beam
+/// (`cantilever_load_of`), and of the whole in space.
 constexpr double hardly_compressed = 0.01;
 
 constexpr const char* held_by_mechanism = "held as its mechanism holds it";
@@ -39,7 +35,8 @@ constexpr const char* held_by_mechanism = "held as its mechanism holds it";
 struct Held {
   MakePosture in_plane, across;
   BeamHolds alone;
-  bool whole = false;  ///< in the plane by its mechanism
+  bool whole = false;     ///< in the plane by its mechanism
+  bool in_space = false;  ///< by a mechanism in space, as one
 };
 
 /// The instants of a situation that are compared.
@@ -64,10 +61,18 @@ std::vector<Length> loaded_places_of(const Project& project, const std::deque<Si
   return places;
 }
 
+/// Whether a segment is of open thin walls, which may twist under compression.
+bool may_twist(const TaperedBeam& beam) {
+  return std::any_of(beam.segments.begin(), beam.segments.end(), [](const Segment& segment) {
+    return std::holds_alternative<ThinWalled>(segment.from.outer);
+  });
+}
+
 class Estimating {
  public:
   Estimating(const Project& project, const std::deque<SituationRun>& runs)
       : project_(&project),
+        cantilever_(cantilever_load_of(project)),
         shares_(project, compared_places_of(project.beam, loaded_places_of(project, runs))),
         lateral_(project),
         in_plane_(project, Plane::z),
@@ -75,15 +80,6 @@ class Estimating {
     if (std::holds_alternative<spatial::Mechanism>(project.mechanism))
       places_in_space_ = places_in_space(project.beam, loaded_places_of(project, runs));
     result_.growth = no_growth();
-    const double length = project.beam.length().value();
-    for (const Segment& segment : project.beam.segments) {
-      for (const Section& section : {segment.from, segment.to})
-        cantilever_ = std::min(cantilever_, std::pow(0.5 * std::numbers::pi / length, 2) *
-                                                project.model.youngs_modulus *
-                                                properties_of(section).I_2.value());
-      const Profile& profile = segment.from.outer;
-      open_ = open_ || std::holds_alternative<ThinWalled>(profile);
-    }
     result_.whole = true;
     result_.across.emplace();
     result_.change = 0.0;
@@ -125,7 +121,7 @@ class Estimating {
   /// as a bow's.
   void take_extremes(const std::deque<SituationRun>& runs) {
     const auto counts = [](double part) { return part > no_buckling_below; };
-    if (!open_ && !counts(result_.in_plane.part) &&
+    if (!may_twist(project_->beam) && !counts(result_.in_plane.part) &&
         !(result_.across && counts(result_.across->part)) &&
         !(lateral_.most().part > no_turning_over_below))
       return;
@@ -198,14 +194,17 @@ class Estimating {
     const bool counts = axial && factor * compression_of(diagram) > hardly_compressed * cantilever_;
     // What else is pressed is looked at once, other beams whenever this one is.
     const bool looked = counts || first || !project_->elastic_beside.empty();
-    const auto whole = looked ? part_of_whole(run, time, diagram, alone, factor) : std::nullopt;
+    const auto whole = looked && held.in_space
+                           ? part_of_whole(run, time, diagram, factor, hardly_compressed)
+                           : std::nullopt;
     if (held.whole)
       raise(result_.in_plane, held.in_plane, held_by_mechanism, false);
     else if (axial)
       raise(result_.in_plane, held.in_plane, alone.along_z.words, !alone.along_z.said && !whole);
     if (axial)
       raise(*result_.across, held.across, alone.along_y.words, !alone.along_y.said && !whole);
-    const BentWhole bent = bent_whole(run, time, diagram, alone, factor);
+    const BentWhole bent = held.in_space ? bent_whole(run, time, diagram, factor) : BentWhole();
+    result_.turn = std::max(result_.turn, bent.turn);
     if (!held.whole && !bent.known) result_.whole = false;
     if (whole)
       raise_by_whole({*whole, time, situation, held_by_mechanism, false}, factor, bent.known);
@@ -225,32 +224,6 @@ class Estimating {
     compare(held.in_plane, held.whole, loads, factor, all.in_plane);
     if (project_->in_space)
       compare(held.across, false, in_plane(loads, Plane::y), factor, all.across);
-  }
-
-  /// The whole in space, bent by its design loads and by its loads times one.
-  struct BentWhole {
-    bool known = false;
-    double part = 0.0;  ///< of the loads that buckle it, where that is one or more
-    BeamLoads design, once;
-  };
-
-  BentWhole bent_whole(const SituationRun& run, Time time, const CutForceDiagram& diagram,
-                       const BeamHolds& alone, double factor) {
-    BentWhole of;
-    // What holds it besides is in no mechanism.
-    if (!project_->in_space || alone.along_z.said || alone.along_y.said) return of;
-    const auto design = bent_scene_in(run, time, diagram, factor);
-    if (!design) return of;
-    of.known = true;
-    if (design->critical) {
-      of.part = std::max(1.0, factor / *design->critical);
-      return of;
-    }
-    result_.turn = std::max(result_.turn, factor * design->turn);
-    of.design = design->loads;
-    if (factor != 1.0)
-      if (const auto once = bent_scene_in(run, time, diagram, 1.0)) of.once = once->loads;
-    return of;
   }
 
   void compare_in_space(const CutForceDiagram& diagram, const BentWhole& bent, double factor,
@@ -285,6 +258,7 @@ class Estimating {
   Held held_at(const SituationRun& run, Time time, const BeamLoads& loads) {
     Held held;
     held.alone = holds_of(*project_, run.motion->supports(loads));
+    held.in_space = held_by_whole(*project_, held.alone);
     held.across = across_.under(loads, held.alone.along_y.at);
     held.in_plane = run.motion->stopped(time, loads);
     held.whole = static_cast<bool>(held.in_plane);
@@ -339,19 +313,6 @@ class Estimating {
     raise_to(vibrating, result_.growth);
   }
 
-  /// N/N_cr of the whole mechanism in space, where the case does not say how the beam is held; zero
-  /// of one that is hardly pressed.
-  std::optional<double> part_of_whole(const SituationRun& run, Time time,
-                                      const CutForceDiagram& diagram, const BeamHolds& alone,
-                                      double factor) const {
-    if (!project_->in_space || alone.along_z.said || alone.along_y.said) return {};
-    const double most = factor / hardly_compressed;
-    const auto critical = run.motion->critical_factor_at(time, diagram, most);
-    if (!critical) return {};
-    if (*critical >= most) return 0.0;
-    return factor / *critical;
-  }
-
   /// By the whole, whose planes are one: where it is weaker than the beam by itself in either, that
   /// is how it buckles, and what it bends grows as of a frame that sways, unless it is `bent`.
   void raise_by_whole(const BucklingLoad& whole, double factor, bool bent) {
@@ -375,15 +336,14 @@ class Estimating {
   }
 
   const Project* project_;
+  double cantilever_;  ///< N_cr of one as long as the beam, of its least I [N]
   YieldShares shares_;
   std::vector<PlaceInSpace> places_in_space_;  ///< the same, of a mechanism in space
-  bool open_ = false;  ///< a segment of open thin walls, which may twist under compression
   LateralInstants lateral_;
   BeamAlone in_plane_, across_;
   GrowthByPlace growth_, growth_across_, beyond_once_, vibrating_;
   GrowthByPlace growth_in_space_{stresses_of_place}, beyond_in_space_{stresses_of_place};
   double sway_of_range_ = 0.0;
-  double cantilever_ = unbounded;  ///< N_cr of one as long as the beam, of its least I [N]
   SecondOrderEstimate result_;
 };
 

@@ -10,7 +10,7 @@
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/section/torsion.hpp"
 #include "boxbeam/strength/section_class.hpp"
-#include "boxbeam/verification/slender_path.hpp"
+#include "boxbeam/verification/path_checks.hpp"
 #include "plate_panels.hpp"
 
 namespace boxbeam {

@@ -5,15 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
-#include "below_yield.hpp"
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/strength/shear_buckling.hpp"
 #include "boxbeam/verification/judged_section.hpp"
 #include "patched_path.hpp"
 #include "plate_panels.hpp"
-#include "worst_instant.hpp"
 
 namespace boxbeam {
 namespace {
@@ -86,157 +83,10 @@ std::string induced_buckling(const EffectivePath& of) {
   return "";
 }
 
-/// The uses of a station's path under cut forces, with gamma_M0 and gamma_M1.
-class PathUses {
- public:
-  PathUses(const Project& project, const SlenderPath& path)
-      : gamma_M0_(project.strength.gamma_M0),
-        gamma_M1_(project.strength.gamma_M1),
-        rule_(project.strength.effective_widths),
-        path_(&path) {}
-
-  double normal(const CutForces& cut) const { return gamma_M0_ * place(cut).use; }
-  WebInteraction together(const ShearedWall& wall, const CutForces& cut) const {
-    return interaction_of(*path_, wall, place(cut), cut, gamma_M0_);
-  }
-  double reduced(const ReducedPlate& plate, const CutForces& cut) const {
-    return plate.use(cut, gamma_M1_);
-  }
-
- private:
-  PathUse place(const CutForces& cut) const {
-    PathUse at_yield = path_->section.worst_place(cut);
-    const auto below = lower_section(path_->section, cut, rule_, at_yield.use);
-    return below ? below->worst_place(cut) : at_yield;
-  }
-
-  double gamma_M0_, gamma_M1_;
-  WidthRule rule_;
-  const SlenderPath* path_;
-};
-
-/// The checks of a station's path as they are gathered.
-class StationPath {
- public:
-  StationPath(const Project& project, const Station& station,
-              const std::shared_ptr<const SlenderPath>& path,
-              const std::vector<SituationHistory>& histories)
-      : project_(&project),
-        station_(station),
-        path_(path),
-        histories_(&histories),
-        uses_(project, *path) {}
-
-  std::vector<CheckResult> checks() {
-    add(Criterion::effective_section,
-        worst([&](const CutForces& cut) { return uses_.normal(cut); }), nullptr);
-    WorstInstant together{&histories_->front(), {}, 0.0};
-    const ShearedWall* in_wall = nullptr;
-    for (const ShearedWall& wall : path_->sheared) {
-      if (wall.may_buckle) {
-        add(Criterion::shear_buckling,
-            worst([&](const CutForces& cut) { return shear_use_of(wall, cut); }), &wall);
-      }
-      const WorstInstant of =
-          worst([&](const CutForces& cut) { return uses_.together(wall, cut).use; });
-      if (in_wall != nullptr && of.use <= together.use) continue;
-      together = of;
-      in_wall = &wall;
-    }
-    if (in_wall != nullptr) add(Criterion::interaction, together, in_wall);
-    return std::move(results_);
-  }
-
-  std::vector<CheckResult> reduced_checks() {
-    for (const ReducedPlate& plate : path_->reduced) {
-      add(Criterion::reduced_stress,
-          worst([&](const CutForces& cut) { return uses_.reduced(plate, cut); }), &plate.sheared,
-          &plate);
-    }
-    return std::move(results_);
-  }
-
- private:
-  template <class Use>
-  WorstInstant worst(const Use& use) const {
-    return worst_instant_of(*histories_, use);
-  }
-
-  void add(Criterion criterion, const WorstInstant& worst, const ShearedWall* wall,
-           const ReducedPlate* reduced = nullptr) {
-    if (!(worst.use > no_use)) return;
-    CheckResult result;
-    PathBasis& basis = result.path.emplace();
-    basis.path = path_;
-    basis.wall = wall;
-    basis.reduced = reduced;
-    basis.cut = worst.at->history.at(worst.largest.time);
-    basis.section =
-        section_under(path_, path_->section, basis.cut, project_->strength.effective_widths);
-    basis.use = basis.section->worst_place(basis.cut);
-    basis.load_factor = worst.at->situation->load_factor;
-    Check& check = result.check;
-    check.criterion = criterion;
-    check.station = station_;
-    check.point = wall != nullptr ? wall->name : path_->section.places()[basis.use.place].name;
-    check.id = id_of(criterion, station_, check.point);
-    check.situation = worst.at->situation->name;
-    check.time = worst.largest.time;
-    check.safety_factor = 1.0 / worst.use;
-    check.required = project_->strength.required;
-    if (criterion == Criterion::effective_section) {
-      check.resisting = Stress(basis.use.yield_strength / project_->strength.gamma_M0);
-      check.acting = Stress(worst.use / project_->strength.gamma_M0 * basis.use.yield_strength);
-      check.source = fmt::format(
-          "EN 1993-1-5:2006, 4.6, equation 4.15 (effective widths, {})",
-          clause_of(basis.section.get() != &path_->section, project_->strength.effective_widths));
-    } else if (criterion == Criterion::shear_buckling) {
-      check.resisting = wall->resists.resistance;
-      check.acting = Force(worst.use * wall->resists.resistance);
-      check.source = "EN 1993-1-5:2006, 5.5, equation 5.10 (without the flanges' part)";
-    } else if (reduced != nullptr) {
-      check.resisting = Stress(reduced->panel.yield_strength / project_->strength.gamma_M1);
-      check.acting = Stress(check.resisting.value() * worst.use * pascal);
-      check.source = "EN 1993-1-5:2006, clause 10, equation 10.5";
-    } else {
-      check.resisting = 1.0;
-      check.acting = worst.use;
-      check.source = uses_.together(*wall, basis.cut).share > 0.0
-                         ? "EN 1993-1-5:2006, 7.1(1), equation 7.1"
-                         : "EN 1993-1-5:2006, 7.1(5), equation 7.1";
-    }
-    results_.push_back(std::move(result));
-  }
-
-  const Project* project_;
-  Station station_;
-  std::shared_ptr<const SlenderPath> path_;
-  const std::vector<SituationHistory>* histories_;
-  PathUses uses_;
-  std::vector<CheckResult> results_;
-};
-
 }  // namespace
 
 bool is_slender_path_at(const Project& project, const Station& station) {
   return is_slender(deciding_plates_at(project, station));
-}
-
-double shear_use_of(const ShearedWall& wall, const CutForces& cut) {
-  return wall.force_of(cut) / wall.resists.resistance;
-}
-
-WebInteraction interaction_of(const SlenderPath& path, const ShearedWall& wall,
-                              const PathUse& normal, const CutForces& cut, double gamma_M0) {
-  const double eta_1 = gamma_M0 * normal.use, eta_3 = shear_use_of(wall, cut);
-  const std::vector<PathPlate>& plates = path.section.path().plates;
-  const bool web =
-      path.plastic && std::any_of(plates.begin(), plates.end(), [&](const PathPlate& of) {
-        return of.name == wall.name && std::abs(of.direction.x()) <= 1e-9;
-      });
-  if (web) return path.plastic->web_under(cut, normal, gamma_M0, eta_1, eta_3);
-  const double factor = interaction_factor(eta_1, eta_3);
-  return {1.0 / factor, 0.0, factor, normal.M_y};
 }
 
 Length lagging_width_of(const PathSection& path, const PathPlate& plate) {
@@ -349,55 +199,6 @@ std::shared_ptr<const SlenderPath> slender_path_at(const Project& project,
   return std::make_shared<SlenderPath>(slender_path_of(
       *path_in(section), *judged_path_at(project, zones, station), taper_at(project.beam, station),
       path_panel_length_at(project, station), project.strength.gamma_M1, plates));
-}
-
-Utilisations path_uses_of(const Project& project, const SlenderPath& path,
-                          const StationSamples& samples) {
-  const PathUses uses(project, path);
-  Utilisations found;
-  const auto look = [&](Criterion criterion, const auto& use) {
-    double& of = found.of(criterion);
-    of = std::max(of, project.strength.required * samples.largest_use(use));
-  };
-  look(Criterion::effective_section, [&](const CutForces& cut) { return uses.normal(cut); });
-  for (const ShearedWall& wall : path.sheared) {
-    if (wall.may_buckle) {
-      look(Criterion::shear_buckling,
-           [&](const CutForces& cut) { return shear_use_of(wall, cut); });
-    }
-    look(Criterion::interaction,
-         [&](const CutForces& cut) { return uses.together(wall, cut).use; });
-  }
-  for (const ReducedPlate& plate : path.reduced) {
-    look(Criterion::reduced_stress, [&](const CutForces& cut) { return uses.reduced(plate, cut); });
-  }
-  return found;
-}
-
-std::vector<CheckResult> check_reduced_path(const Project& project, const Station& station,
-                                            const std::shared_ptr<const SlenderPath>& path,
-                                            const std::vector<SituationHistory>& histories) {
-  return StationPath(project, station, path, histories).reduced_checks();
-}
-
-std::vector<CheckResult> check_path(const Project& project, const Station& station,
-                                    const std::shared_ptr<const SlenderPath>& path,
-                                    const std::vector<SituationHistory>& histories) {
-  return StationPath(project, station, path, histories).checks();
-}
-
-bool buckles_under(const EffectivePath& path, const CutForces& cut) {
-  const auto buckles = [&](ActingAlone acting) {
-    const std::vector<PlateAlone>& plates = path.alone(acting).plates;
-    return std::any_of(plates.begin(), plates.end(),
-                       [](const PlateAlone& of) { return of.idle() > 0.0; });
-  };
-  const PathUse worst = path.worst_place(cut);
-  const auto bent = [&](bool about_y, Moment moment) {
-    return moment.value() != 0.0 && buckles(moment_alone(about_y, moment.value() < 0.0));
-  };
-  return (cut.N.value() < 0.0 && buckles(ActingAlone::compression)) || bent(true, worst.M_y) ||
-         bent(false, worst.M_z);
 }
 
 }  // namespace boxbeam

@@ -11,8 +11,8 @@
 #include "boxbeam/verification/beam_cuts.hpp"
 #include "boxbeam/verification/checks.hpp"
 #include "boxbeam/verification/gates.hpp"
+#include "boxbeam/verification/path_checks.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
-#include "boxbeam/verification/slender_path.hpp"
 #include "boxbeam/verification/station_memory.hpp"
 #include "boxbeam/verification/worst_place.hpp"
 

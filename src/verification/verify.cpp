@@ -127,20 +127,40 @@ StressStage judge_along(const Project& project, const std::deque<SituationRun>& 
   return {std::move(zones), std::move(verified.stations), verified.search, std::move(beam)};
 }
 
-Verification judge_further(const Project& project, const std::deque<SituationRun>& runs,
-                           ModelChoice model, StressStage along, Figures figures,
-                           BeamMemory* memory) {
-  auto& [zones, stations, search, beam] = along;
+/// What no stage finds for itself: of motions, records, models and what holds the beam.
+std::vector<NotJudged> unjudged_beside(const Project& project, const std::deque<SituationRun>& runs,
+                                       const ModelChoice& model,
+                                       const std::vector<CheckResult>& checks) {
+  std::vector<NotJudged> not_judged = unsaid_joints_of(project);
+  append(unfinished_motion_of(project, runs, checks), not_judged);
+  append(unseen_time_of(project, runs), not_judged);
+  append(slow_friction_of(project, runs), not_judged);
+  append(not_judged_of_records(project), not_judged);
+  append(unestimated_vibration_of(project, model, runs), not_judged);
+  append(assumed_holds_not_judged(project, model.second_order), not_judged);
+  append(impacts_not_judged(project), not_judged);
+  return not_judged;
+}
+
+/// What forces do that come into walls, and what racks them.
+struct WallChecks {
   PatchChecks patches;
+  DistortionChecks distortion;
+};
+
+/// Their checks, and the gates of forces, join those of the beam.
+WallChecks check_walls(const Project& project, const std::deque<SituationRun>& runs,
+                       StressStage& along, BeamMemory* memory) {
+  auto& [zones, stations, search, beam] = along;
+  WallChecks of;
+  auto& [patches, distortion] = of;
   if (project.given_stresses.empty()) {
     patches = memory != nullptr ? memory->patches.of(project, *memory->runs)
                                 : check_patches(project, runs, zones);
   }
   append(std::move(patches.checks), beam.checks);
   append(std::move(patches.gates), beam.gates);
-  DistortionChecks distortion = project.given_stresses.empty()
-                                    ? check_distortion(project, runs, zones, stations)
-                                    : DistortionChecks{};
+  if (project.given_stresses.empty()) distortion = check_distortion(project, runs, zones, stations);
   append(std::move(distortion.checks), beam.checks);
   leave_out_without_effect(beam.checks);
   // Forces that hold each other in balance at one place may press and rack it all the same.
@@ -153,6 +173,14 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
          {},
          {}});
   }
+  return of;
+}
+
+Verification judge_further(const Project& project, const std::deque<SituationRun>& runs,
+                           ModelChoice model, StressStage along, Figures figures,
+                           BeamMemory* memory) {
+  auto& [zones, stations, search, beam] = along;
+  auto [patches, distortion] = check_walls(project, runs, along, memory);
   NeighbourChecks neighbours = check_neighbours(project, runs);
 
   model.second_order.twisting = twisting_load_of(project, runs, model.second_order);
@@ -183,14 +211,7 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
       not_judged_in(project, checks, std::move(neighbours.not_judged));
   append(std::move(distortion.not_judged), not_judged);
   append(std::move(patches.not_judged), not_judged);
-  append(unsaid_joints_of(project), not_judged);
-  append(unfinished_motion_of(project, runs, checks), not_judged);
-  append(unseen_time_of(project, runs), not_judged);
-  append(slow_friction_of(project, runs), not_judged);
-  append(not_judged_of_records(project), not_judged);
-  append(unestimated_vibration_of(project, model, runs), not_judged);
-  append(assumed_holds_not_judged(project, model.second_order), not_judged);
-  append(impacts_not_judged(project), not_judged);
+  append(unjudged_beside(project, runs, model, checks), not_judged);
   append(std::move(given_cuts.not_judged), not_judged);
   append(std::move(warping.not_judged), not_judged);
   if (project.given_stresses.empty()) append(axial_forces_not_judged(project, runs), not_judged);

@@ -157,6 +157,54 @@ Eigen::MatrixXd work_on(const PostureModes& modes) {
   return work;
 }
 
+/// What strains the elastic bodies over a motion, and what modes do under it.
+class Straining {
+ public:
+  Straining(const RigidMotion& rigid, const ElasticBody& elastic, const LoadHistory& history)
+      : rigid_(&rigid), history_(&history), cuts_(rigid, elastic) {}
+
+  /// eta + (C eta' - p)/omega^2 of modes that have these frequencies [Hz], a column each.
+  Eigen::MatrixXd dynamic_parts(const PostureModes& modes, const Eigen::VectorXd& frequencies) {
+    divide(divided_in(modes));
+    const Eigen::MatrixXd work = work_on(modes);
+    if (once_) return once_->dynamic_parts(work, frequencies, modes.damping.diagonal());
+    Eigen::MatrixXd parts = straining_ * work.transpose();
+    for (Eigen::Index j = 0; j < parts.cols(); ++j)
+      parts.col(j) = dynamic_part(parts.col(j), frequencies[j], modes.damping(j, j),
+                                  1.0 / rigid_->motion->period);
+    return parts;
+  }
+
+ private:
+  /// In most postures bodies are divided alike.
+  void divide(DividedBodies anew) {
+    if (divided_alike(divided_, anew)) return;
+    divided_ = std::move(anew);
+    const planar::Motion& motion = *rigid_->motion;
+    if (!motion.closed) {
+      once_.emplace(
+          open_motion_of(*rigid_->mechanism, motion),
+          [&](double time) { return cuts_.at(time, divided_); }, allowed_in_cuts);
+      return;
+    }
+    const std::size_t instants = history_->even_instants();
+    const double step = motion.period / static_cast<double>(instants);
+    for (std::size_t i = 0; i < instants; ++i) {
+      const Eigen::VectorXd column = cuts_.at(motion.begin + step * static_cast<double>(i),
+                                              history_->even_diagram(i), divided_);
+      if (i == 0) straining_.resize(static_cast<Eigen::Index>(instants), column.size());
+      straining_.row(static_cast<Eigen::Index>(i)) = column.transpose();
+    }
+  }
+
+  const RigidMotion* rigid_;
+  const LoadHistory* history_;
+  StrainingCuts cuts_;
+  DividedBodies divided_;
+  Eigen::MatrixXd straining_;  ///< a row for each even instant
+  std::optional<StrainedOnce> once_;
+};
+
 /// The first mode that turning couples with others. Where forces move the mechanism `may` of them,
 /// no faster than twice the turning, move whole bodies.
 std::size_t first_coupled(const std::vector<double>& frequencies, double turning, std::size_t may) {
@@ -249,28 +297,7 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
   if (peak == 0.0) return estimate;
   if (!std::isfinite(peak)) refuse("the stresses under the loads of rigid bodies are no numbers");
 
-  StrainingCuts cuts(rigid, elastic);
-  // In most postures bodies are divided alike.
-  DividedBodies divided;
-  Eigen::MatrixXd straining;  // a row for each even instant
-  std::optional<StrainedOnce> once;
-  const auto divide = [&](DividedBodies anew) {
-    if (divided_alike(divided, anew)) return;
-    divided = std::move(anew);
-    if (!motion.closed) {
-      once.emplace(
-          open_motion_of(*rigid.mechanism, motion),
-          [&](double time) { return cuts.at(time, divided); }, allowed_in_cuts);
-      return;
-    }
-    const double step = motion.period / static_cast<double>(history.even_instants());
-    for (std::size_t i = 0; i < history.even_instants(); ++i) {
-      const Eigen::VectorXd column =
-          cuts.at(motion.begin + step * static_cast<double>(i), history.even_diagram(i), divided);
-      if (i == 0) straining.resize(stresses.rows(), column.size());
-      straining.row(static_cast<Eigen::Index>(i)) = column.transpose();
-    }
-  };
+  Straining straining(rigid, elastic, history);
   double fastest = 0.0;
   for (const planar::State& state : motion.states) {
     fastest = std::max(fastest, std::abs(state.v[3 * static_cast<Eigen::Index>(elastic.body) + 2]));
@@ -292,17 +319,7 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
     const auto count = static_cast<Eigen::Index>(modes.frequencies.size());
     const Eigen::VectorXd frequencies =
         slower * Eigen::VectorXd::Map(modes.frequencies.data(), count);
-    divide(divided_in(modes));
-    const Eigen::MatrixXd work = work_on(modes);
-    Eigen::MatrixXd parts(stresses.rows(), count);
-    if (once) {
-      parts = once->dynamic_parts(work, frequencies, modes.damping.diagonal());
-    } else {
-      const Eigen::MatrixXd p = straining * work.transpose();
-      for (Eigen::Index j = 0; j < count; ++j)
-        parts.col(j) = dynamic_part(p.col(j), frequencies[j], modes.damping(j, j), base);
-    }
-    parts *= slower * slower;
+    const Eigen::MatrixXd parts = slower * slower * straining.dynamic_parts(modes, frequencies);
     const std::size_t coupled = first_coupled(modes.frequencies, fastest, may_move);
     const double turning = std::pow(fastest / (full_turn * modes.frequencies[coupled]), 2);
     const double of_others = 1.0 - mass_of_mode_in(modes, coupled, turning_alike);

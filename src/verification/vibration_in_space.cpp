@@ -27,6 +27,37 @@ using Eigen::Vector3d;
 
 constexpr std::size_t modes_estimated = 6, postures_estimated = 12;
 
+/// Looks at postures over a motion, and around the lowest first frequency, which each of them
+/// gives, where that changes. `lowest_at`: where it is so far; `now`: what is looked at.
+template <class LookAt>
+void look_over_motion(const LoadHistory& loads, const Time& lowest_at, double& now,
+                      const LookAt& look_at) {
+  const double begin = loads.begin().value(), period = loads.period().value();
+  const bool closed = loads.closed();
+  const std::size_t postures = closed ? postures_estimated : postures_estimated + 1;
+  const double step = period / postures_estimated;
+  std::vector<double> first;
+  for (std::size_t k = 0; k < postures; ++k) {
+    now = begin + step * static_cast<double>(k);
+    first.push_back(look_at(now));
+  }
+  const auto [low, high] = std::minmax_element(first.begin(), first.end());
+  // What hardly changes is known.
+  if (*high > 1.001 * *low && std::isfinite(*high)) {
+    double half = 0.5 * step;
+    double middle = lowest_at.value();
+    for (int round = 0; round < 4; ++round) {
+      for (const double side : {middle - half, middle + half}) {
+        now = closed ? begin + std::fmod(side - begin + period, period)
+                     : std::clamp(side, begin, begin + period);
+        look_at(now);
+      }
+      middle = lowest_at.value();
+      half *= 0.5;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<PlaceInSpace> places_in_space(const TaperedBeam& beam,
@@ -303,7 +334,6 @@ VibrationInSpace estimate_vibration_in_space(const Project& project, const Situa
   VibrationEstimate& estimate = result.estimate;
   estimate.without_modes = {0.0};
   if (!of_loads.loaded()) return result;
-  const double begin = run.loads.begin().value(), period = run.loads.period().value();
   double fastest = 0.0, sliding = 0.0;
   double beside = 0.0;  // of the first mode's mass what is not the beam's
   const bool bends_beside = !bends_known && stopped.freedoms() == 0 && stopped.takes_over();
@@ -338,31 +368,9 @@ VibrationInSpace estimate_vibration_in_space(const Project& project, const Situa
     }
     return modes.front().frequency;
   };
-  double now = begin;
+  double now = 0.0;
   try {
-    const bool closed = run.loads.closed();
-    const std::size_t postures = closed ? postures_estimated : postures_estimated + 1;
-    const double step = period / postures_estimated;
-    std::vector<double> first;
-    for (std::size_t k = 0; k < postures; ++k) {
-      now = begin + step * static_cast<double>(k);
-      first.push_back(look_at(now));
-    }
-    const auto [low, high] = std::minmax_element(first.begin(), first.end());
-    // What hardly changes is known.
-    if (*high > 1.001 * *low && std::isfinite(*high)) {
-      double half = 0.5 * step;
-      double middle = result.lowest_at.value();
-      for (int round = 0; round < 4; ++round) {
-        for (const double side : {middle - half, middle + half}) {
-          now = closed ? begin + std::fmod(side - begin + period, period)
-                       : std::clamp(side, begin, begin + period);
-          look_at(now);
-        }
-        middle = result.lowest_at.value();
-        half *= 0.5;
-      }
-    }
+    look_over_motion(run.loads, result.lowest_at, now, look_at);
   } catch (const AnalysisError& error) {
     result.obstacle = fmt::format("stopped at {:.4g} s, {}", now, error.failure().what);
     return result;

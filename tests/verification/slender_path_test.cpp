@@ -1,7 +1,7 @@
 // Thin-walled paths of class 4 from the case to the verdict: a plate girder by hand, a box as a
 // path against the box itself, stations looked at one by one, and what must not be judged so.
 
-#include "boxbeam/verification/slender_path.hpp"
+#include "boxbeam/verification/path_checks.hpp"
 
 #include <cmath>
 #include <random>

@@ -10,6 +10,7 @@
 
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
+#include "modal_problem.hpp"
 
 namespace boxbeam::flexible {
 namespace {
@@ -31,11 +32,9 @@ constexpr double off = 2e-5;
 constexpr double slack = 1e-6;
 
 [[noreturn]] void fail_to_find(double frequency) {
-  throw AnalysisError(
-      {fmt::format("the natural frequencies were not found: stiffnesses and masses near {:.6g} Hz "
-                   "are too far apart; write element = \"corrected\"",
-                   frequency),
-       ""});
+  fail_modes(fmt::format(
+      "stiffnesses and masses near {:.6g} Hz are too far apart; write element = \"corrected\"",
+      frequency));
 }
 
 /// Numbers of frequencies below squares of omega, as they become known.

@@ -4,10 +4,6 @@
 
 namespace boxbeam::flexible {
 
-/// A square of a circular frequency below all natural frequencies that strain, and near the lowest:
-/// 1/(mass x flexibility), all springs in a row.
-double low_square_of(const Structure& structure);
-
 /// The lowest modes of a structure of the exact form, whose elastic links have mass: frequencies
 /// are counted (`DynamicStiffness::frequencies_below`) and bracketed until no more than those that
 /// agree lie between two counts, then refined by Rayleigh's quotient of the motion that inverse

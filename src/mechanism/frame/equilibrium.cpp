@@ -197,15 +197,14 @@ Equilibrium Statics::solve(const ActingLoads& loads) const {
   return result;
 }
 
-Equilibrium Statics::balance(const ActingLoads& loads) const {
+Eigen::VectorXd Statics::right_side(const ActingLoads& loads,
+                                    const std::vector<MemberLoads>& members) const {
   const Structure& of = *structure_;
   const std::span<const Index> world = world_components(of), cuts = cut_components(of);
-  Equilibrium result;
-  result.members = member_loads_of(loads);
   // Of what acts along members alone; none where nothing does.
-  std::vector<CutForceDiagram> along(result.members.size());
+  std::vector<CutForceDiagram> along(members.size());
   for (std::size_t m = 0; m < along.size(); ++m) {
-    const MemberLoads& acting = result.members[m];
+    const MemberLoads& acting = members[m];
     if (loads.weight != 0.0 || acting.line_loaded || !acting.heat.isZero(0.0))
       along[m] = cut_forces_of({{}, acting.loads.lines});
   }
@@ -222,7 +221,7 @@ Equilibrium Statics::balance(const ActingLoads& loads) const {
   for (std::size_t p = 0; p < pieces_.size(); ++p) {
     const Piece& piece = pieces_[p];
     const Member& member = member_of(of, piece.member);
-    const MemberLoads& acting = result.members[static_cast<std::size_t>(piece.member)];
+    const MemberLoads& acting = members[static_cast<std::size_t>(piece.member)];
     const double from = nodes_[piece.from].s, to = nodes_[piece.to].s;
     Vector6 held = Vector6::Zero(), misfit = Vector6::Zero();
     for (const PointLoad& load : acting.loads.points) {
@@ -248,8 +247,7 @@ Equilibrium Statics::balance(const ActingLoads& loads) const {
   }
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     const Node& node = nodes_[n];
-    for (const PointLoad& load :
-         result.members[static_cast<std::size_t>(node.member)].loads.points) {
+    for (const PointLoad& load : members[static_cast<std::size_t>(node.member)].loads.points) {
       if (load.s.value() != node.s) continue;
       load_node(n, rotation(member_of(of, node.member).axes) * wrench_of(load));
     }
@@ -264,6 +262,15 @@ Equilibrium Statics::balance(const ActingLoads& loads) const {
       if (row >= 0) right[row] -= shift[world[k]] / shift_unit(world[k]);
     }
   }
+  return right;
+}
+
+Equilibrium Statics::balance(const ActingLoads& loads) const {
+  const Structure& of = *structure_;
+  const std::span<const Index> world = world_components(of);
+  Equilibrium result;
+  result.members = member_loads_of(loads);
+  const Eigen::VectorXd right = right_side(loads, result.members);
   Eigen::VectorXd x = solver_.solve(right);
   x += solver_.solve(right - matrix_ * x);
   if (!x.allFinite()) throw AnalysisError({"the loads on the frame are too large", ""});
@@ -273,7 +280,7 @@ Equilibrium Statics::balance(const ActingLoads& loads) const {
     Vector6 force = Vector6::Zero();
     for (std::size_t k = 0; k < world.size(); ++k) {
       const Index row = joint_rows_[j * world.size() + k];
-      if (row >= 0) force[world[k]] = x[row] * force_unit(world[k]);
+      if (row >= 0) force[world[k]] = x[row] * (world[k] < 3 ? force_ : force_ * length_);
     }
     force = rotation(joint.axes) * force;
     result.joints.push_back(force);

@@ -2,6 +2,8 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "geometric_stiffness.hpp"
 #include "rigid_arms.hpp"
@@ -23,6 +25,57 @@ Eigen::Matrix4d geometric_stiffness(double force, double h) {
       -36.0, -3.0 * h, 36.0, -3.0 * h,         //
       3.0 * h, -h * h, -3.0 * h, 4.0 * h * h;
   return force / (30.0 * h) * of;
+}
+
+/// F^-1 of the components that the frame has.
+Matrix6 stiffness_of(const Matrix6& flexibility, std::span<const Index> cuts) {
+  Eigen::MatrixXd F(cuts.size(), cuts.size());
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    for (std::size_t j = 0; j < cuts.size(); ++j)
+      F(static_cast<Index>(i), static_cast<Index>(j)) = flexibility(cuts[i], cuts[j]);
+  }
+  const Eigen::MatrixXd inverse = F.inverse();
+  Matrix6 K = Matrix6::Zero();
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    for (std::size_t j = 0; j < cuts.size(); ++j)
+      K(cuts[i], cuts[j]) = inverse(static_cast<Index>(i), static_cast<Index>(j));
+  }
+  return K;
+}
+
+/// The least factor, at most `most`, from which on K + factor K_g is no longer positive definite;
+/// both of one pattern.
+double lowest_factor(const Sparse& stiffness, const Sparse& stress, double most) {
+  // Brought into the order of elimination once for all factors.
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> from_order;
+  Eigen::AMDOrdering<int>()(stiffness, from_order);
+  const auto ordered = [&](const Sparse& matrix) {
+    Sparse upper(stiffness.rows(), stiffness.cols());
+    upper.selfadjointView<Eigen::Upper>() =
+        matrix.selfadjointView<Eigen::Lower>().twistedBy(from_order.inverse());
+    return upper;
+  };
+  const Sparse ordered_stiffness = ordered(stiffness), ordered_stress = ordered(stress);
+  Sparse sum = ordered_stiffness;
+  Eigen::SimplicialLDLT<Sparse, Eigen::Upper, Eigen::NaturalOrdering<int>> solver;
+  solver.analyzePattern(sum);
+  const auto buckles = [&](double factor) {
+    sum.coeffs() = ordered_stiffness.coeffs() + factor * ordered_stress.coeffs();
+    solver.factorize(sum);
+    return solver.info() != Eigen::Success || (solver.vectorD().array() <= 0.0).any();
+  };
+  if (!buckles(most)) return most;
+  double stable = 0.0, unstable = std::min(1.0, most);
+  while (unstable < most && !buckles(unstable)) {
+    stable = unstable;
+    unstable = std::min(2.0 * unstable, most);
+  }
+  constexpr double within = 1e-3;
+  while (unstable - stable > within * unstable) {
+    const double half = 0.5 * (stable + unstable);
+    (buckles(half) ? unstable : stable) = half;
+  }
+  return 0.5 * (stable + unstable);
 }
 
 }  // namespace
@@ -56,9 +109,8 @@ std::vector<double> Statics::axial_forces(const Equilibrium& of) const {
   return forces;
 }
 
-double Statics::critical_factor(const std::vector<double>& axial_forces, double most) const {
-  if (std::none_of(axial_forces.begin(), axial_forces.end(), [](double N) { return N < 0.0; }))
-    return most;
+Statics::StressedStiffness Statics::stressed_stiffness(
+    const std::vector<double>& axial_forces) const {
   const Structure& structure = *structure_;
   const std::span<const Index> world = world_components(structure),
                                cuts = cut_components(structure);
@@ -88,19 +140,7 @@ double Statics::critical_factor(const std::vector<double>& axial_forces, double 
     const double h = nodes_[piece.to].s - nodes_[piece.from].s;
     const Matrix6 into =
         rotation(structure.members[static_cast<std::size_t>(piece.member)].axes).transpose();
-    // Of the components that the frame has: (A_i A_j)^T F^-1 (A_i A_j).
-    Eigen::MatrixXd F(cuts.size(), cuts.size());
-    for (std::size_t i = 0; i < cuts.size(); ++i) {
-      for (std::size_t j = 0; j < cuts.size(); ++j)
-        F(static_cast<Index>(i), static_cast<Index>(j)) =
-            reached_[p].back().flexibility(cuts[i], cuts[j]);
-    }
-    const Eigen::MatrixXd inverse = F.inverse();
-    Matrix6 K = Matrix6::Zero();
-    for (std::size_t i = 0; i < cuts.size(); ++i) {
-      for (std::size_t j = 0; j < cuts.size(); ++j)
-        K(cuts[i], cuts[j]) = inverse(static_cast<Index>(i), static_cast<Index>(j));
-    }
+    const Matrix6 K = stiffness_of(reached_[p].back().flexibility, cuts);
     const Matrix6 ends[] = {-carry(Vector3d(h, 0.0, 0.0)) * into, into};
     const std::size_t nodes[] = {piece.from, piece.to};
     const Eigen::Matrix<double, 12, 12> axial = geometric_block(axial_forces[p], h);
@@ -140,36 +180,14 @@ double Statics::critical_factor(const std::vector<double>& axial_forces, double 
   Sparse stiffness(size, size), stress(size, size);
   stiffness.setFromTriplets(elastic.begin(), elastic.end());
   stress.setFromTriplets(geometric.begin(), geometric.end());
-  // Brought into the order of elimination once for all factors.
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> from_order;
-  Eigen::AMDOrdering<int>()(stiffness, from_order);
-  const auto ordered = [&](const Sparse& matrix) {
-    Sparse upper(size, size);
-    upper.selfadjointView<Eigen::Upper>() =
-        matrix.selfadjointView<Eigen::Lower>().twistedBy(from_order.inverse());
-    return upper;
-  };
-  const Sparse ordered_stiffness = ordered(stiffness), ordered_stress = ordered(stress);
-  Sparse sum = ordered_stiffness;
-  Eigen::SimplicialLDLT<Sparse, Eigen::Upper, Eigen::NaturalOrdering<int>> solver;
-  solver.analyzePattern(sum);
-  const auto buckles = [&](double factor) {
-    sum.coeffs() = ordered_stiffness.coeffs() + factor * ordered_stress.coeffs();
-    solver.factorize(sum);
-    return solver.info() != Eigen::Success || (solver.vectorD().array() <= 0.0).any();
-  };
-  if (!buckles(most)) return most;
-  double stable = 0.0, unstable = std::min(1.0, most);
-  while (unstable < most && !buckles(unstable)) {
-    stable = unstable;
-    unstable = std::min(2.0 * unstable, most);
-  }
-  constexpr double within = 1e-3;
-  while (unstable - stable > within * unstable) {
-    const double half = 0.5 * (stable + unstable);
-    (buckles(half) ? unstable : stable) = half;
-  }
-  return 0.5 * (stable + unstable);
+  return {std::move(stiffness), std::move(stress)};
+}
+
+double Statics::critical_factor(const std::vector<double>& axial_forces, double most) const {
+  if (std::none_of(axial_forces.begin(), axial_forces.end(), [](double N) { return N < 0.0; }))
+    return most;
+  const auto [stiffness, stress] = stressed_stiffness(axial_forces);
+  return lowest_factor(stiffness, stress, most);
 }
 
 }  // namespace boxbeam::frame

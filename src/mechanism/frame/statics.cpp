@@ -91,9 +91,7 @@ std::size_t Statics::node_of(const Place& at) const {
   return static_cast<std::size_t>(nearest - nodes_.begin());
 }
 
-void Statics::assemble() {
-  const Structure& of = *structure_;
-  const std::span<const Index> world = world_components(of), cut = cut_components(of);
+double Statics::reach_along_pieces() {
   double softest = 0.0;
   for (const Piece& piece : pieces_) {
     const double from = nodes_[piece.from].s, to = nodes_[piece.to].s;
@@ -111,8 +109,14 @@ void Statics::assemble() {
     const Matrix6& F = reached.back().flexibility;
     softest = std::max({softest, F(1, 1), F(2, 2)});
   }
+  return softest;
+}
+
+void Statics::assemble() {
+  const Structure& of = *structure_;
+  const std::span<const Index> world = world_components(of), cut = cut_components(of);
   // Unknowns near one: a force that shifts by the length of the frame.
-  force_ = length_ / softest;
+  force_ = length_ / reach_along_pieces();
   const auto shift_unit = [&](Index k) { return k < 3 ? length_ : 1.0; };
   const auto force_unit = [&](Index k) { return k < 3 ? force_ : force_ * length_; };
 

@@ -77,6 +77,16 @@ std::vector<int> pressed_sides_of(const Mechanism& mechanism, const Eigen::Vecto
   return sides;
 }
 
+/// Of a step in front of a singular position, by the longest.
+constexpr double shortest = 1e-3;
+
+[[noreturn]] void refuse_unseen_change(double time) {
+  throw AnalysisError(
+      {"a stop, a cable or a pin in its clearance begins or ends to act where the motion cannot be "
+       "followed (a singular position)",
+       "mechanism", time});
+}
+
 }  // namespace
 
 FreeSolver::FreeSolver(const Mechanism& mechanism, double tolerance, bool project)
@@ -198,6 +208,7 @@ FreeSolver::Step FreeSolver::step_from(const State& known, double dt) {
     step.error = std::max(step.error, std::abs(error[i]) / (tolerance_ * (1.0 + std::abs(y[i]))));
   }
   end.time = known.time + dt;
+  step.length = dt;
   end.q = Eigen::Map<const Eigen::VectorXd>(next.data(), n).cwiseProduct(scale);
   end.v = Eigen::Map<const Eigen::VectorXd>(next.data() + n, n).cwiseProduct(scale);
   step.solved = step.solved && end.q.allFinite() && end.v.allFinite();
@@ -207,6 +218,104 @@ FreeSolver::Step FreeSolver::step_from(const State& known, double dt) {
   end.residual = equations_.residual();
   step.end_pivot = step.solved ? equations_.smallest_pivot() : 0.0;
   step.pivot = std::min(step.pivot, step.end_pivot);
+  return step;
+}
+
+/// What is on the way from a state to a time, which a step at a time is gone.
+struct FreeSolver::Way {
+  Way(const Mechanism& mechanism, const State& from, double time)
+      : begin(from),
+        end(time),
+        direction(time < from.time ? -1.0 : 1.0),
+        smallest(1e-13 * std::max(std::abs(time), std::abs(from.time)) + 1e-300),
+        stops(stops_between(mechanism, from.time, time)),
+        dt(time - from.time) {}
+
+  State begin;
+  double end, direction, smallest;
+  std::vector<double> stops;
+  std::size_t stop = 0;  ///< the next of them
+  double dt;
+  bool inside = false;  ///< close to a singular position already
+  int attempt = 0;      ///< to go it in another way
+};
+
+void FreeSolver::choose_step(Way& way, const State& state) {
+  const double coordinates = std::max(fewest_coordinates, static_cast<double>(state.q.size()));
+  if (static_cast<double>(equations_.evaluations()) * coordinates > most_work) {
+    throw AnalysisError(
+        {fmt::format("the motion under the applied forces takes too much work: {} steps, those "
+                     "between the instants that are judged among them, have not led to its end; "
+                     "look for a spring that is far too stiff, a mass that is far too small or a "
+                     "[motion] duration that is far too long",
+                     steps_),
+         "mechanism", state.time});
+  }
+  while (way.stop < way.stops.size() &&
+         way.direction * (way.stops[way.stop] - state.time) <= way.smallest)
+    ++way.stop;
+  const double until = way.stop < way.stops.size() ? way.stops[way.stop] : way.end;
+  way.dt =
+      way.direction * std::min({std::abs(way.dt), std::abs(until - state.time),
+                                std::max(way.smallest, longest_with_friction(*mechanism_, state))});
+}
+
+void FreeSolver::shorten_step(Way& way, State& state, const Step& step, double bound,
+                              bool lost) const {
+  // The order of the error estimate is eight; Source: Hairer, Norsett, Wanner (1993), II.4.
+  const double shrink = step.solved && !lost ? 0.9 * std::pow(bound / step.error, 1.0 / 8.0) : 0.25;
+  way.dt *= std::max(0.2, shrink);
+  if (std::abs(way.dt) > way.smallest) return;
+  // Whether a step passes over a singular position depends on where the last one before it ended:
+  // begun otherwise they end elsewhere.
+  constexpr int other_ways = 6;
+  if (way.attempt == other_ways) {
+    throw AnalysisError(
+        {"the motion under the applied forces cannot be integrated further: it changes faster than "
+         "the arithmetic can follow (a singular position, or far too stiff a spring)",
+         "mechanism", state.time});
+  }
+  ++way.attempt;
+  state = way.begin;
+  way.stop = 0;
+  way.inside = false;
+  way.dt = (way.end - way.begin.time) * std::pow(0.6, way.attempt);
+}
+
+void FreeSolver::compare_with_halves(const State& known, double bound, Step& step) {
+  // Steps much shorter than one that would agree, in the same impacts, do so as well.
+  constexpr double of_halves = 0.1, shorter_by_far = 0.25;
+  const double dt = std::abs(step.length);
+  if (dt <= shorter_by_far * agreed_ && known.touches == agreed_touches_) return;
+  if (!in_impact(known)) return;
+  step.error = std::max(step.error, of_halves * beside_halves(known, step));
+  if (step.error > bound) return;
+  agreed_ = dt * std::pow(bound / std::max(step.error, 1e-9 * bound), 1.0 / 8.0);
+  agreed_touches_ = known.touches;
+}
+
+FreeSolver::Step FreeSolver::before_bend(const State& known, Step step, double smallest) {
+  const std::vector<int> sides = pressed_sides_of(*mechanism_, known.lambda);
+  const auto keeps_on = [&](const State& end) {
+    if (sides.empty()) return true;
+    return pressed_sides_of(*mechanism_, end.lambda) == sides &&
+           (!sticking_ || contacts_go_on(end));
+  };
+  if (keeps_on(step.end)) return step;
+  const double dt = step.length;
+  double low = 0.0;
+  double high = dt;
+  while (std::abs(high - low) > smallest + 1e-12 * std::abs(dt)) {
+    const double half = 0.5 * (low + high);
+    Step shorter = step_from(known, half);
+    if (!shorter.solved) break;
+    if (keeps_on(shorter.end)) {
+      low = half;
+    } else {
+      high = half;
+      step = std::move(shorter);
+    }
+  }
   return step;
 }
 
@@ -224,74 +333,25 @@ State FreeSolver::advance(double time, const State& known) {
   if (state.a.size() != state.q.size() || !(one_sided_.empty() || touches_known) ||
       (sticking_ && state.slips.empty()))
     state = state_of(state);
-  constexpr double shortest = 1e-3;  // of a step in front of a singular position
-  const double direction = time < state.time ? -1.0 : 1.0;
-  const double smallest = 1e-13 * std::max(std::abs(time), std::abs(state.time)) + 1e-300;
-  double dt = time - state.time;
-  bool inside = false;  // close to a singular position already
-  const State begin = state;
-  int attempt = 0;
-  const std::vector<double> stops = stops_between(*mechanism_, state.time, time);
-  auto stop = stops.begin();
+  Way way(*mechanism_, state, time);
+  double& dt = way.dt;
+  const double direction = way.direction, smallest = way.smallest;
   while (direction * (time - state.time) > smallest) {
-    const double coordinates = std::max(fewest_coordinates, static_cast<double>(state.q.size()));
-    if (static_cast<double>(equations_.evaluations()) * coordinates > most_work) {
-      throw AnalysisError(
-          {fmt::format(
-               "the motion under the applied forces takes too much work: {} steps, those "
-               "between the instants that are judged among them, have not led to its end; look "
-               "for a spring that is far too stiff, a mass that is far too small or a [motion] "
-               "duration that is far too long",
-               steps_),
-           "mechanism", state.time});
-    }
-    while (stop != stops.end() && direction * (*stop - state.time) <= smallest) ++stop;
     if (direction > 0.0 && has_changed(state)) {
       change(state);
       if (sticking_) settle_contacts(state);
     }
-    const double until = stop != stops.end() ? *stop : time;
     const double wanted = std::abs(dt);
-    dt = direction * std::min({std::abs(dt), std::abs(until - state.time),
-                               std::max(smallest, longest_with_friction(*mechanism_, state))});
+    choose_step(way, state);
     Step step = step_from(state, dt);
     regular_ = std::max(regular_, step.end_pivot);
     const double bound =
         is_near_singular(step.pivot) ? std::max(1.0, error_near_singular / tolerance_) : 1.0;
-    const bool lost = inside && step.end_pivot < singular * regular_;
-    // Steps much shorter than one that would agree, in the same impacts, do so as well.
-    constexpr double of_halves = 0.1, shorter_by_far = 0.25;
-    const bool known_good =
-        std::abs(dt) <= shorter_by_far * agreed_ && state.touches == agreed_touches_;
-    if (step.solved && step.error <= bound && !lost && !known_good && in_impact(state)) {
-      step.error = std::max(step.error, of_halves * beside_halves(state, step));
-      if (step.error <= bound) {
-        agreed_ = std::abs(dt) * std::pow(bound / std::max(step.error, 1e-9 * bound), 1.0 / 8.0);
-        agreed_touches_ = state.touches;
-      }
-    }
+    const bool lost = way.inside && step.end_pivot < singular * regular_;
+    if (step.solved && step.error <= bound && !lost) compare_with_halves(state, bound, step);
     if (!step.solved || step.error > bound || lost) {
-      // The order of the error estimate is eight; Source: Hairer, Norsett, Wanner (1993), II.4.
-      const double shrink =
-          step.solved && !lost ? 0.9 * std::pow(bound / step.error, 1.0 / 8.0) : 0.25;
-      dt *= std::max(0.2, shrink);
-      if (std::abs(dt) > smallest) continue;
-      // Whether a step passes over a singular position depends on where the last one before it
-      // ended: begun otherwise they end elsewhere.
-      constexpr int other_ways = 6;
-      if (attempt < other_ways) {
-        ++attempt;
-        state = begin;
-        stop = stops.begin();
-        inside = false;
-        dt = (time - begin.time) * std::pow(0.6, attempt);
-        continue;
-      }
-      throw AnalysisError(
-          {"the motion under the applied forces cannot be integrated further: it "
-           "changes faster than the arithmetic can follow (a singular position, or "
-           "far too stiff a spring)",
-           "mechanism", state.time});
+      shorten_step(way, state, step, bound, lost);
+      continue;
     }
     if (sticking_ && !is_near_singular(step.pivot) && std::abs(dt) > 16.0 * smallest &&
         contacts_go_on(step.end)) {
@@ -301,7 +361,7 @@ State FreeSolver::advance(double time, const State& known) {
         continue;
       }
     }
-    if (is_near_singular(step.end_pivot) && !inside && std::abs(dt) > shortest * natural_) {
+    if (is_near_singular(step.end_pivot) && !way.inside && std::abs(dt) > shortest * natural_) {
       std::optional<Step> over = step_over(state, dt);
       if (!over) {
         dt *= 0.5;
@@ -318,29 +378,7 @@ State FreeSolver::advance(double time, const State& known) {
     natural_ = std::max(natural_, std::abs(dt) * longer);
     const double next =
         std::max(std::abs(dt) * std::min(5.0, longer), std::abs(dt) < wanted ? wanted : 0.0);
-    // No step goes on beyond a bend of friction, which its error does not show, nor beyond where a
-    // contact begins to stick or to slide.
-    const std::vector<int> sides = pressed_sides_of(*mechanism_, state.lambda);
-    const auto keeps_on = [&](const State& end) {
-      if (sides.empty()) return true;
-      return pressed_sides_of(*mechanism_, end.lambda) == sides &&
-             (!sticking_ || contacts_go_on(end));
-    };
-    if (!is_near_singular(step.pivot) && !keeps_on(step.end)) {
-      double low = 0.0;
-      double high = dt;
-      while (std::abs(high - low) > smallest + 1e-12 * std::abs(dt)) {
-        const double half = 0.5 * (low + high);
-        Step shorter = step_from(state, half);
-        if (!shorter.solved) break;
-        if (keeps_on(shorter.end)) {
-          low = half;
-        } else {
-          high = half;
-          step = std::move(shorter);
-        }
-      }
-    }
+    if (!is_near_singular(step.pivot)) step = before_bend(state, std::move(step), smallest);
     // Backwards nobody knows what was lost.
     const auto found = direction > 0.0 ? first_change(state, step.end) : std::nullopt;
     if (found) {
@@ -348,15 +386,12 @@ State FreeSolver::advance(double time, const State& known) {
       if (!until_change.solved) {
         dt *= 0.5;
         if (std::abs(dt) > smallest) continue;
-        throw AnalysisError(
-            {"a stop, a cable or a pin in its clearance begins or ends to act where "
-             "the motion cannot be followed (a singular position)",
-             "mechanism", state.time});
+        refuse_unseen_change(state.time);
       }
       step = std::move(until_change);
       change(step.end);
     }
-    inside = is_near_singular(step.end_pivot);
+    way.inside = is_near_singular(step.end_pivot);
     ++steps_;
     state = std::move(step.end);
     if (sticking_) settle_contacts(state);

@@ -11,6 +11,7 @@ inline constexpr double error_near_singular = 1e-8;
 
 struct FreeSolver::Step {
   State end;
+  double length = 0.0;  ///< [s]
   bool solved = true;
   double error = 0.0;      ///< in tolerances
   double change = 1.0;     ///< of it, where a stage first has a contact that does not go on

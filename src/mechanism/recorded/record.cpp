@@ -52,6 +52,36 @@ void centre_in(Block& at, const Eigen::VectorXd& centre) {
   }
 }
 
+/// Mean and scatter of the channels.
+void measure(const Record& record, OuterInstants& outer) {
+  const auto K = static_cast<Eigen::Index>(record.channels());
+  const auto n = static_cast<double>(record.instants());
+  outer.centre = Eigen::VectorXd::Zero(K);
+  each_block(record, [&](Block& at) {
+    for (Eigen::Index k = 0; k < K; ++k) {
+      double sum = 0.0;
+      for (const double value : at.of(static_cast<std::size_t>(k))) sum += value;
+      outer.centre[k] += sum;
+    }
+  });
+  outer.centre /= n;
+  outer.metric = Eigen::MatrixXd::Zero(K, K);
+  each_block(record, [&](Block& at) {
+    centre_in(at, outer.centre);
+    const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> values(
+        at.values.data(), static_cast<Eigen::Index>(at.count), K,
+        Eigen::OuterStride<>(static_cast<Eigen::Index>(block)));
+    outer.metric.noalias() += values.transpose() * values;
+  });
+  outer.metric /= n;
+  // Of channels that never change, or are alike, it would not be definite.
+  const double largest = outer.metric.diagonal().maxCoeff();
+  for (Eigen::Index k = 0; k < K; ++k) {
+    const double own = outer.metric(k, k);
+    outer.metric(k, k) += 1e-9 * (own > 0.0 ? own : largest > 0.0 ? largest : 1.0);
+  }
+}
+
 }  // namespace
 
 Record::Record(double start, double step, std::vector<double> instants,
@@ -85,32 +115,8 @@ bool OuterInstants::proves(const Eigen::VectorXd& sum, double largest) const {
 OuterInstants outer_instants_of(const Record& record) {
   constexpr std::size_t kept = 40'000, looked_at = 200'000;
   const auto K = static_cast<Eigen::Index>(record.channels());
-  const auto n = static_cast<double>(record.instants());
   OuterInstants outer;
-  outer.centre = Eigen::VectorXd::Zero(K);
-  each_block(record, [&](Block& at) {
-    for (Eigen::Index k = 0; k < K; ++k) {
-      double sum = 0.0;
-      for (const double value : at.of(static_cast<std::size_t>(k))) sum += value;
-      outer.centre[k] += sum;
-    }
-  });
-  outer.centre /= n;
-  outer.metric = Eigen::MatrixXd::Zero(K, K);
-  each_block(record, [&](Block& at) {
-    centre_in(at, outer.centre);
-    const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> values(
-        at.values.data(), static_cast<Eigen::Index>(at.count), K,
-        Eigen::OuterStride<>(static_cast<Eigen::Index>(block)));
-    outer.metric.noalias() += values.transpose() * values;
-  });
-  outer.metric /= n;
-  // Of channels that never change, or are alike, it would not be definite.
-  const double largest = outer.metric.diagonal().maxCoeff();
-  for (Eigen::Index k = 0; k < K; ++k) {
-    const double own = outer.metric(k, k);
-    outer.metric(k, k) += 1e-9 * (own > 0.0 ? own : largest > 0.0 ? largest : 1.0);
-  }
+  measure(record, outer);
   const Eigen::MatrixXd lower = outer.metric.llt().matrixL();
   const Eigen::MatrixXd inverse_root =
       lower.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd::Identity(K, K));

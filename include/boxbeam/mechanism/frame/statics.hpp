@@ -104,7 +104,18 @@ class Statics {
   };
   Eigen::Index row_of_node(std::size_t node) const;
   Eigen::Index row_of_piece(std::size_t piece) const;
+  /// F of every piece; gives the flexibility of the softest across [m/N].
+  double reach_along_pieces();
   void assemble();
+  /// What the loads put on the right of the equations; `members`: by what acts on each.
+  Eigen::VectorXd right_side(const ActingLoads& loads,
+                             const std::vector<MemberLoads>& members) const;
+  /// K of the frame and what axial forces in its pieces add to it, of one pattern, without
+  /// dimension.
+  struct StressedStiffness {
+    Eigen::SparseMatrix<double> stiffness, stress;
+  };
+  StressedStiffness stressed_stiffness(const std::vector<double>& axial_forces) const;
   void refuse_held_twice() const;
   void refuse_mechanisms(const Eigen::SparseMatrix<double>& matrix) const;
   std::size_t node_of(const Place& at) const;

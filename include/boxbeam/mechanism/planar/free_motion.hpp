@@ -51,6 +51,7 @@ class FreeSolver {
 
  private:
   struct Step;
+  struct Way;
   /// A step over a singular position that somebody wanted to know within.
   struct Passage {
     State before, behind;
@@ -59,6 +60,10 @@ class FreeSolver {
   /// Of its time, position and velocities, with what is known of its touches and slips.
   State state_of(const State& known);
   Step step_from(const State& known, double dt);
+  /// How far the next step on a way is to go, no further than anything bends or jumps.
+  void choose_step(Way& way, const State& state);
+  /// The same after one that is refused: shorter, or from the beginning of the way otherwise.
+  void shorten_step(Way& way, State& state, const Step& step, double bound, bool lost) const;
   /// Whether a pivot is that of a position close to a singular one.
   bool is_near_singular(double pivot) const;
   /// Of the steps further than one that ends close to a singular position, over it, the most
@@ -80,6 +85,11 @@ class FreeSolver {
   bool in_impact(const State& state) const;
   /// How far from its end its two halves end, in tolerances.
   double beside_halves(const State& known, const Step& step);
+  /// Counts that as the error of a step in an impact, unless much longer ones agreed.
+  void compare_with_halves(const State& known, double bound, Step& step);
+  /// The step, or as much of it as ends in front of a bend of friction, which its error does not
+  /// show, and of where a contact begins to stick or to slide.
+  Step before_bend(const State& known, Step step, double smallest);
   /// What acts one way and has got to the other side of its length in a state.
   bool has_changed(const OneSided& of, const State& state) const;
   bool has_changed(const State& state) const;
