@@ -221,24 +221,13 @@ FreeSolver::Step FreeSolver::step_from(const State& known, double dt) {
   return step;
 }
 
-/// What is on the way from a state to a time, which a step at a time is gone.
-struct FreeSolver::Way {
-  Way(const Mechanism& mechanism, const State& from, double time)
-      : begin(from),
-        end(time),
-        direction(time < from.time ? -1.0 : 1.0),
-        smallest(1e-13 * std::max(std::abs(time), std::abs(from.time)) + 1e-300),
-        stops(stops_between(mechanism, from.time, time)),
-        dt(time - from.time) {}
-
-  State begin;
-  double end, direction, smallest;
-  std::vector<double> stops;
-  std::size_t stop = 0;  ///< the next of them
-  double dt;
-  bool inside = false;  ///< close to a singular position already
-  int attempt = 0;      ///< to go it in another way
-};
+FreeSolver::Way::Way(const Mechanism& mechanism, const State& from, double time)
+    : begin(from),
+      end(time),
+      direction(time < from.time ? -1.0 : 1.0),
+      smallest(1e-13 * std::max(std::abs(time), std::abs(from.time)) + 1e-300),
+      stops(stops_between(mechanism, from.time, time)),
+      dt(time - from.time) {}
 
 void FreeSolver::choose_step(Way& way, const State& state) {
   const double coordinates = std::max(fewest_coordinates, static_cast<double>(state.q.size()));
