@@ -157,8 +157,9 @@ void check_concentration(TableReader& table, bool flanges, bool solid, HoleCase 
 /// Reads concentration and detail of a hole that has its place.
 void read_judgement(TableReader& table, const TaperedBeam& beam, BeamHole& at) {
   if (table.has("detail")) {
-    TableReader given = table.table(
-        {"detail", "of the net section instead of a concentration: category, row or facts"});
+    TableReader given = table.table({"detail",
+                                     "for fatigue: category, row or facts; a row of the net "
+                                     "section stands instead of a concentration"});
     BeamDetail detail;
     detail.from = detail.to = at.s;
     detail.detail = read_detail(given);
