@@ -162,6 +162,9 @@ class Straining {
  public:
   Straining(const RigidMotion& rigid, const ElasticBody& elastic, const LoadHistory& history)
       : rigid_(&rigid), history_(&history), cuts_(rigid, elastic) {}
+  // What strains over a motion that does not repeat is asked of the cuts when it is followed.
+  Straining(const Straining&) = delete;
+  Straining& operator=(const Straining&) = delete;
 
   /// eta + (C eta' - p)/omega^2 of modes that have these frequencies [Hz], a column each.
   Eigen::MatrixXd dynamic_parts(const PostureModes& modes, const Eigen::VectorXd& frequencies) {
