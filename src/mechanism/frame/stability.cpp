@@ -177,10 +177,10 @@ Statics::StressedStiffness Statics::stressed_stiffness(
         add(node_of(*a.at), node_of(*b.at), a.motion.transpose() * K * b.motion, Matrix6::Zero());
     }
   }
-  Sparse stiffness(size, size), stress(size, size);
-  stiffness.setFromTriplets(elastic.begin(), elastic.end());
-  stress.setFromTriplets(geometric.begin(), geometric.end());
-  return {std::move(stiffness), std::move(stress)};
+  StressedStiffness found{Sparse(size, size), Sparse(size, size)};
+  found.stiffness.setFromTriplets(elastic.begin(), elastic.end());
+  found.stress.setFromTriplets(geometric.begin(), geometric.end());
+  return found;
 }
 
 double Statics::critical_factor(const std::vector<double>& axial_forces, double most) const {
