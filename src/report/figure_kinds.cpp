@@ -276,16 +276,6 @@ bool in_plane(const Project& project, const Verification&) { return !project.in_
 
 bool in_three_dimensions(const Project& project, const Verification&) { return project.in_space; }
 
-bool has_cuts(const Verification& verification) { return !verification.pictures.envelope.empty(); }
-
-bool cuts_in_plane(const Project& project, const Verification& verification) {
-  return !project.in_space && has_cuts(verification);
-}
-
-bool cuts_in_space(const Project& project, const Verification& verification) {
-  return project.in_space && has_cuts(verification);
-}
-
 bool is_driven(const Project&, const Verification& verification) {
   return !verification.pictures.cycles.empty() && !verification.pictures.drivers.empty();
 }
@@ -344,9 +334,8 @@ constexpr FigureKind kinds[] = {
     {"mechanism", FigurePlace::mechanism, true, in_three_dimensions, mechanism_caption, nullptr,
      plot::mechanism_in_space},
     {"motion", FigurePlace::motion, false, is_driven, motion_caption, plot::motion},
-    {"cut-forces", FigurePlace::cut_forces, true, cuts_in_plane, cut_force_caption,
-     plot::cut_forces},
-    {"cut-forces", FigurePlace::cut_forces, true, cuts_in_space, cut_force_caption,
+    {"cut-forces", FigurePlace::cut_forces, true, in_plane, cut_force_caption, plot::cut_forces},
+    {"cut-forces", FigurePlace::cut_forces, true, in_three_dimensions, cut_force_caption,
      plot::cut_forces_in_space},
     {"loads", FigurePlace::cut_forces, false, over_time, loads_caption, plot::loads_over_time},
     {"utilisation", FigurePlace::checks, true, is_checked_along, utilisation_caption,

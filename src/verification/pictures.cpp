@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "boxbeam/verification/beam_memory.hpp"
+
 namespace boxbeam {
 namespace {
 
@@ -32,9 +34,16 @@ PostureAt postures_of(const Project& project, const SituationRun& run) {
 Pictures pictures_of(const Project& project, const std::deque<SituationRun>& runs,
                      const ElasticModel& model, const std::vector<CheckResult>& checks,
                      const std::vector<CriticalInstant>& instants,
-                     const std::vector<MotionSummary>& motions, Figures figures) {
+                     const std::vector<MotionSummary>& motions, Figures figures,
+                     BeamMemory* memory) {
   const SituationRun& first = runs.front();
   Pictures pictures;
+  if (memory == nullptr) {
+    pictures.envelope = envelope_lines(runs);
+  } else {
+    if (!memory->envelope) memory->envelope = envelope_lines(runs);
+    pictures.envelope = *memory->envelope;
+  }
   pictures.elastic = front_end_of(project)->elastic_figures(first, model);
   pictures.postures.push_back(pictures.elastic
                                   ? pictures.elastic->rest
@@ -58,7 +67,6 @@ Pictures pictures_of(const Project& project, const std::deque<SituationRun>& run
     pictures.sn = sn_figure(project, *fatigue, checks);
   }
   if (figures == Figures::without) return pictures;
-  pictures.envelope = envelope_lines(runs);
   const std::size_t worst = governing_situation_of(checks, motions);
   for (const SituationRun& run : runs) {
     const bool among_first = pictures.cycles.size() < most_cycles_drawn;

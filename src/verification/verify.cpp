@@ -219,7 +219,8 @@ Verification judge_further(const Project& project, const std::deque<SituationRun
   std::vector<MotionSummary> motions = motion_summaries_of(project, runs);
   append(lifted_supports_of(project, motions), not_judged);
   std::vector<CriticalInstant> instants = critical_instants_of(project, beam.stations, checks);
-  Pictures pictures = pictures_of(project, runs, model.chosen, checks, instants, motions, figures);
+  Pictures pictures =
+      pictures_of(project, runs, model.chosen, checks, instants, motions, figures, memory);
   std::optional<ChainComparison> chain = chain_comparison_of(project, runs, instants);
   require_numbers(chain);
   std::vector<CodeResult> codes = compare_codes(project, checks);

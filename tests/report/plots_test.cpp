@@ -2,7 +2,6 @@
 
 #include "boxbeam/report/plots.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -115,29 +114,6 @@ TEST_CASE("every figure of every case is drawn without a warning, and its script
     for (const fs::directory_entry& entry : fs::directory_iterator(figures.folder.path())) {
       const std::string name = entry.path().filename().string();
       CHECK((name.ends_with(".svg") || name == "plots" || name == "tex"));
-    }
-  }
-}
-
-TEST_CASE("what is computed for figures alone is left out where none are wanted", "[no-figures]") {
-  for (const char* const path :
-       {"sections/sledge-rig/rig.toml", "sections/templates/spatial.toml"}) {
-    const Project project = shipped_case(path);
-    const auto named = [&](const Verification& of) {
-      const std::vector<std::string> names = figures_of(project, of);
-      return std::count(names.begin(), names.end(), "cut-forces");
-    };
-    const Verification with = verify(project, Figures::with), without = verify(project);
-    CHECK(named(with) == 1);
-    CHECK(with.pictures.envelope.size() == 2);
-    // No figure is offered that has nothing to draw.
-    CHECK(named(without) == 0);
-    CHECK(without.pictures.envelope.empty());
-    REQUIRE(with.checks.size() == without.checks.size());
-    for (std::size_t i = 0; i < with.checks.size(); ++i) {
-      CHECK(with.checks[i].check.id == without.checks[i].check.id);
-      if (i == 0) continue;
-      CHECK(without.checks[i - 1].check.utilisation() >= without.checks[i].check.utilisation());
     }
   }
 }

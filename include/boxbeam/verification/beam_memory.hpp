@@ -1,7 +1,10 @@
 #pragma once
 
 #include <deque>
+#include <optional>
+#include <vector>
 
+#include "boxbeam/verification/figures.hpp"
 #include "boxbeam/verification/patch_checks.hpp"
 #include "boxbeam/verification/station_memory.hpp"
 
@@ -15,6 +18,7 @@ struct BeamMemory {
   std::deque<SituationRun>* runs;
   StationMemory stations;
   KeptPatches patches;
+  std::optional<std::vector<CutForceLine>> envelope;  ///< of the cut forces, as it is drawn
 };
 
 }  // namespace boxbeam

@@ -19,7 +19,7 @@ enum class Figures { without, with, with_scenes };
 
 struct Pictures {
   std::vector<CutForceLine> lines;     ///< at the critical instants
-  std::vector<CutForceLine> envelope;  ///< smallest and largest, where figures are wanted
+  std::vector<CutForceLine> envelope;  ///< smallest and largest, along the beam
   std::vector<BeamLoadRow> loads;
   std::vector<PostureFigure> postures;           ///< the first at the beginning or without load
   std::optional<LoadsOverTime> loads_over_time;  ///< at the governing station, in space
@@ -31,11 +31,14 @@ struct Pictures {
   std::optional<SectionFigure> section;  ///< where the governing check rests on cut forces
 };
 
-/// The checks stand worst first.
+struct BeamMemory;
+
+/// The checks stand worst first. What is drawn of the loads alone is taken from `memory`.
 Pictures pictures_of(const Project& project, const std::deque<SituationRun>& runs,
                      const ElasticModel& model, const std::vector<CheckResult>& checks,
                      const std::vector<CriticalInstant>& instants,
-                     const std::vector<MotionSummary>& motions, Figures figures);
+                     const std::vector<MotionSummary>& motions, Figures figures,
+                     BeamMemory* memory = nullptr);
 
 /// The situation, as an index in the case, in which the worst check that rests on cut forces is
 /// worst; without one, the first that runs.

@@ -177,7 +177,9 @@ Statics::StressedStiffness Statics::stressed_stiffness(
         add(node_of(*a.at), node_of(*b.at), a.motion.transpose() * K * b.motion, Matrix6::Zero());
     }
   }
-  StressedStiffness found{Sparse(size, size), Sparse(size, size)};
+  StressedStiffness found;
+  found.stiffness.resize(size, size);
+  found.stress.resize(size, size);
   found.stiffness.setFromTriplets(elastic.begin(), elastic.end());
   found.stress.setFromTriplets(geometric.begin(), geometric.end());
   return found;
@@ -186,8 +188,8 @@ Statics::StressedStiffness Statics::stressed_stiffness(
 double Statics::critical_factor(const std::vector<double>& axial_forces, double most) const {
   if (std::none_of(axial_forces.begin(), axial_forces.end(), [](double N) { return N < 0.0; }))
     return most;
-  const auto [stiffness, stress] = stressed_stiffness(axial_forces);
-  return lowest_factor(stiffness, stress, most);
+  const StressedStiffness of = stressed_stiffness(axial_forces);
+  return lowest_factor(of.stiffness, of.stress, most);
 }
 
 }  // namespace boxbeam::frame
