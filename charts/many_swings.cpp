@@ -135,9 +135,8 @@ Chart drift_chart(const Effort& effort) {
   const Point& open_pin = chart.series[1].points.back();
   chart.lesson = fmt::format(
       "Without projection the pin opens with the power {:.1f} of the number of swings, to {:.0e} "
-      "of "
-      "the length after {:.0f} at a tolerance of 1e-11; projected after every step it stays closed "
-      "to {:.0e}.",
+      "of the length after {:.0f} at a tolerance of 1e-11; projected after every step it stays "
+      "closed to {:.0e}.",
       growth_of(chart.series[1]), open_pin.error, open_pin.parameter, closed.error);
   return chart;
 }
@@ -173,9 +172,8 @@ Chart energy_chart(const Effort& effort) {
   const Point& last = chart.series[0].points.back();
   chart.lesson = fmt::format(
       "At a tolerance of 1e-11 the energy changes by {:.0e} in {:.0f} swings, with the power "
-      "{:.1f} "
-      "of their number. Central differences keep theirs within {:.0e} for ever, but that far off; "
-      "numerical damping loses {:.0e}.",
+      "{:.1f} of their number. Central differences keep theirs within {:.0e} for ever, but that "
+      "far off; numerical damping loses {:.0e}.",
       last.error, last.parameter, growth_of(chart.series[0]), chart.series[4].points.back().error,
       chart.series[3].points.back().error);
   return chart;
