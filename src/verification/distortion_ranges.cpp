@@ -105,8 +105,8 @@ DistortionRanges::DistortionRanges(const Project& project, const std::deque<Situ
 
 std::vector<CheckResult> DistortionRanges::checks() const {
   std::vector<CheckResult> all;
-  for (const std::optional<CheckResult>* of : {&along_, &across_})
-    if (*of) all.push_back(**of);
+  for (const Worst* of : {&along_, &across_})
+    if (of->check) all.push_back(*of->check);
   return all;
 }
 
@@ -128,20 +128,29 @@ void DistortionRanges::look_at(std::size_t place, const std::vector<DistortedPoi
   }
   if (most < least || !counted_) return;
   std::optional<std::vector<SituationHistory>> histories;
-  for (const DistortedPoint& of : points) {
-    look_across(place, of);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const DistortedPoint& of = points[p];
+    look_across(place, p, of);
     const bool resists = of.point.detail != nullptr || of.point.shear_detail != nullptr;
     if (!resists || !may_be_worse(place, of, cuts)) continue;
     if (!histories) histories = histories_at(*runs_, stretch_->places()[place].station);
-    look_along(place, of, *histories);
+    look_along(place, p, of, *histories);
   }
+}
+
+bool DistortionRanges::Worst::is_worse(double factor, std::size_t at_place,
+                                       std::size_t at_point) const {
+  if (!check) return true;
+  const double known = check->check.safety_factor;
+  return factor < known ||
+         (factor == known && std::pair(at_place, at_point) < std::pair(place, point));
 }
 
 /// Whether a point may be used more than the worst one so far: every cycle that the instants show
 /// as large as the largest.
 bool DistortionRanges::may_be_worse(std::size_t place, const DistortedPoint& of,
                                     const std::vector<std::vector<CutForces>>& cuts) const {
-  if (!along_) return true;
+  if (!along_.check) return true;
   constexpr double between_instants = 1.02;
   double damage = 0.0;
   for (const StressKind kind : kinds_of(of)) {
@@ -175,7 +184,7 @@ bool DistortionRanges::may_be_worse(std::size_t place, const DistortedPoint& of,
           {si<Stress>(between_instants * (highest - lowest + by.range)), Stress{}, count});
     }
     damage += damage_of(cycles, curve_for(of, kind), project_->fatigue.demand,
-                        along_->check.safety_factor);
+                        along_.check->check.safety_factor);
   }
   return damage > 1.0;
 }
@@ -255,7 +264,7 @@ CheckResult DistortionRanges::fatigue_check(std::size_t place, const DistortedPo
   return result;
 }
 
-void DistortionRanges::look_along(std::size_t place, const DistortedPoint& of,
+void DistortionRanges::look_along(std::size_t place, std::size_t point, const DistortedPoint& of,
                                   const std::vector<SituationHistory>& histories) {
   std::vector<LifeChannel> channels;
   std::vector<Turns> turns;
@@ -287,12 +296,14 @@ void DistortionRanges::look_along(std::size_t place, const DistortedPoint& of,
   }
   if (channels.empty()) return;
   const ChannelLife life = life_of(*project_, channels);
-  if (along_ && life.factor >= along_->check.safety_factor) return;
-  along_ =
+  if (!along_.is_worse(life.factor, place, point)) return;
+  along_.place = place;
+  along_.point = point;
+  along_.check =
       fatigue_check(place, of, of.point.name, channels, life,
                     channels.front().curve.kind == StressKind::direct ? &DistortionSize::moment
                                                                       : &DistortionSize::shear);
-  CheckBasis& basis = along_->distortion->stress;
+  CheckBasis& basis = along_.check->distortion->stress;
   basis.kind = channels.front().curve.kind;
   const auto [highest, lowest] = extremes_in(*project_, life.governing, turns.front());
   basis.highest = highest;
@@ -302,7 +313,7 @@ void DistortionRanges::look_along(std::size_t place, const DistortedPoint& of,
   if (basis.kind == StressKind::direct) basis.stress_factor = of.point.detail->stress_factor;
 }
 
-void DistortionRanges::look_across(std::size_t place, const DistortedPoint& of) {
+void DistortionRanges::look_across(std::size_t place, std::size_t point, const DistortedPoint& of) {
   // The corner, of its plates and its seam by the thinnest.
   if (of.at.size() < 2 || of.point.on_throat) return;
   const Length fillet =
@@ -321,16 +332,22 @@ void DistortionRanges::look_across(std::size_t place, const DistortedPoint& of) 
                                   }),
                       curve_of(project_->fatigue.corner)};
   if (channel.spectrum.empty()) return;
-  if (across_ && damage_of(channel.for_damage().cycles, channel.curve, project_->fatigue.demand,
-                           across_->check.safety_factor) <= 1.0)
+  constexpr double round_off = 1e-9;
+  if (across_.check &&
+      damage_of(channel.for_damage().cycles, channel.curve, project_->fatigue.demand,
+                across_.check->check.safety_factor) <= 1.0 - round_off)
     return;
   const ChannelLife life = life_of(*project_, {channel});
-  if (across_ && life.factor >= across_->check.safety_factor) return;
-  across_ =
-      fatigue_check(place, of, of.point.name + " across", {channel}, life, &DistortionSize::angle);
-  across_->distortion->across = true;
-  across_->distortion->at = at;
-  across_->distortion->stress.highest.value = at.across * across_->distortion->size.angle;
+  if (!across_.is_worse(life.factor, place, point)) return;
+  across_.place = place;
+  across_.point = point;
+  DistortionBasis& basis = *across_.check
+                                .emplace(fatigue_check(place, of, of.point.name + " across",
+                                                       {channel}, life, &DistortionSize::angle))
+                                .distortion;
+  basis.across = true;
+  basis.at = at;
+  basis.stress.highest.value = at.across * basis.size.angle;
 }
 
 }  // namespace boxbeam

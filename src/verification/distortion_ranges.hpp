@@ -22,8 +22,8 @@ class DistortionRanges {
   DistortionRanges(const Project& project, const std::deque<SituationRun>& runs,
                    const DistortedStretch& stretch);
 
-  /// Takes a place: its points, of each run the cut forces at its instants, the largest stresses of
-  /// M_D = 1 and gamma = 1; ranges below `least` are none.
+  /// Takes a place, in any order: its points, of each run the cut forces at its instants, the
+  /// largest stresses of M_D = 1 and gamma = 1; ranges below `least` are none.
   void look_at(std::size_t place, const std::vector<DistortedPoint>& points,
                const std::vector<std::vector<CutForces>>& cuts, const DistortionStresses& of_unit,
                double least);
@@ -51,15 +51,23 @@ class DistortionRanges {
   std::vector<SpectrumRow> spectrum_of(
       StressKind kind,
       const std::function<std::vector<Cycle>(const Sequence&, const Situation&)>& cycles_of) const;
+  /// The worst of its kind, and at which place and point; of several as bad the first one.
+  struct Worst {
+    std::optional<CheckResult> check;
+    std::size_t place = 0, point = 0;
+
+    bool is_worse(double factor, std::size_t at_place, std::size_t at_point) const;
+  };
+
   bool may_be_worse(std::size_t place, const DistortedPoint& of,
                     const std::vector<std::vector<CutForces>>& cuts) const;
   /// At the instant when most of `by` comes.
   CheckResult fatigue_check(std::size_t place, const DistortedPoint& of, const std::string& name,
                             const std::vector<LifeChannel>& channels, const ChannelLife& life,
                             double DistortionSize::*by) const;
-  void look_along(std::size_t place, const DistortedPoint& of,
+  void look_along(std::size_t place, std::size_t point, const DistortedPoint& of,
                   const std::vector<SituationHistory>& histories);
-  void look_across(std::size_t place, const DistortedPoint& of);
+  void look_across(std::size_t place, std::size_t point, const DistortedPoint& of);
 
   const Project* project_;
   const std::deque<SituationRun>* runs_;
@@ -67,7 +75,7 @@ class DistortionRanges {
   bool counted_ = false;
   std::vector<Sequence> sequences_;
   DistortionStresses largest_{};
-  std::optional<CheckResult> along_, across_;
+  Worst along_, across_;
 };
 
 /// The torque that does most of the stresses of a place.

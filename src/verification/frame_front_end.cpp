@@ -129,7 +129,11 @@ class FrameAtRest : public SolvedMotion {
 
   std::optional<double> critical_factor(const LoadHistory& loads, double most) const override {
     if (!pressed_) pressed_ = frame_->pressed_by(loads);
-    return pressed_->critical_factor(most);
+    if (most > looked_up_to_) {
+      critical_ = pressed_->critical_factor(most);
+      looked_up_to_ = most;
+    }
+    return std::min(critical_, most);
   }
 
   std::vector<SupportReaction> reactions(const LoadHistory& loads) const override {
@@ -194,6 +198,7 @@ class FrameAtRest : public SolvedMotion {
   mutable std::shared_ptr<const FrameResponse> response_;  ///< when it is first asked for
   /// Under the loads, of which there are none other, when it is first asked for.
   mutable std::unique_ptr<const LoadedFrame::Pressed> pressed_;
+  mutable double looked_up_to_ = 0.0, critical_ = 0.0;
 };
 
 class FrameFrontEnd : public FrontEnd {

@@ -103,7 +103,7 @@ void PatchSearch::add_torque(const PointLoad& load, bool along_z,
   const Moment torque = said ? si<Moment>(load.moment.x()) : couple_along(load, along_z);
   if (torque == Moment{}) return;
   const Length s = std::clamp(load.s, Length{}, project_->beam.length());
-  const auto apart = webs_apart_at({s, Side::both}, along_z);
+  const auto apart = webs_apart_at(s, along_z);
   if (!apart) return;
   for (const double sense : {1.0, -1.0}) {
     Patch& patch = patches.emplace_back();
@@ -115,7 +115,13 @@ void PatchSearch::add_torque(const PointLoad& load, bool along_z,
   }
 }
 
-std::optional<Length> PatchSearch::webs_apart_at(const Station& station, bool along_z) const {
+std::optional<Length> PatchSearch::webs_apart_at(Length s, bool along_z) const {
+  return webs_apart_.of({s.value(), along_z ? 1.0 : 0.0},
+                        [&] { return find_webs_apart(s, along_z); });
+}
+
+std::optional<Length> PatchSearch::find_webs_apart(Length s, bool along_z) const {
+  const Station station{s, Side::both};
   using enum BoxPlate;
   if (const auto walls = walls_at(station)) {
     return along_z ? walls->of(left_web).middle - walls->of(right_web).middle

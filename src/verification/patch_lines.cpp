@@ -351,7 +351,7 @@ void PatchSearch::add_length(const OnLength& of, bool along_z, std::vector<Patch
   }
   if (any || of.turns == 0.0 || !project_->in_space) return;
   // Torque along the beam, as couples at one place are.
-  const auto apart = webs_apart_at({line.s, Side::both}, along_z);
+  const auto apart = webs_apart_at(line.s, along_z);
   if (!apart) return;
   if (by != nullptr && by->torque_by &&
       *by->torque_by != (along_z ? TorqueBy::webs : TorqueBy::flanges))

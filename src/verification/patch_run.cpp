@@ -121,10 +121,18 @@ void PatchRun::note_torque(const BeamLoads& loads) {
 }
 
 std::map<BorneKey, double> PatchRun::look_at(Time time, const BorneKey* only) {
-  const BeamLoads loads = run_->loads.loads_at(time);
-  const CutForceDiagram diagram = cut_forces_of(loads);
-  note_torque(loads);
-  return look_at(time, search_->patches_of(loads, diagram), diagram, only);
+  const Coming& coming = coming_at(time);
+  note_torque(coming.loads);
+  return look_at(time, coming.patches, coming.diagram, only);
+}
+
+const PatchRun::Coming& PatchRun::coming_at(Time time) {
+  return coming_.of({time.value()}, [&] {
+    Coming coming{run_->loads.loads_at(time), {}, {}};
+    coming.diagram = cut_forces_of(coming.loads);
+    coming.patches = search_->patches_of(coming.loads, coming.diagram);
+    return coming;
+  });
 }
 
 std::vector<Length> PatchRun::places_in(const BeamLoads& loads) {

@@ -72,6 +72,13 @@ class PatchRun {
   void note_places(const BeamLoads& loads);
   void note_torque(const BeamLoads& loads);
   std::map<BorneKey, double> look_at(Time time, const BorneKey* only = nullptr);
+  /// What comes in at a time.
+  struct Coming {
+    BeamLoads loads;
+    CutForceDiagram diagram;
+    std::vector<Patch> patches;
+  };
+  const Coming& coming_at(Time time);
   static std::vector<Length> places_in(const BeamLoads& loads);
   /// Both sides of every passage of a load over a place where what bears it changes.
   void look_at_passages(Time from, Time to, const std::vector<Length>& before,
@@ -88,6 +95,8 @@ class PatchRun {
   PatchNotes* notes_;
   PatchedHoles* holes_;
   PressingForces* pressed_;  ///< nothing where no cycles are counted
+  /// Of several patches the search between the same instants begins alike.
+  ExactMemo<1, Coming> coming_;
 };
 
 }  // namespace boxbeam

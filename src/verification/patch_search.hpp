@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "boxbeam/numerics/exact_memo.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
 #include "force_kinds.hpp"
 #include "kinked_flanges.hpp"
@@ -229,7 +230,8 @@ class PatchSearch {
   void add_torque(const PointLoad& load, bool along_z, std::vector<Patch>& patches) const;
   bool feels_couple(Length s, Moment couple, bool about_y);
   /// The middles of both webs of a section along a force; nothing where there are not two.
-  std::optional<Length> webs_apart_at(const Station& station, bool along_z) const;
+  std::optional<Length> webs_apart_at(Length s, bool along_z) const;
+  std::optional<Length> find_webs_apart(Length s, bool along_z) const;
   /// What plates that turn off between segments put into those beside them. kinked_flanges.cpp
   std::vector<Patch> kinks_under(const CutForceDiagram& diagram) const;
   /// Diaphragms at which no force comes in, for what their panels pull at them.
@@ -369,6 +371,7 @@ class PatchSearch {
   ForceKinds kinds_;
   std::set<const LoadIntroduction*> used_;  ///< by which a force has come in
   std::map<std::pair<double, Side>, JudgedSection> judged_;
+  mutable ExactMemo<2, std::optional<Length>> webs_apart_;  ///< by place and axis
   mutable std::map<std::pair<const Diaphragm*, bool>, bool> holds_;
 };
 

@@ -239,7 +239,8 @@ class SpatialMotion : public SolvedMotion {
 
   std::optional<double> critical_factor_at(Time time, const CutForceDiagram& diagram,
                                            double most) const override {
-    return critical_factor_in_space(*project_, *chain_, states_->at(time.value()), diagram, most);
+    return critical_factor_in_space(*project_, *chain_, states_->at(time.value()), diagram, most,
+                                    profiles_);
   }
 
   const spatial::Chain& chain() const { return *chain_; }
@@ -265,6 +266,7 @@ class SpatialMotion : public SolvedMotion {
   spatial::Motion motion_;
   std::shared_ptr<const spatial::StatesAround> states_;
   mutable std::optional<BentInSpace> bent_;  ///< made when first asked for
+  mutable StoppedProfiles profiles_;
 };
 
 class SpatialFrontEnd : public FrontEnd {

@@ -26,8 +26,10 @@ constexpr double stiffer = 1e4;
 /// The frame that a stopped mechanism is, and what presses its members.
 class StoppedFrame {
  public:
-  StoppedFrame(const Project& project, const spatial::Chain& chain, const spatial::State& state)
+  StoppedFrame(const Project& project, const spatial::Chain& chain, const spatial::State& state,
+               StoppedProfiles& known)
       : project_(&project),
+        known_(&known),
         chain_(&chain),
         mechanism_(&chain.mechanism()),
         state_(&state),
@@ -59,6 +61,7 @@ class StoppedFrame {
   }
 
   frame::Structure structure;
+  std::vector<std::shared_ptr<const FlexibilityProfile>> profiles;  ///< of its first members
   frame::Equilibrium loaded;
 
  private:
@@ -85,6 +88,12 @@ class StoppedFrame {
     member.axes = axes;
     member.youngs_modulus = of.youngs_modulus;
     member.shear_modulus = of.shear_modulus;
+    std::shared_ptr<const FlexibilityProfile>& profile = (*known_)[of.beam];
+    if (!profile)
+      profile =
+          std::make_shared<const FlexibilityProfile>(*of.beam, of.youngs_modulus, of.shear_modulus);
+    profiles.resize(structure.members.size());
+    profiles.back() = profile;
     loaded.members.emplace_back().cut = diagram;
   }
 
@@ -349,6 +358,7 @@ class StoppedFrame {
   }
 
   const Project* project_;
+  StoppedProfiles* known_;
   const spatial::Chain* chain_;
   const spatial::Mechanism* mechanism_;
   const spatial::State* state_;
@@ -367,11 +377,12 @@ class StoppedFrame {
 
 std::optional<double> critical_factor_in_space(const Project& project, const spatial::Chain& chain,
                                                const spatial::State& state,
-                                               const CutForceDiagram& diagram, double most) {
+                                               const CutForceDiagram& diagram, double most,
+                                               StoppedProfiles& profiles) {
   try {
-    StoppedFrame frame(project, chain, state);
+    StoppedFrame frame(project, chain, state, profiles);
     if (!frame.make(diagram)) return {};
-    const frame::Statics statics(frame.structure);
+    const frame::Statics statics(frame.structure, 1, frame.profiles);
     return statics.critical_factor(statics.axial_forces(frame.loaded), most);
   } catch (const AnalysisError&) {
     return {};  // it is free to move, or a torsion constant is not known

@@ -1,12 +1,18 @@
 #pragma once
 
+#include <map>
+#include <memory>
 #include <optional>
 
 #include "boxbeam/beam/cut_force_diagram.hpp"
+#include "boxbeam/beam/flexibility_profile.hpp"
 #include "boxbeam/mechanism/spatial/chain.hpp"
 #include "boxbeam/project/project.hpp"
 
 namespace boxbeam {
+
+/// Of a mechanism's beams in space, which are the same however it stands.
+using StoppedProfiles = std::map<const TaperedBeam*, std::shared_ptr<const FlexibilityProfile>>;
 
 /// At so many times its loads a mechanism in space that is stopped in a state buckles elastically,
 /// at most `most`, beyond which it is not looked; nothing where it cannot be stopped and hold the
@@ -21,8 +27,10 @@ namespace boxbeam {
 /// (`frame::Statics::critical_factor`): so a boom that a cylinder holds in the plane in which it
 /// luffs buckles across it as a cantilever. `diagram`: of the verified beam then. Places
 /// beside the line of a body follow its turns; the second order of these levers is left out.
+/// `profiles`: of its beams, found when first asked for.
 std::optional<double> critical_factor_in_space(const Project& project, const spatial::Chain& chain,
                                                const spatial::State& state,
-                                               const CutForceDiagram& diagram, double most);
+                                               const CutForceDiagram& diagram, double most,
+                                               StoppedProfiles& profiles);
 
 }  // namespace boxbeam

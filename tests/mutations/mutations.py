@@ -444,7 +444,7 @@ MUTATIONS = [
           "many small forces are opposed as one is", "met_at_one_place_test"),
          ("both-kinks", "if (kinked) add_through_diaphragms(singles, patches);", "",
           "kinks of both flanges go through one weld", "met_at_one_place_test")),
-    *_in("src/verification", "distortion_checks.cpp",
+    *_in("src/verification", "distortion_search.cpp",
          ("held-shape", "if (!found_.holding || holding->used() > found_.holding->used()) found_.holding = holding;", "",
           "a diaphragm bears what it keeps in shape", "met_at_one_place_test")),
     *_in("src/section", "plate_force.cpp",

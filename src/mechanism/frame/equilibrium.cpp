@@ -174,7 +174,7 @@ Matrix6 Statics::flexibility_between(int member, double from, double to) const {
   const auto units = [&](double s) -> Matrix6 {
     return carry(Vector3d(to - s, 0.0, 0.0)).transpose();
   };
-  return strains_between<6>(profiles_[static_cast<std::size_t>(member)], from, to, {}, units,
+  return strains_between<6>(*profiles_[static_cast<std::size_t>(member)], from, to, {}, units,
                             Vector6::Zero());
 }
 
@@ -187,7 +187,7 @@ Vector6 Statics::strain_to(std::size_t piece, double s, const Vector6& cut) cons
   const double beyond = s - known.s;
   const auto before = [&](double at) { return carried_back(cut, s - at); };
   return carried_on(known.flexibility * carried_back(cut, beyond), beyond) +
-         strains_between<1>(profiles_[static_cast<std::size_t>(pieces_[piece].member)], known.s, s,
+         strains_between<1>(*profiles_[static_cast<std::size_t>(pieces_[piece].member)], known.s, s,
                             {}, before, Vector6::Zero());
 }
 
@@ -238,7 +238,7 @@ Eigen::VectorXd Statics::right_side(const ActingLoads& loads,
         return vector_of(diagram.at({si<Length>(s), Side::behind})) - carried_back(last, to - s);
       };
       held += cut(from);
-      misfit += strains_between<1>(profiles_[static_cast<std::size_t>(piece.member)], from, to,
+      misfit += strains_between<1>(*profiles_[static_cast<std::size_t>(piece.member)], from, to,
                                    borders_of(diagram), cut, acting.heat);
     }
     load_node(piece.from, rotation(member.axes) * held);
@@ -315,7 +315,7 @@ Vector6 Statics::motion_at(int member, double s, const Equilibrium& of) const {
     return vector_of(acting.cut.at({si<Length>(at), Side::behind}));
   };
   const Matrix6 outwards = rotation(member_of(*structure_, member).axes);
-  const Vector6 strain = strains_between<1>(profiles_[static_cast<std::size_t>(member)], from, s,
+  const Vector6 strain = strains_between<1>(*profiles_[static_cast<std::size_t>(member)], from, s,
                                             borders_of(acting.cut), cut, acting.heat);
   return outwards * (carried_on(outwards.transpose() * start, s - from) + strain);
 }

@@ -2,6 +2,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <span>
 #include <utility>
 
@@ -43,41 +44,6 @@ Matrix6 stiffness_of(const Matrix6& flexibility, std::span<const Index> cuts) {
   return K;
 }
 
-/// The least factor, at most `most`, from which on K + factor K_g is no longer positive definite;
-/// both of one pattern.
-double lowest_factor(const Sparse& stiffness, const Sparse& stress, double most) {
-  // Brought into the order of elimination once for all factors.
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> from_order;
-  Eigen::AMDOrdering<int>()(stiffness, from_order);
-  const auto ordered = [&](const Sparse& matrix) {
-    Sparse upper(stiffness.rows(), stiffness.cols());
-    upper.selfadjointView<Eigen::Upper>() =
-        matrix.selfadjointView<Eigen::Lower>().twistedBy(from_order.inverse());
-    return upper;
-  };
-  const Sparse ordered_stiffness = ordered(stiffness), ordered_stress = ordered(stress);
-  Sparse sum = ordered_stiffness;
-  Eigen::SimplicialLDLT<Sparse, Eigen::Upper, Eigen::NaturalOrdering<int>> solver;
-  solver.analyzePattern(sum);
-  const auto buckles = [&](double factor) {
-    sum.coeffs() = ordered_stiffness.coeffs() + factor * ordered_stress.coeffs();
-    solver.factorize(sum);
-    return solver.info() != Eigen::Success || (solver.vectorD().array() <= 0.0).any();
-  };
-  if (!buckles(most)) return most;
-  double stable = 0.0, unstable = std::min(1.0, most);
-  while (unstable < most && !buckles(unstable)) {
-    stable = unstable;
-    unstable = std::min(2.0 * unstable, most);
-  }
-  constexpr double within = 1e-3;
-  while (unstable - stable > within * unstable) {
-    const double half = 0.5 * (stable + unstable);
-    (buckles(half) ? unstable : stable) = half;
-  }
-  return 0.5 * (stable + unstable);
-}
-
 }  // namespace
 
 Eigen::Matrix<double, 12, 12> geometric_block(double force, double h) {
@@ -109,8 +75,86 @@ std::vector<double> Statics::axial_forces(const Equilibrium& of) const {
   return forces;
 }
 
-Statics::StressedStiffness Statics::stressed_stiffness(
-    const std::vector<double>& axial_forces) const {
+/// K of a frame and what axial forces in its pieces add to it, of one pattern, without dimension,
+/// brought into the order of elimination once for all forces and factors.
+class Stability {
+ public:
+  /// What is stiff, and of each piece what an axial force of one newton adds.
+  struct Entries {
+    std::vector<Eigen::Triplet<double>> elastic;
+    std::vector<std::vector<Eigen::Triplet<double>>> of_pieces;
+  };
+
+  Stability(Index size, const Entries& of) : sum_(size, size) {
+    std::vector<Eigen::Triplet<double>> all = of.elastic;
+    for (const std::vector<Eigen::Triplet<double>>& piece : of.of_pieces)
+      for (const Eigen::Triplet<double>& entry : piece)
+        all.emplace_back(entry.row(), entry.col(), 0.0);
+    Sparse stiffness(size, size);
+    stiffness.setFromTriplets(all.begin(), all.end());
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> from_order;
+    Eigen::AMDOrdering<int>()(stiffness, from_order);
+    const Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order =
+        from_order.inverse();
+    sum_.selfadjointView<Eigen::Upper>() =
+        stiffness.selfadjointView<Eigen::Lower>().twistedBy(order);
+    stiffness_ = sum_.coeffs();
+    for (const std::vector<Eigen::Triplet<double>>& piece : of.of_pieces) {
+      std::vector<Part>& parts = of_pieces_.emplace_back();
+      for (const Eigen::Triplet<double>& entry : piece) {
+        if (entry.row() < entry.col()) continue;
+        const auto [row, column] =
+            std::minmax(order.indices()[entry.row()], order.indices()[entry.col()]);
+        parts.push_back({place_of(row, column), entry.value()});
+      }
+    }
+    solver_.analyzePattern(sum_);
+  }
+
+  /// The least factor, at most `most`, from which on K + factor K_g is no longer positive definite.
+  double lowest_factor(const std::vector<double>& axial_forces, double most) {
+    Eigen::ArrayXd stress = Eigen::ArrayXd::Zero(stiffness_.size());
+    for (std::size_t p = 0; p < of_pieces_.size(); ++p)
+      for (const Part& part : of_pieces_[p]) stress[part.place] += axial_forces[p] * part.per_force;
+    const auto buckles = [&](double factor) {
+      sum_.coeffs() = stiffness_ + factor * stress;
+      solver_.factorize(sum_);
+      return solver_.info() != Eigen::Success || (solver_.vectorD().array() <= 0.0).any();
+    };
+    if (!buckles(most)) return most;
+    double stable = 0.0, unstable = std::min(1.0, most);
+    while (unstable < most && !buckles(unstable)) {
+      stable = unstable;
+      unstable = std::min(2.0 * unstable, most);
+    }
+    constexpr double within = 1e-3;
+    while (unstable - stable > within * unstable) {
+      const double half = 0.5 * (stable + unstable);
+      (buckles(half) ? unstable : stable) = half;
+    }
+    return 0.5 * (stable + unstable);
+  }
+
+ private:
+  struct Part {
+    Index place;  ///< among the coefficients
+    double per_force;
+  };
+
+  Index place_of(int row, int column) const {
+    const int* const rows = sum_.innerIndexPtr();
+    const int* const first = rows + sum_.outerIndexPtr()[column];
+    const int* const last = rows + sum_.outerIndexPtr()[column + 1];
+    return std::find(first, last, row) - rows;  // a permuted column is in no order
+  }
+
+  Sparse sum_;
+  Eigen::ArrayXd stiffness_;
+  std::vector<std::vector<Part>> of_pieces_;
+  Eigen::SimplicialLDLT<Sparse, Eigen::Upper, Eigen::NaturalOrdering<int>> solver_;
+};
+
+std::shared_ptr<Stability> Statics::stability() const {
   const Structure& structure = *structure_;
   const std::span<const Index> world = world_components(structure),
                                cuts = cut_components(structure);
@@ -119,19 +163,16 @@ Statics::StressedStiffness Statics::stressed_stiffness(
   const auto unit = [&](Index k) { return k < 3 ? length_ : 1.0; };
   // Energies by the unit of force times that of length, so that entries are near one.
   const double energy = force_ * length_;
-  std::vector<Eigen::Triplet<double>> elastic, geometric;
-  // Both of one pattern, so that their sums are.
-  const auto add = [&](std::size_t a, std::size_t b, const Matrix6& stiff,
-                       const Matrix6& stressed) {
+  Stability::Entries all;
+  const auto add = [&](std::size_t a, std::size_t b, const Matrix6& of,
+                       std::vector<Eigen::Triplet<double>>& entries) {
     for (Index i = 0; i < count; ++i) {
       for (Index j = 0; j < count; ++j) {
         const Index row = world[static_cast<std::size_t>(i)],
                     column = world[static_cast<std::size_t>(j)];
-        if (stiff(row, column) == 0.0 && stressed(row, column) == 0.0) continue;
-        const double per = unit(row) * unit(column) / energy;
-        const Index from = row_of_node(a) + i, to = row_of_node(b) + j;
-        elastic.emplace_back(from, to, stiff(row, column) * per);
-        geometric.emplace_back(from, to, stressed(row, column) * per);
+        if (of(row, column) == 0.0) continue;
+        entries.emplace_back(row_of_node(a) + i, row_of_node(b) + j,
+                             of(row, column) * unit(row) * unit(column) / energy);
       }
     }
   };
@@ -143,11 +184,13 @@ Statics::StressedStiffness Statics::stressed_stiffness(
     const Matrix6 K = stiffness_of(reached_[p].back().flexibility, cuts);
     const Matrix6 ends[] = {-carry(Vector3d(h, 0.0, 0.0)) * into, into};
     const std::size_t nodes[] = {piece.from, piece.to};
-    const Eigen::Matrix<double, 12, 12> axial = geometric_block(axial_forces[p], h);
+    const Eigen::Matrix<double, 12, 12> axial = geometric_block(1.0, h);
+    std::vector<Eigen::Triplet<double>>& stressed = all.of_pieces.emplace_back();
     for (Index a = 0; a < 2; ++a) {
       for (Index b = 0; b < 2; ++b) {
-        add(nodes[a], nodes[b], ends[a].transpose() * K * ends[b],
-            into.transpose() * axial.block<6, 6>(6 * a, 6 * b) * into);
+        add(nodes[a], nodes[b], ends[a].transpose() * K * ends[b], all.elastic);
+        add(nodes[a], nodes[b], into.transpose() * axial.block<6, 6>(6 * a, 6 * b) * into,
+            stressed);
       }
     }
   }
@@ -174,22 +217,17 @@ Statics::StressedStiffness Statics::stressed_stiffness(
     if (joint.b.member != ground) ends.push_back({&joint.b, end_of(joint.b, 1.0)});
     for (const End& a : ends) {
       for (const End& b : ends)
-        add(node_of(*a.at), node_of(*b.at), a.motion.transpose() * K * b.motion, Matrix6::Zero());
+        add(node_of(*a.at), node_of(*b.at), a.motion.transpose() * K * b.motion, all.elastic);
     }
   }
-  StressedStiffness found;
-  found.stiffness.resize(size, size);
-  found.stress.resize(size, size);
-  found.stiffness.setFromTriplets(elastic.begin(), elastic.end());
-  found.stress.setFromTriplets(geometric.begin(), geometric.end());
-  return found;
+  return std::make_shared<Stability>(size, all);
 }
 
 double Statics::critical_factor(const std::vector<double>& axial_forces, double most) const {
   if (std::none_of(axial_forces.begin(), axial_forces.end(), [](double N) { return N < 0.0; }))
     return most;
-  const StressedStiffness of = stressed_stiffness(axial_forces);
-  return lowest_factor(of.stiffness, of.stress, most);
+  if (!stability_) stability_ = stability();
+  return stability_->lowest_factor(axial_forces, most);
 }
 
 }  // namespace boxbeam::frame

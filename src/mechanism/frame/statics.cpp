@@ -24,7 +24,10 @@ constexpr const char* axis_names[] = {"x", "y", "z"};
 
 }  // namespace
 
-Statics::Statics(const Structure& structure, int parts) : structure_(&structure) {
+Statics::Statics(const Structure& structure, int parts,
+                 const std::vector<std::shared_ptr<const FlexibilityProfile>>& known)
+    : structure_(&structure), profiles_(known) {
+  profiles_.resize(structure.members.size());
   for (const Member& member : structure.members) {
     if (!structure.plane) {
       for (const Segment& segment : member.beam.segments) {
@@ -37,8 +40,10 @@ Statics::Statics(const Structure& structure, int parts) : structure_(&structure)
              segment.name});
       }
     }
-    profiles_.emplace_back(member.beam, member.youngs_modulus, member.shear_modulus,
-                           !structure.plane);
+    std::shared_ptr<const FlexibilityProfile>& profile = profiles_[masses_.size()];
+    if (!profile)
+      profile = std::make_shared<const FlexibilityProfile>(member.beam, member.youngs_modulus,
+                                                           member.shear_modulus, !structure.plane);
     masses_.push_back(mass_distribution_of(member.beam));
   }
   std::vector<std::vector<double>> joined(structure.members.size());  // stations
@@ -103,7 +108,7 @@ double Statics::reach_along_pieces() {
                         flexibility_between(piece.member, reached.back().s, s);
       reached.push_back({s, 0.5 * (F + F.transpose())});
     };
-    for (const double border : profiles_[static_cast<std::size_t>(piece.member)].borders())
+    for (const double border : profiles_[static_cast<std::size_t>(piece.member)]->borders())
       if (border > from && border < to) reach(border);
     reach(to);
     const Matrix6& F = reached.back().flexibility;

@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -46,6 +47,8 @@ struct Equilibrium {
   Eigen::VectorXd motion;       ///< of the nodes, for `Statics`
 };
 
+class Stability;
+
 /// Solves frames under loads, members exact: their taper, shear and torsion as `FlexibilityProfile`
 /// knows them, small displacements.
 ///
@@ -68,8 +71,10 @@ class Statics {
   /// torsion constant of a member in space is not known.
   explicit Statics(const Structure& structure) : Statics(structure, 1) {}
 
-  /// The same with every piece cut into so many, for `critical_factor`.
-  Statics(const Structure& structure, int parts);
+  /// The same with every piece cut into so many, for `critical_factor`. `known`: profiles of its
+  /// first members that are known already.
+  Statics(const Structure& structure, int parts,
+          const std::vector<std::shared_ptr<const FlexibilityProfile>>& known = {});
 
   /// Throws AnalysisError where the loads are not finite.
   Equilibrium solve(const ActingLoads& loads) const;
@@ -110,12 +115,7 @@ class Statics {
   /// What the loads put on the right of the equations; `members`: by what acts on each.
   Eigen::VectorXd right_side(const ActingLoads& loads,
                              const std::vector<MemberLoads>& members) const;
-  /// K of the frame and what axial forces in its pieces add to it, of one pattern, without
-  /// dimension.
-  struct StressedStiffness {
-    Eigen::SparseMatrix<double> stiffness, stress;
-  };
-  StressedStiffness stressed_stiffness(const std::vector<double>& axial_forces) const;
+  std::shared_ptr<Stability> stability() const;
   void refuse_held_twice() const;
   void refuse_mechanisms(const Eigen::SparseMatrix<double>& matrix) const;
   std::size_t node_of(const Place& at) const;
@@ -128,7 +128,7 @@ class Statics {
   Vector6 strain_to(std::size_t piece, double s, const Vector6& cut) const;
 
   const Structure* structure_;
-  std::vector<FlexibilityProfile> profiles_;
+  std::vector<std::shared_ptr<const FlexibilityProfile>> profiles_;  ///< of each member
   std::vector<std::vector<SegmentMass>> masses_;
   std::vector<Node> nodes_;
   std::vector<Piece> pieces_;
@@ -140,7 +140,8 @@ class Statics {
   /// Of each piece, from its beginning on where its profile has borders to its end.
   std::vector<std::vector<Reached>> reached_;
   std::vector<Eigen::Index> joint_rows_;
-  double length_ = 1.0, force_ = 1.0;  ///< units of the unknowns [m, N]
+  double length_ = 1.0, force_ = 1.0;             ///< units of the unknowns [m, N]
+  mutable std::shared_ptr<Stability> stability_;  ///< made when first asked for
   Eigen::SparseMatrix<double> matrix_;
   Eigen::SparseLU<Eigen::SparseMatrix<double>> solver_;
 };
