@@ -125,15 +125,24 @@ SuddenStartModes::SuddenStartModes(const ModalModel& model)
   const StartEquations equations = start_equations_of(model);
   // No mode is without strain and none in resonance: the eigenvectors span the state.
   const Eigen::EigenSolver<MatrixXd> solver(equations.A);
-  exponents_ = solver.eigenvalues();
-  const Index size = exponents_.size(), count = squares.size();
+  const VectorXcd all = solver.eigenvalues();
+  const Index size = all.size(), count = squares.size();
   VectorXcd start = VectorXcd::Zero(size);
   start[size - 1] = 1.0;
   const MatrixXcd vectors = solver.eigenvectors();
-  const MatrixXcd parts = vectors * vectors.partialPivLu().solve(start).asDiagonal();
-  MatrixXd states(size, 2 * size);  // of the waves' real and imaginary parts
-  states << parts.real(), -parts.imag();
-  of_waves_.resize(2 * count, 2 * size);
+  MatrixXcd parts = vectors * vectors.partialPivLu().solve(start).asDiagonal();
+  // Of each pair that is conjugate, whose sum is real, twice the real part of one.
+  std::vector<Index> kept;
+  for (Index k = 0; k < size; ++k) {
+    if (all[k].imag() < 0.0) continue;
+    if (all[k].imag() > 0.0) parts.col(k) *= 2.0;
+    kept.push_back(k);
+  }
+  exponents_ = all(kept);
+  const auto waves = static_cast<Index>(kept.size());
+  MatrixXd states(size, 2 * waves);  // of the waves' real and imaginary parts
+  states << parts.real()(Eigen::all, kept), -parts.imag()(Eigen::all, kept);
+  of_waves_.resize(2 * count, 2 * waves);
   of_waves_ << -(squares.cwiseInverse().asDiagonal() * (equations.accelerations() * states)),
       states.middleRows(count, count);
   of_waves_ *= equations.size;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <Eigen/Core>
 
 #include "boxbeam/mechanism/flexible/beam_loads.hpp"
 #include "boxbeam/mechanism/flexible/modal_response.hpp"
@@ -20,8 +20,9 @@ class StartLoads {
  private:
   SuddenStartModes modes_;
   BeamResponse driven_;  ///< without vibration; `sine` and `cosine` of the drive's angle
-  std::vector<BeamLoads> of_modes_;  ///< with x_j = 1
-  std::vector<BeamLoads> of_speeds_;
+  /// Numbers of the loads in the plane, which are added to those of the drive, a column each.
+  Eigen::MatrixXd of_modes_;  ///< with x_j = 1
+  Eigen::MatrixXd of_speeds_;
 };
 
 }  // namespace boxbeam::flexible
