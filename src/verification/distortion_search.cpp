@@ -22,7 +22,10 @@ namespace {
 constexpr double no_effect = 1e-4;
 
 /// What is not known may be any.
-constexpr double unknown = std::numeric_limits<double>::infinity();
+double or_unbounded(double size) {
+  if (std::isnan(size)) return std::numeric_limits<double>::infinity();
+  return size;
+}
 
 }  // namespace
 
@@ -129,7 +132,7 @@ DistortionSearch::LookedOver DistortionSearch::look_over(std::size_t place) {
       const PointStress alone{si<Stress>(hulls[r].of(per_force.normal).size()),
                               si<Stress>(hulls[r].of(per_force.shear).size())};
       const double use = use_of(over.points[p], alone, most, factor).use();
-      over.most[p] = std::isnan(use) ? unknown : std::max(over.most[p], use);
+      over.most[p] = std::max(over.most[p], or_unbounded(use));
     }
   }
   return over;
@@ -244,8 +247,7 @@ void DistortionSearch::note_bending(const std::vector<DistortedPoint>& points,
     for (std::size_t r = 0; r < cuts.size(); ++r) {
       const Situation& situation = *(*runs_)[r].situation;
       const CutForceHull::Bounds bounds = hulls[r].of(per_force, of_moments);
-      most = std::isnan(bounds.lowest) ? unknown
-                                       : std::max(most, situation.load_factor * bounds.size());
+      most = std::max(most, or_unbounded(situation.load_factor * bounds.size()));
       if (!project_->fatigue.asked || !counts_in_fatigue(*project_, situation)) continue;
       counted.lowest = std::min(counted.lowest, bounds.lowest);
       counted.highest = std::max(counted.highest, bounds.highest);

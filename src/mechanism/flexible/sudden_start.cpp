@@ -125,7 +125,7 @@ SuddenStartModes::SuddenStartModes(const ModalModel& model)
   const StartEquations equations = start_equations_of(model);
   // No mode is without strain and none in resonance: the eigenvectors span the state.
   const Eigen::EigenSolver<MatrixXd> solver(equations.A);
-  const VectorXcd all = solver.eigenvalues();
+  const VectorXcd& all = solver.eigenvalues();
   const Index size = all.size(), count = squares.size();
   VectorXcd start = VectorXcd::Zero(size);
   start[size - 1] = 1.0;
