@@ -6,10 +6,13 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/project/project.hpp"
 #include "catch.hpp"
+#include "support/refusals.hpp"
 
 /// A small case in space for tests of the reader: the beam "arm" (A at its start, B 1 m along x)
 /// and the body "load" (C, its origin); joints, drivers, forces and [motion] are the test's own.
 namespace small_chain {
+
+using test::contains;
 
 inline const std::string bodies =
     "[case]\nname = \"small\"\nkind = \"spatial\"\n"
@@ -75,10 +78,6 @@ inline boxbeam::Problem problem_in(const std::string& text) {
 
 inline boxbeam::Problem problem_of(const std::string& mechanism) {
   return problem_in(bodies + mechanism);
-}
-
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace small_chain

@@ -5,7 +5,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <deque>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -242,6 +244,43 @@ inline void check_alike(const Cuts& found, const Cuts& expected, const Cuts& siz
   INFO("found " << found.transpose() << "\nexpected " << expected.transpose());
   CHECK((found - expected).head<3>().norm() < within * force);
   CHECK((found - expected).tail<3>().norm() < within * moment);
+}
+
+/// Energy over a period of a small swing about an axis through the heel: what the drive does beyond
+/// moving rigid bodies is what the material takes,
+///
+///     integral of M q' = retardation times the sum of omega_j^2 integral of eta_j'^2
+///
+/// for p_j is the work of inertia, and the heel's moment that of the modes. By sums over the even
+/// instants, exact for few harmonics.
+inline void check_dissipated(const Moved& of, const boxbeam::ElasticMotionInSpace& elastic,
+                             const Eigen::Vector3d& axis, double amplitude, double frequency,
+                             double retardation) {
+  constexpr double full = 2.0 * std::numbers::pi;
+  const Eigen::MatrixXd& eta = elastic.coordinates();
+  const std::vector<boxbeam::frame::BeamMode> modes =
+      of.modes(8, static_cast<std::size_t>(eta.cols()));
+  const auto n = static_cast<double>(eta.rows());
+  const double omega = full * frequency, period = of.rigid().period().value();
+  double done = 0.0;
+  Eigen::MatrixXcd first = Eigen::MatrixXcd::Zero(1, eta.cols());
+  for (Eigen::Index i = 0; i < eta.rows(); ++i) {
+    const double part = static_cast<double>(i) / n;
+    const double rate = amplitude * omega * std::cos(full * part);
+    const Cuts extra = cuts_of(elastic.loads_at(of.at(part)), 0.0) -
+                       cuts_of(of.rigid().loads_at(of.at(part)), 0.0);
+    // The cut behind the heel is what it does, reversed.
+    done += -extra.tail<3>().dot(axis) * rate * period / n;
+    first += std::exp(std::complex<double>(0.0, -full * part)) * eta.row(i) * (2.0 / n);
+  }
+  double dissipated = 0.0;
+  for (Eigen::Index j = 0; j < eta.cols(); ++j) {
+    const double natural = full * modes[static_cast<std::size_t>(j)].frequency;
+    dissipated +=
+        retardation * natural * natural * 0.5 * std::norm(first(0, j)) * omega * omega * period;
+  }
+  REQUIRE(dissipated > 0.0);
+  CHECK(done == Approx(dissipated).epsilon(1e-5));
 }
 
 /// A tapered box beam of 12 m on a joint; sizes of its tip [mm].

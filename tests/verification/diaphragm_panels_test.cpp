@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "boxbeam/core/error.hpp"
 #include "catch.hpp"
 #include "support/program.hpp"
+#include "support/refusals.hpp"
 #include "support/slender_cases.hpp"
 #include "support/uniform.hpp"
 
@@ -105,14 +105,11 @@ TEST_CASE("one more diaphragm never takes from a beam, a panel that is longer gi
 }
 
 TEST_CASE("diaphragms that cannot be are refused", "[plates]") {
-  const auto said = [](const std::string& more) -> std::string {
-    try {
-      parse_project("slender.toml", cantilever(box("a", 600.0, 1224.0, 12.0, 8.0),
-                                               segment(6.0, "a") + more, tip(6.0, -400.0)));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+  const auto said = [](const std::string& more) {
+    return test::refusal_of([&] {
+      return parse_project("slender.toml", cantilever(box("a", 600.0, 1224.0, 12.0, 8.0),
+                                                      segment(6.0, "a") + more, tip(6.0, -400.0)));
+    });
   };
   CHECK(said(diaphragms({0.0, 6.0})).empty());
   CHECK(said(diaphragms({3.0, 3.0})).find("there is already a diaphragm at this station") !=

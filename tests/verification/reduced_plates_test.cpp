@@ -7,11 +7,11 @@
 
 #include <cmath>
 
-#include "boxbeam/core/error.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
 #include "support/factor_of_sheet.hpp"
 #include "support/reduced_by_hand.hpp"
+#include "support/refusals.hpp"
 #include "support/slender_cases.hpp"
 #include "support/uniform.hpp"
 
@@ -348,14 +348,11 @@ TEST_CASE("sheets of reduced stresses end at the factor of the check", "[plates]
 }
 
 TEST_CASE("a route that is none is refused with those that are", "[plates]") {
-  const auto said = [](const std::string& strength) -> std::string {
-    try {
-      parse_project("slender.toml",
-                    cantilever(slender, segment(6.0, "a"), tip(6.0, -1.0), "", strength));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+  const auto said = [](const std::string& strength) {
+    return test::refusal_of([&] {
+      return parse_project("slender.toml",
+                           cantilever(slender, segment(6.0, "a"), tip(6.0, -1.0), "", strength));
+    });
   };
   CHECK(said(reduced).empty());
   CHECK(said("plates = \"effective widths\"\n").empty());
