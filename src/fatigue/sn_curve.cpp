@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cassert>
 #include <limits>
 
@@ -15,7 +13,6 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double knee_cycles = 5e6;
 constexpr double cut_off_cycles = 1e8;
-constexpr std::array categories{160, 140, 125, 112, 100, 90, 80, 71, 63, 56, 50, 45, 40, 36};
 constexpr const char* edition = "EN 1993-1-9:2005+AC:2009";
 
 }  // namespace
@@ -126,11 +123,5 @@ SnCurve published_step(double category) {
           false,
           "the category taken at 5e6 cycles (not EN 1993-1-9)"};
 }
-
-bool is_direct_category(int category) {
-  return std::find(categories.begin(), categories.end(), category) != categories.end();
-}
-
-std::string direct_categories() { return fmt::format("{}", fmt::join(categories, ", ")); }
 
 }  // namespace boxbeam

@@ -20,6 +20,12 @@ Changeable changeable_of_bodies(const std::string& beam_body) {
   return {parts, "drivers.exciter.frequency", beam_body};
 }
 
+void refuse_other_joints(TableReader& root, bool other) {
+  if (other)
+    root.problem("joints", "the stiffness and damping of joints are those of all situations",
+                 "change them in [joints] itself, for example by --set");
+}
+
 void refuse_planar_parts(TableReader& root, const Project& project, Known known) {
   for (const char* key :
        {"loops", "newton_chain", "equivalent_mass", "pins", "rods", "deflection"}) {

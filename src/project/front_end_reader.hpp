@@ -71,6 +71,9 @@ std::unique_ptr<FrontEndReader> reader_for(const recorded::Loads&, const Section
 /// The parts of a mechanism of rigid bodies that a situation may change.
 Changeable changeable_of_bodies(const std::string& beam_body);
 
+/// What a situation does not change of joints that give way.
+void refuse_other_joints(TableReader& root, bool other);
+
 /// Which parts of rigid mechanisms in the plane another kind of case knows as well.
 struct Known {
   bool deflection = false, neighbours = false, loops = false;

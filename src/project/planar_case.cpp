@@ -134,9 +134,7 @@ class PlanarReader : public FrontEndReader {
 
   AnyMechanism changed_mechanism(TableReader& root) const override {
     MechanismDraft draft = read_mechanism(root, names_of_beams(beam_body_, others_), *tables_);
-    if (draft.elastic != elastic_joints_)
-      root.problem("joints", "the stiffness and damping of joints are those of all situations",
-                   "change them in [joints] itself, for example by --set");
+    refuse_other_joints(root, draft.elastic != elastic_joints_);
     if (!root.problems().empty()) return project_->mechanism;
     return placed(root, std::move(draft), project_->beam_body);
   }

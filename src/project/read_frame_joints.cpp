@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -15,12 +14,6 @@ using frame::Joint;
 
 constexpr double rigid = std::numeric_limits<double>::infinity();
 constexpr const char* rigid_word = "rigid";
-
-/// What a support or joint of a kind holds, along and about its axes.
-struct HeldThere {
-  const char* word;
-  std::array<double, 6> stiffness;
-};
 
 /// World axes in the plane, or a first axis along which a roller holds, and others square to it.
 Eigen::Matrix3d axes_from(const Vector3d& first) {

@@ -77,9 +77,7 @@ class SpatialReader : public FrontEndReader {
 
   AnyMechanism changed_mechanism(TableReader& root) const override {
     ChainDraft chain = read_chain(root, names_of_beams(beam_body_, others_), *tables_);
-    if (chain.giving_way != giving_way_)
-      root.problem("joints", "the stiffness and damping of joints are those of all situations",
-                   "change them in [joints] itself, for example by --set");
+    refuse_other_joints(root, chain.giving_way != giving_way_);
     if (!root.problems().empty()) return project_->mechanism;
     spatial::Mechanism& mechanism = chain.mechanism;
     spatial::BeamPlacement placement = project_->placement;

@@ -178,10 +178,7 @@ void derive_seam(Derivation& steps, const Project& project, const PatchedSeam& o
   steps.note([] { return "across the seam, by the welds alone: no contact"; });
   derive_shear_section(steps, project, point);
   const Traced tau_par = derive_shear_stress(steps, "tau_par", project, point, basis.cut);
-  const Traced sigma_v =
-      steps.define("sigma_v", equal_leg_stress(sigma_w, tau_par),
-                   "sqrt(sigma_perp^2 + 3 (tau_perp^2 + tau_par^2)) with sigma_perp = tau_perp = "
-                   "sigma_w/sqrt(2) of equal legs; sigma_perp alone is held with it");
+  const Traced sigma_v = derive_throat_stress(steps, sigma_w, tau_par);
   steps.given("f_u", of.strength.tensile_strength, "of the weaker part joined");
   const Traced limit = weld_strength(steps, of.strength);
   steps.define("factor", limit / loaded(steps, basis.load_factor, sigma_v));

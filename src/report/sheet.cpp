@@ -177,10 +177,7 @@ Steps weld_line_steps(const Project& project, const Check& check, const CheckBas
   const Traced sigma_w = derive_normal_stress(of, "sigma_w", project, point, basis.cut_at_time);
   derive_shear_section(of, project, point);
   const Traced tau_par = derive_shear_stress(of, "tau_par", project, point, basis.cut_at_time);
-  const Traced sigma_v =
-      of.define("sigma_v", equal_leg_stress(sigma_w, tau_par),
-                "sqrt(sigma_perp^2 + 3 (tau_perp^2 + tau_par^2)) with sigma_perp = tau_perp = "
-                "sigma_w/sqrt(2) of equal legs; sigma_perp alone is held with it");
+  const Traced sigma_v = derive_throat_stress(of, sigma_w, tau_par);
   of.note([&] {
     return fmt::format(
         "the weld's line is a {} section as thick as its throat with what it penetrates beyond, "

@@ -11,6 +11,7 @@
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/section/level_shear.hpp"
 #include "boxbeam/section/nominal_stress.hpp"
+#include "boxbeam/strength/weld_throat.hpp"
 #include "section_steps.hpp"
 
 namespace boxbeam::report {
@@ -350,6 +351,13 @@ Traced derive_shear_stress(Derivation& steps, const std::string& symbol, const P
                     contributions_of(point.influence.shear, 'c', cut, space,
                                      stress_at(point.influence, cut).normal, instead),
                     note);
+}
+
+Traced derive_throat_stress(Derivation& steps, const Traced& sigma_w, const Traced& tau_par) {
+  return steps.define(
+      "sigma_v", equal_leg_stress(sigma_w, tau_par),
+      "sqrt(sigma_perp^2 + 3 (tau_perp^2 + tau_par^2)) with sigma_perp = tau_perp = "
+      "sigma_w/sqrt(2) of equal legs; sigma_perp alone is held with it");
 }
 
 }  // namespace boxbeam::report

@@ -24,4 +24,7 @@ Traced derive_shear_stress(Derivation& steps, const std::string& symbol, const P
                            const StressPoint& point, const CutForces& cut,
                            const std::string& note = "");
 
+/// The stress in the throat of a weld under sigma_w across it and tau_par along it.
+Traced derive_throat_stress(Derivation& steps, const Traced& sigma_w, const Traced& tau_par);
+
 }  // namespace boxbeam::report

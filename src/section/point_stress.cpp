@@ -12,10 +12,4 @@ PointStress stress_at(const StressInfluence& influence, const CutForces& cut) {
           si<Stress>(stress_of(influence.shear, cut))};
 }
 
-StressInfluence shear_scaled(const StressInfluence& influence, double factor) {
-  StressInfluence scaled = influence;
-  for (double& shear : scaled.shear) shear *= factor;
-  return scaled;
-}
-
 }  // namespace boxbeam

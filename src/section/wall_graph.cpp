@@ -102,12 +102,6 @@ void cut_holes(Line& line, const std::vector<Hole>& holes, HoleWalls walls) {
   }
 }
 
-/// Plates that stiffeners stand on, and where.
-struct Foot {
-  double place;
-  std::size_t node;
-};
-
 void add_walls(WallGraph& graph, const Box& box, const std::vector<Hole>& holes, bool inner) {
   const double y = 0.5 * box.width.value();
   const double z = 0.5 * box.height.value();

@@ -8,6 +8,7 @@
 #include "boxbeam/strength/plate_slenderness.hpp"
 #include "boxbeam/strength/section_class.hpp"
 #include "counts_beside.hpp"
+#include "level_steps.hpp"
 #include "plate_formulas.hpp"
 
 namespace boxbeam {
@@ -351,24 +352,14 @@ std::array<double, 4> EffectiveBox::compressed_shares(const CutForces& cut) cons
       share = std::max(share, -(of.stress / box_.of(plate).class_strength).value());
     }
   });
-  const double yielding = use(cut);
-  for (double& share : most) share = yielding > 0.0 ? std::min(1.0, share / yielding) : 1.0;
-  return most;
+  return where_it_yields(most, use(cut));
 }
 
 std::optional<EffectiveBox> EffectiveBox::below_yield(const CutForces& cut, bool annex_E) const {
-  constexpr int most_steps = 60;
-  constexpr double close = 1e-9;
   EffectiveBox of = *this;
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < most_level_steps; ++i) {
     FourWalls walls = of.box_;
-    const std::array<double, 4> shares = of.compressed_shares(cut);
-    bool settled = true;
-    for (std::size_t k = 0; k < shares.size(); ++k) {
-      settled = settled && std::abs(shares[k] - walls.walls[k].level.share) < close;
-      walls.walls[k].level = {shares[k], annex_E};
-    }
-    if (settled) return of;
+    if (settled_at(of.compressed_shares(cut), annex_E, walls.walls)) return of;
     of = EffectiveBox(walls, lag_, most_passes_);
   }
   return std::nullopt;

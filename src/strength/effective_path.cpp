@@ -10,6 +10,7 @@
 #include "boxbeam/strength/section_class.hpp"
 #include "boxbeam/strength/stiffened_plate.hpp"
 #include "counts_beside.hpp"
+#include "level_steps.hpp"
 
 namespace boxbeam {
 namespace {
@@ -306,25 +307,15 @@ std::vector<double> EffectivePath::compressed_shares(const CutForces& cut) const
     for (const std::size_t k : resist_[of.place].plates)
       most[k] = std::max(most[k], (pressed / path_.plates[k].class_strength).value());
   });
-  const double yielding = use(cut);
-  for (double& share : most) share = yielding > 0.0 ? std::min(1.0, share / yielding) : 1.0;
-  return most;
+  return where_it_yields(std::move(most), use(cut));
 }
 
 std::optional<EffectivePath> EffectivePath::below_yield(const CutForces& cut, bool annex_E) const {
-  constexpr int most_steps = 60;
-  constexpr double close = 1e-9;
   EffectivePath of = *this;
-  for (int i = 0; i < most_steps; ++i) {
-    const std::vector<double> shares = of.compressed_shares(cut);
+  for (int i = 0; i < most_level_steps; ++i) {
     PathSection path = of.path_;
-    bool same = true;
-    for (std::size_t k = 0; k < shares.size(); ++k) {
-      same = same && std::abs(shares[k] - path.plates[k].level.share) < close;
-      path.plates[k].level = {shares[k], annex_E};
-    }
-    if (same && of.settled()) return of;
-    if (same) return std::nullopt;
+    if (settled_at(of.compressed_shares(cut), annex_E, path.plates))
+      return of.settled() ? std::optional(std::move(of)) : std::nullopt;
     of = EffectivePath(path);
   }
   return std::nullopt;

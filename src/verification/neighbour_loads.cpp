@@ -57,7 +57,7 @@ Extreme NeighbourLoads::largest(const Project& project,
 NeighbourRuns neighbour_loads_of(const Project& project, const std::deque<SituationRun>& runs) {
   NeighbourRuns all;
   for (const SituationRun& run : runs)
-    all.push_back(project.in_space ? spatial_neighbour_loads(project, run)
+    all.push_back(project.in_space ? spatial_neighbour_loads(run)
                                    : planar_neighbour_loads(project, run));
   return all;
 }

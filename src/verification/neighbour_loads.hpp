@@ -112,7 +112,6 @@ NeighbourRuns neighbour_loads_of(const Project& project, const std::deque<Situat
 
 std::unique_ptr<NeighbourLoads> planar_neighbour_loads(const Project& project,
                                                        const SituationRun& run);
-std::unique_ptr<NeighbourLoads> spatial_neighbour_loads(const Project& project,
-                                                        const SituationRun& run);
+std::unique_ptr<NeighbourLoads> spatial_neighbour_loads(const SituationRun& run);
 
 }  // namespace boxbeam

@@ -6,16 +6,6 @@
 
 namespace boxbeam {
 
-SampledTime equal_instants(double begin, double step, std::size_t count, bool closed) {
-  SampledTime span{{}, begin, step * static_cast<double>(closed ? count : count - 1)};
-  for (std::size_t i = 0; i < count; ++i) {
-    const double at = begin + step * static_cast<double>(i);
-    const bool first = i == 0 && !closed, last = i + 1 == count && !closed;
-    span.instants.push_back({at, first ? at : at - step, last ? at : at + step});
-  }
-  return span;
-}
-
 SampledTime sampled_time_of(const LoadHistory& loads) {
   SampledTime span{{}, loads.begin().value(), loads.period().value()};
   for (std::size_t i = 0; i < loads.instants(); ++i) {

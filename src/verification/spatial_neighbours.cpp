@@ -36,13 +36,11 @@ struct RodBeam : EvenBeam {
 
 class SpatialNeighbours : public NeighbourLoads {
  public:
-  SpatialNeighbours(const Project& project, const SituationRun& run)
+  explicit SpatialNeighbours(const SituationRun& run)
       : NeighbourLoads(run),
         chain_(&chain_of(run)),
         mechanism_(&chain_->mechanism()),
-        states_(states_around(run)) {
-    static_cast<void>(project);
-  }
+        states_(states_around(run)) {}
 
   bool determines(int joint) const override {
     return chain_->loops() == nullptr ||
@@ -275,9 +273,8 @@ class SpatialNeighbours : public NeighbourLoads {
 
 }  // namespace
 
-std::unique_ptr<NeighbourLoads> spatial_neighbour_loads(const Project& project,
-                                                        const SituationRun& run) {
-  return std::make_unique<SpatialNeighbours>(project, run);
+std::unique_ptr<NeighbourLoads> spatial_neighbour_loads(const SituationRun& run) {
+  return std::make_unique<SpatialNeighbours>(run);
 }
 
 }  // namespace boxbeam

@@ -5,10 +5,12 @@
 #include "boxbeam/project/stress_history.hpp"
 #include "catch.hpp"
 #include "support/program.hpp"
+#include "support/refusals.hpp"
 
 namespace broken_history_test {
 
 using namespace boxbeam;
+using test::contains;
 
 namespace {
 
@@ -21,10 +23,6 @@ Problem problem_of(const StressHistorySource& source) {
   }
   FAIL("nothing was found wrong");
   return {};
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace

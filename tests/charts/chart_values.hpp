@@ -89,6 +89,11 @@ inline double error_at(const boxbeam::charts::Series& series, double parameter) 
   throw std::out_of_range("no such setting in " + series.method);
 }
 
+inline double error_of(const boxbeam::charts::Chart& chart, const std::string& method,
+                       double parameter) {
+  return error_at(series_of(chart, method), parameter);
+}
+
 /// Order between two settings: how the error falls with the parameter.
 inline double order_between(const boxbeam::charts::Series& series, double from, double to) {
   return std::log(error_at(series, from) / error_at(series, to)) / std::log(to / from);

@@ -13,14 +13,7 @@ namespace model_test {
 
 using namespace boxbeam;
 using namespace boxbeam::charts;
-
-namespace {
-
-double error_of(const Chart& chart, const std::string& method, double parameter) {
-  return test::error_at(test::series_of(chart, method), parameter);
-}
-
-}  // namespace
+using test::error_of;
 
 TEST_CASE("charts of models: rigid bodies miss r^2, the chosen model keeps the tolerance",
           "[charts][model]") {

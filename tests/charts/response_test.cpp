@@ -12,14 +12,7 @@ namespace response_test {
 
 using namespace boxbeam;
 using namespace boxbeam::charts;
-
-namespace {
-
-double error_of(const Chart& chart, const std::string& method, double parameter) {
-  return test::error_at(test::series_of(chart, method), parameter);
-}
-
-}  // namespace
+using test::error_of;
 
 TEST_CASE("charts of the response: static correction is what makes few modes enough",
           "[charts][response][unsanitized]") {

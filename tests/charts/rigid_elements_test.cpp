@@ -18,15 +18,12 @@ namespace rigid_elements_test {
 using namespace boxbeam;
 using namespace boxbeam::charts;
 using flexible::Element;
+using test::error_of;
 
 namespace {
 
 constexpr const char* richardson = "classical, extrapolated (Richardson)";
 constexpr const char* hermite = "Hermite finite elements";
-
-double error_of(const Chart& chart, const std::string& method, double parameter) {
-  return test::error_at(test::series_of(chart, method), parameter);
-}
 
 double order(const Chart& chart, const std::string& method, double coarse, double fine) {
   return test::order_between(test::series_of(chart, method), coarse, fine);

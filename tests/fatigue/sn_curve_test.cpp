@@ -38,7 +38,6 @@ TEST_CASE("EN 1993-1-9, 7.1: knee, cut-off and both branches of every category")
       {40, 29.47, 16.19, 11.1072, 14.0460},   {36, 26.53, 14.57, 10.9699, 13.8172}};
   for (const auto& [C, D, L, log_3, log_5] : table) {
     CAPTURE(C);
-    CHECK(is_direct_category(static_cast<int>(C)));
     CHECK(in_MPa(knee_of(category(C))) == Approx(D).margin(0.0051));
     CHECK(in_MPa(cut_off_of(category(C))) == Approx(L).margin(0.0051));
     CHECK(log_C(C, 2 * C, 3) == Approx(log_3).margin(6e-5));
@@ -121,11 +120,6 @@ TEST_CASE("the published step: 100 (5e6/1e8)^(1/5) = 54.9 MPa, as the sledge-rig
   CHECK(in_MPa(knee_of(step)) == Approx(100));
   // The standard gives 40.5 MPa there.
   CHECK(in_MPa(strength_at(category(100), 1e8, Loading::spectrum)) == Approx(40.5).margin(0.05));
-}
-
-TEST_CASE("only the categories of figure 7.1 are categories") {
-  for (const int number : {0, 35, 91, 101, 120, 161, -90}) CHECK_FALSE(is_direct_category(number));
-  CHECK(direct_categories() == "160, 140, 125, 112, 100, 90, 80, 71, 63, 56, 50, 45, 40, 36");
 }
 
 }  // namespace sn_curve_test

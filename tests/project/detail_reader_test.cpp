@@ -2,10 +2,12 @@
 
 #include "boxbeam/project/detail_catalogue.hpp"
 #include "catch.hpp"
+#include "support/refusals.hpp"
 
 namespace detail_reader_test {
 
 using namespace boxbeam;
+using test::contains;
 
 namespace {
 
@@ -33,10 +35,6 @@ std::string complaint(const std::string& text) {
   const Reading reading(text);
   REQUIRE(reading.problems.size() == 1);
   return reading.problems[0].message + " / " + reading.problems[0].hint;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace

@@ -9,10 +9,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "boxbeam/core/error.hpp"
 #include "boxbeam/project/project.hpp"
 #include "catch.hpp"
 #include "support/program.hpp"
+#include "support/refusals.hpp"
 
 namespace long_records_test {
 
@@ -68,14 +68,7 @@ void write_outb(const std::filesystem::path& path, bool doubles, double step,
 }
 
 std::string complaint(const std::string& path) {
-  try {
-    read_project(path);
-  } catch (const InputError& error) {
-    std::string all;
-    for (const Problem& problem : error.problems()) all += problem.message + "\n";
-    return all;
-  }
-  return "";
+  return test::complaints_of([&] { return read_project(path); });
 }
 
 const recorded::Channels& channels_of(const Project& project) {

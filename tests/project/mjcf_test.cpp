@@ -14,12 +14,14 @@
 #include "boxbeam/project/robot.hpp"
 #include "catch.hpp"
 #include "support/program.hpp"
+#include "support/refusals.hpp"
 
 namespace mjcf_test {
 
 using namespace boxbeam;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+using test::contains;
 
 namespace {
 
@@ -62,10 +64,6 @@ Matrix3d turned_z(double q) {
   Matrix3d R;
   R << std::cos(q), -std::sin(q), 0, std::sin(q), std::cos(q), 0, 0, 0, 1;
   return R;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 const std::string ball = "<geom type=\"sphere\" size=\"0.1\" mass=\"2\"/>";

@@ -5,10 +5,12 @@
 #include "boxbeam/core/error.hpp"
 #include "catch.hpp"
 #include "support/program.hpp"
+#include "support/refusals.hpp"
 
 namespace published_values_test {
 
 using namespace boxbeam;
+using test::contains;
 
 namespace {
 
@@ -24,10 +26,6 @@ std::vector<Problem> problems_in(const std::string& text) {
     return error.problems();
   }
   return {};
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 const std::string header = "result,published,tolerance,reason,source\n";

@@ -5,11 +5,14 @@
 
 #include "boxbeam/project/project.hpp"
 #include "catch.hpp"
+#include "support/refusals.hpp"
 
 /// A small case for tests of the reader: the beam "arm" (points A at its start, B at its end, 1 m
 /// apart, centre in the middle), the "rod" (P, Q, 2 m apart, centre 0.5 m from P) and the "wheel"
 /// (C, its centre); joints, drivers, forces and [motion] are the test's own.
 namespace small_case {
+
+using test::contains;
 
 inline const std::string bodies =
     "[case]\nname = \"small\"\nkind = \"planar\"\n"
@@ -111,10 +114,6 @@ Kind force(const std::string& lines) {
 
 inline bool at(const boxbeam::planar::Attachment& point, int body, double x, double y) {
   return point.body == body && (point.p - Eigen::Vector2d(x, y)).norm() < 1e-12;
-}
-
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 constexpr int arm = 0;

@@ -6,10 +6,13 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/project/project.hpp"
 #include "catch.hpp"
+#include "support/refusals.hpp"
 
 /// A small case in space for tests of the reader: the beam "arm" (A at its start, B 1 m along x)
 /// and the body "load" (C, its origin); joints, drivers, forces and [motion] are the test's own.
 namespace small_chain {
+
+using test::contains;
 
 inline const std::string bodies =
     "[case]\nname = \"small\"\nkind = \"spatial\"\n"
@@ -26,13 +29,28 @@ inline const std::string bodies =
     "[fatigue]\ncategory = 100\ncycles = 1e6\nloading = \"spectrum\"\ngamma_Mf = 1.0\n"
     "required = 1.0\n";
 
-inline const std::string hinge =
-    "[joints.hinge]\nkind = \"revolute\"\nconnect = [\"ground\", \"arm.A\"]\naxis = \"y\"\n";
+/// The beam's joint with the ground, without what its kind asks for.
+inline std::string heel(const std::string& kind) {
+  return "[joints.hinge]\nkind = \"" + kind + "\"\nconnect = [\"ground\", \"arm.A\"]\n";
+}
+inline const std::string hinge = heel("revolute") + "axis = \"y\"\n";
 inline const std::string weld =
     "[joints.weld]\nkind = \"fixed\"\nconnect = [\"arm.B\", \"load.C\"]\n";
 inline const std::string swing =
     "[drivers.swing]\njoint = \"hinge\"\nkind = \"harmonic\"\nmean = \"0 deg\"\n"
     "amplitude = \"5 deg\"\nfrequency = \"1 Hz\"\n";
+
+/// Two wheels about y on the ground, 0.3 m apart along x, the first one the beam's joint.
+inline const std::string two_wheels =
+    hinge + weld +
+    "[bodies.wheel]\npoints = { C = [\"0 m\", \"0 m\", \"0 m\"] }\n"
+    "[joints.wheel]\nkind = \"revolute\"\nconnect = [\"ground\", \"wheel.C\"]\n"
+    "at = [\"0.3 m\", \"0 m\", \"0 m\"]\naxis = \"y\"\n";
+inline const std::string sledge =
+    "[bodies.sledge]\npoints = { C = [\"0 m\", \"0 m\", \"0 m\"] }\n"
+    "[joints.sledge]\nkind = \"prismatic\"\nconnect = [\"ground\", \"sledge.C\"]\n"
+    "axis = \"x\"\n";
+inline const std::string teeth = "[joints.teeth]\nkind = \"gear\"\n";
 
 inline boxbeam::Project read(const std::string& mechanism) {
   return boxbeam::parse_project("small.toml", bodies + mechanism);
@@ -60,10 +78,6 @@ inline boxbeam::Problem problem_in(const std::string& text) {
 
 inline boxbeam::Problem problem_of(const std::string& mechanism) {
   return problem_in(bodies + mechanism);
-}
-
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace small_chain

@@ -14,6 +14,7 @@
 #include "boxbeam/project/project.hpp"
 #include "catch.hpp"
 #include "support/program.hpp"
+#include "support/refusals.hpp"
 
 namespace urdf_test {
 
@@ -21,6 +22,7 @@ using namespace boxbeam;
 using Eigen::Matrix3d;
 using Eigen::Matrix4d;
 using Eigen::Vector3d;
+using test::contains;
 
 namespace {
 
@@ -120,10 +122,6 @@ const spatial::Joint& joint(const Project& project, const char* name) {
 
 double held(const Project& project, const char* name) {
   return driver_at(joint(project, name).driver, 0.5).value;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 const std::string box =

@@ -11,11 +11,13 @@
 #include "boxbeam/report/json.hpp"
 #include "catch.hpp"
 #include "support/program.hpp"
+#include "support/refusals.hpp"
 #include "support/rig.hpp"
 
 namespace comparison_test {
 
 using namespace boxbeam;
+using test::contains;
 
 namespace {
 
@@ -68,10 +70,6 @@ std::vector<Problem> problems_in(const Verified& with, const std::string& rows) 
     return error.problems();
   }
   return {};
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 Comparison shipped(const Verified& with, const std::string& table) {

@@ -5,9 +5,11 @@
 #include <string>
 
 #include "catch.hpp"
+#include "support/refusals.hpp"
 
 namespace latex_writer_test {
 
+using test::contains;
 using namespace boxbeam::report;
 
 namespace {
@@ -28,10 +30,6 @@ Document small_document() {
 
 std::string latex_without_figures(const Document& document) {
   return latex_of(document, [](const std::string&) { return false; });
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace

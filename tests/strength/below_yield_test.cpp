@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/strength/effective_box.hpp"
 #include "boxbeam/strength/effective_path.hpp"
 #include "catch.hpp"
 #include "support/paths.hpp"
+#include "support/uniform.hpp"
 
 namespace below_yield_test {
 
@@ -43,16 +43,13 @@ FourWalls walls_of(double width, double height, double top, double bottom, doubl
   return *four_walls_of(box, steel);
 }
 
-FourWalls random_walls(std::mt19937& random) {
-  const auto in = [&](double low, double high) {
-    return std::uniform_real_distribution(low, high)(random);
-  };
+FourWalls random_walls(test::Uniform& in) {
   return walls_of(in(300.0, 900.0), in(400.0, 1300.0), in(5.0, 14.0), in(5.0, 14.0), in(4.0, 10.0),
                   in(4.0, 10.0));
 }
 
-CutForces random_forces(std::mt19937& random) {
-  const auto in = [&](double most) { return std::uniform_real_distribution(-most, most)(random); };
+CutForces random_forces(test::Uniform& between) {
+  const auto in = [&](double most) { return between(-most, most); };
   return forces(in(2e6), in(1.5e6), in(0.8e6));
 }
 
@@ -152,11 +149,11 @@ TEST_CASE("rho grows as the stress falls, by annex E no less than by 4.4(4)", "[
 
 TEST_CASE("the factor at which plates below yield end is that of every level of load",
           "[below_yield]") {
-  std::mt19937 random(41);
+  test::Uniform in(41);
   int settled = 0, milder = 0;
   for (int i = 0; i < 40; ++i) {
-    const FourWalls walls = random_walls(random);
-    const CutForces cut = random_forces(random);
+    const FourWalls walls = random_walls(in);
+    const CutForces cut = random_forces(in);
     const EffectiveBox at_yield(walls);
     const bool annex_E = i % 2 == 0;
     const auto below = at_yield.below_yield(cut, annex_E);
@@ -281,10 +278,7 @@ double use_at_level(const PathSection& path, const CutForces& cut, bool annex_E)
   return use;
 }
 
-PathSection random_path(std::mt19937& random, int kind) {
-  const auto in = [&](double low, double high) {
-    return std::uniform_real_distribution(low, high)(random);
-  };
+PathSection random_path(test::Uniform& in, int kind) {
   const double width = in(200.0, 500.0), depth = in(500.0, 1300.0), web = in(4.0, 9.0);
   const ThinWalled path =
       kind == 0   ? paths::i_section(width, in(6.0, 14.0), depth, web)
@@ -297,11 +291,11 @@ PathSection random_path(std::mt19937& random, int kind) {
 
 TEST_CASE("the factor at which plates of paths below yield end is that of every level of load",
           "[below_yield]") {
-  std::mt19937 random(43);
+  test::Uniform in(43);
   int found = 0, milder = 0, just_then = 0;
   for (int i = 0; i < 36; ++i) {
-    const PathSection path = random_path(random, i % 3);
-    CutForces cut = random_forces(random);
+    const PathSection path = random_path(in, i % 3);
+    CutForces cut = random_forces(in);
     if (i % 4 == 0) cut.M_z = {};
     const EffectivePath at_yield(path);
     const bool annex_E = i % 2 == 0;

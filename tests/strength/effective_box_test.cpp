@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "catch.hpp"
+#include "support/uniform.hpp"
 
 namespace effective_box_test {
 
@@ -57,10 +57,7 @@ double below_top(const AreaSums& of) { return 1e3 * (0.610 - of.z / of.area); }
 double inertia_y(const AreaSums& of) { return of.zz - of.z * of.z / of.area; }
 double inertia_z(const AreaSums& of) { return of.yy - of.y * of.y / of.area; }
 
-Box random_box(std::mt19937& random) {
-  const auto in = [&](double low, double high) {
-    return std::uniform_real_distribution(low, high)(random);
-  };
+Box random_box(test::Uniform& in) {
   return {mm(in(200.0, 900.0)), mm(in(200.0, 1500.0)), mm(in(5.0, 30.0)),
           mm(in(5.0, 30.0)),    mm(in(4.0, 20.0)),     mm(in(4.0, 20.0))};
 }
@@ -72,8 +69,8 @@ Material steel() {
   return material;
 }
 
-CutForces random_forces(std::mt19937& random) {
-  const auto in = [&](double most) { return std::uniform_real_distribution(-most, most)(random); };
+CutForces random_forces(test::Uniform& between) {
+  const auto in = [&](double most) { return between(-most, most); };
   return {si<Force>(in(2e6)), si<Force>(0.0),      si<Force>(0.0),
           si<Moment>(0.0),    si<Moment>(in(1e6)), si<Moment>(in(5e5))};
 }
@@ -307,11 +304,11 @@ TEST_CASE("what A_eff in place of A relieves of a stretched corner is not counte
 }
 
 TEST_CASE("200 boxes at random under M_y: as a sum over fibres has it") {
-  std::mt19937 random(20);
+  test::Uniform in(20);
   const Material material = steel();
   int slender = 0;
   for (int i = 0; i < 200; ++i) {
-    const Box box = random_box(random);
+    const Box box = random_box(in);
     CAPTURE(i, box.width.value(), box.height.value());
     const EffectiveBox of(*four_walls_of(box, material));
     const FibreBox::Found fibres = FibreBox(box).found();
@@ -328,12 +325,12 @@ TEST_CASE("200 boxes at random under M_y: as a sum over fibres has it") {
 }
 
 TEST_CASE("stout plates: the effective section is the gross one, the stress Navier's") {
-  std::mt19937 random(21);
+  test::Uniform in(21);
   const Material material = steel();
   const Box box{mm(300.0), mm(400.0), mm(20.0), mm(25.0), mm(15.0), mm(18.0)};
   const EffectiveBox of(*four_walls_of(box, material));
   for (int i = 0; i < 50; ++i) {
-    const CutForces cut = random_forces(random);
+    const CutForces cut = random_forces(in);
     double largest = 0.0;
     for (const double y : {0.5 * 0.3 - 0.0075, 0.009 - 0.15}) {
       for (const double z : {0.2 - 0.01, 0.0125 - 0.2}) {
@@ -346,11 +343,11 @@ TEST_CASE("stout plates: the effective section is the gross one, the stress Navi
 }
 
 TEST_CASE("use grows with the load in proportion, and never falls when a plate gets thinner") {
-  std::mt19937 random(22);
+  test::Uniform in(22);
   const Material material = steel();
   for (int i = 0; i < 300; ++i) {
-    Box box = random_box(random);
-    const CutForces cut = random_forces(random);
+    Box box = random_box(in);
+    const CutForces cut = random_forces(in);
     const EffectiveBox of(*four_walls_of(box, material));
     const double use = of.use(cut);
     CutForces half{};
@@ -366,11 +363,11 @@ TEST_CASE("use grows with the load in proportion, and never falls when a plate g
 }
 
 TEST_CASE("boxes mirrored left to right and top to bottom are used alike") {
-  std::mt19937 random(23);
+  test::Uniform in(23);
   const Material material = steel();
   for (int i = 0; i < 100; ++i) {
-    const Box box = random_box(random);
-    const CutForces cut = random_forces(random);
+    const Box box = random_box(in);
+    const CutForces cut = random_forces(in);
     const double use = EffectiveBox(*four_walls_of(box, material)).use(cut);
     Box other = box;
     std::swap(other.left_web, other.right_web);
@@ -386,10 +383,10 @@ TEST_CASE("boxes mirrored left to right and top to bottom are used alike") {
 }
 
 TEST_CASE("longer iteration ends, and in the same place from there") {
-  std::mt19937 random(24);
+  test::Uniform in(24);
   const Material material = steel();
   for (int i = 0; i < 200; ++i) {
-    const FourWalls walls = *four_walls_of(random_box(random), material);
+    const FourWalls walls = *four_walls_of(random_box(in), material);
     for (const ActingAlone acting : {ActingAlone::M_y_positive, ActingAlone::M_z_negative}) {
       const SectionAlone settled = section_alone(walls, acting, {}, 200);
       CHECK(settled.passes < 200);
@@ -470,17 +467,14 @@ TEST_CASE("stiffened boxes: what is left is the outline less what does not work,
 }
 
 TEST_CASE("stiffened boxes mirrored left to right and top to bottom are used alike") {
-  std::mt19937 random(24);
+  test::Uniform in(24);
   const Material material = steel();
-  const auto in = [&](double low, double high) {
-    return std::uniform_real_distribution(low, high)(random);
-  };
   for (int i = 0; i < 50; ++i) {
     Box box{mm(in(700.0, 1400.0)), mm(in(700.0, 1400.0)), mm(in(6.0, 12.0)),
             mm(in(6.0, 12.0)),     mm(in(5.0, 10.0)),     mm(in(5.0, 10.0))};
     for (const BoxPlate plate : box_plates)
       box.stiffeners.push_back({plate, mm(in(-250.0, 250.0)), mm(80.0), mm(8.0)});
-    const CutForces cut = random_forces(random);
+    const CutForces cut = random_forces(in);
     const auto use_of = [&](const Box& of, const CutForces& forces) {
       FourWalls walls = *four_walls_of(of, material);
       walls.length = mm(1000.0 + 50.0 * i);

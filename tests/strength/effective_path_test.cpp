@@ -4,13 +4,13 @@
 #include "boxbeam/strength/effective_path.hpp"
 
 #include <cmath>
-#include <random>
 
 #include "boxbeam/project/catalogue.hpp"
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/strength/effective_box.hpp"
 #include "catch.hpp"
 #include "support/paths.hpp"
+#include "support/uniform.hpp"
 
 namespace effective_path_test {
 
@@ -158,10 +158,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a box as a path is the box of passes until nothing changes", "[plates]") {
-  std::mt19937 random(3);
-  const auto in = [&](double low, double high) {
-    return std::uniform_real_distribution(low, high)(random);
-  };
+  test::Uniform in(3);
   int judged = 0;
   for (int i = 0; i < 40; ++i) {
     const double b = in(300.0, 900.0), h = in(400.0, 1400.0);
@@ -197,10 +194,7 @@ TEST_CASE("a box as a path is the box of passes until nothing changes", "[plates
 
 TEST_CASE("a path turned by 90 degrees swaps y and z, walls split in two change nothing",
           "[plates]") {
-  std::mt19937 random(5);
-  const auto in = [&](double low, double high) {
-    return std::uniform_real_distribution(low, high)(random);
-  };
+  test::Uniform in(5);
   for (int i = 0; i < 30; ++i) {
     const ThinWalled path =
         i % 3 == 0   ? i_section(in(200.0, 600.0), in(6.0, 20.0), in(600.0, 1500.0), in(5.0, 10.0),
@@ -242,10 +236,7 @@ TEST_CASE("each settled section is the one by whose stress its plates were judge
 }
 
 TEST_CASE("thicker walls are used no more, and what is stout is the gross section", "[plates]") {
-  std::mt19937 random(9);
-  const auto in = [&](double low, double high) {
-    return std::uniform_real_distribution(low, high)(random);
-  };
+  test::Uniform in(9);
   for (int i = 0; i < 30; ++i) {
     const double b = in(200.0, 600.0), t_f = in(6.0, 12.0), h = in(600.0, 1500.0),
                  t_w = in(4.0, 8.0);

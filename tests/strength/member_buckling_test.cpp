@@ -1,10 +1,10 @@
 #include "boxbeam/strength/member_buckling.hpp"
 
 #include <cmath>
-#include <random>
 
 #include "boxbeam/core/derivation.hpp"
 #include "catch.hpp"
+#include "support/uniform.hpp"
 
 namespace member_buckling_test {
 
@@ -75,10 +75,7 @@ TEST_CASE("equations 6.61 and 6.62 by hand") {
 
 TEST_CASE("equations 6.61 and 6.62 never give less for more of anything") {
   // What lets the largest of each term stand for all places and instants; by the curves of members.
-  std::mt19937 engine(662);
-  const auto in = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine);
-  };
+  test::Uniform in(662);
   for (int i = 0; i < 20000; ++i) {
     MemberLoad load{in(0.001, 1.0), in(0.0, 1.0), in(0.001, 0.99)};
     MemberLoad::Straight& of = load.straight;
@@ -132,10 +129,7 @@ TEST_CASE("where other bodies are compressed the beam's bending counts, and its 
 }
 
 TEST_CASE("properties of members that hold for every load") {
-  std::mt19937 engine(11);
-  const auto in = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine);
-  };
+  test::Uniform in(11);
   for (int i = 0; i < 2000; ++i) {
     const MemberLoad load{in(0.0, 1.0), in(0.0, 1.0), in(0.001, 0.99)};
     CAPTURE(i, load.compressed, load.bent, load.critical);

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "boxbeam/strength/shear_buckling.hpp"
 #include "catch.hpp"
+#include "support/uniform.hpp"
 
 namespace plastic_box_test {
 
@@ -73,10 +73,7 @@ double moment_at_limit(double M_f, double M_N, double eta_3) {
   return M_N - (M_N - M_f) * std::pow(2.0 * eta_3 - 1.0, 2);
 }
 
-Plates random_plates(std::mt19937& random) {
-  const auto in = [&](double low, double high) {
-    return std::uniform_real_distribution(low, high)(random);
-  };
+Plates random_plates(test::Uniform& in) {
   Plates of;
   of.apart = of.width = in(300.0, 900.0);
   of.width += of.web;
@@ -152,12 +149,9 @@ TEST_CASE("7.1(1): M_f and M_pl of the reference box by hand", "[plastic_box]") 
 }
 
 TEST_CASE("plastic moments with N are those of fibres that yield", "[plastic_box]") {
-  std::mt19937 random(17);
-  const auto in = [&](double low, double high) {
-    return std::uniform_real_distribution(low, high)(random);
-  };
+  test::Uniform in(17);
   for (int i = 0; i < 60; ++i) {
-    const Plates of = random_plates(random);
+    const Plates of = random_plates(in);
     const FourWalls walls = walls_of(of);
     const bool positive = i % 2 == 0;
     const SectionAlone& section =
@@ -183,13 +177,10 @@ TEST_CASE("plastic moments with N are those of fibres that yield", "[plastic_box
 }
 
 TEST_CASE("bending and shear of webs: what holds for every box", "[plastic_box]") {
-  std::mt19937 random(23);
-  const auto in = [&](double low, double high) {
-    return std::uniform_real_distribution(low, high)(random);
-  };
+  test::Uniform in(23);
   int milder = 0;
   for (int i = 0; i < 500; ++i) {
-    const FourWalls walls = walls_of(random_plates(random));
+    const FourWalls walls = walls_of(random_plates(in));
     const EffectiveBox box(walls);
     const PlasticBox plastic(box);
     const CutForces cut = forces(in(-2e6, 2e6), in(-2e6, 2e6));

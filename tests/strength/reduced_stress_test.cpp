@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "boxbeam/strength/effective_width.hpp"
 #include "catch.hpp"
 #include "support/reduced_by_hand.hpp"
+#include "support/uniform.hpp"
 
 namespace reduced_stress_test {
 
@@ -71,10 +71,7 @@ TEST_CASE("reduced stress: stout plates are von Mises', and tension never buckle
 }
 
 TEST_CASE("reduced stress: more load and a thinner plate are never used less") {
-  std::mt19937 random(7);
-  const auto in = [&](double low, double high) {
-    return std::uniform_real_distribution(low, high)(random);
-  };
+  test::Uniform in(7);
   for (int i = 0; i < 500; ++i) {
     ShearPanel panel{in(0.3, 2.0) * metre, in(0.004, 0.02) * metre, 355e6 * pascal, {}};
     const double psi = in(-3.0, 1.0), sigma = in(1.0, 300.0), tau = in(0.0, 150.0);
@@ -94,10 +91,7 @@ TEST_CASE("reduced stress: more load and a thinner plate are never used less") {
 }
 
 TEST_CASE("reduced stress: random plates as clause 10 written out once more") {
-  std::mt19937 random(21);
-  const auto in = [&](double low, double high) {
-    return std::uniform_real_distribution(low, high)(random);
-  };
+  test::Uniform in(21);
   int reduced = 0, with_force = 0;
   for (int i = 0; i < 2000; ++i) {
     const reduced_by_hand::Plate plate{in(300.0, 2000.0), in(4.0, 20.0), 355.0,

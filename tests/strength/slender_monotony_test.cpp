@@ -5,12 +5,12 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <random>
 
 #include "boxbeam/strength/patch_loading.hpp"
 #include "boxbeam/strength/reduced_stress.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
 #include "catch.hpp"
+#include "support/uniform.hpp"
 
 namespace slender_monotony_test {
 
@@ -22,17 +22,6 @@ Length mm(double x) { return si<Length>(1e-3 * x); }
 Stress MPa(double x) { return si<Stress>(1e6 * x); }
 
 constexpr double round_off = 1e-9;
-
-class Any {
- public:
-  explicit Any(unsigned seed) : engine_(seed) {}
-  double in(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine_);
-  }
-
- private:
-  std::mt19937 engine_;
-};
 
 /// Clear widths, which stay where plates get thinner, and thicknesses [mm].
 struct Plates {
@@ -142,16 +131,16 @@ struct Sample {
   bool in_plane = false;
 };
 
-Sample random_sample(Any& any, int i) {
+Sample random_sample(test::Uniform& any, int i) {
   Sample of;
   of.in_plane = i % 4 < 2;
   Plates& plates = of.plates;
-  plates = {any.in(300.0, 800.0), any.in(500.0, 1400.0), any.in(6.0, 14.0),
-            any.in(6.0, 14.0),    any.in(5.0, 10.0),     any.in(5.0, 10.0)};
+  plates = {any(300.0, 800.0), any(500.0, 1400.0), any(6.0, 14.0),
+            any(6.0, 14.0),    any(5.0, 10.0),     any(5.0, 10.0)};
   if (of.in_plane || i % 2 == 0) plates.right = plates.left;
   if (i % 3 == 0) plates.bottom = plates.top;
-  of.acting = {i % 5 == 0 ? any.in(0.0, 800e3) : any.in(-1500e3, 0.0), any.in(-1500e3, 1500e3),
-               of.in_plane ? 0.0 : any.in(-400e3, 400e3), any.in(0.0, i % 7 == 0 ? 1200e3 : 400e3)};
+  of.acting = {i % 5 == 0 ? any(0.0, 800e3) : any(-1500e3, 0.0), any(-1500e3, 1500e3),
+               of.in_plane ? 0.0 : any(-400e3, 400e3), any(0.0, i % 7 == 0 ? 1200e3 : 400e3)};
   return of;
 }
 
@@ -171,7 +160,7 @@ void never_less(double after, double before) { CHECK(after >= before * (1.0 - ro
 
 TEST_CASE("slender boxes: what loads the worst corner more is never used less") {
   // A component that relieves that corner, as tension one that is compressed, may grow and help.
-  Any any(31);
+  test::Uniform any(31);
   int looked_at = 0, led_over = 0;
   for (int i = 0; i < 1500; ++i) {
     const Sample of = random_sample(any, i);
@@ -204,7 +193,7 @@ TEST_CASE("slender boxes: what loads the worst corner more is never used less") 
 }
 
 TEST_CASE("slender boxes under compression: the worst of all senses of moments never falls") {
-  Any any(32);
+  test::Uniform any(32);
   for (int i = 0; i < 800; ++i) {
     Sample of = random_sample(any, i);
     of.acting.N = -std::abs(of.acting.N);
@@ -222,7 +211,7 @@ TEST_CASE("slender boxes under compression: the worst of all senses of moments n
 }
 
 TEST_CASE("slender boxes: thinner plates are never used less") {
-  Any any(33);
+  test::Uniform any(33);
   const double part = 0.95;
   for (int i = 0; i < 1500; ++i) {
     CAPTURE(i);
@@ -262,7 +251,7 @@ TEST_CASE("slender boxes: thinner plates are never used less") {
 TEST_CASE("slender boxes: one thinner plate, compressed at the centroid, is never used less") {
   // N that stays where it was while the centroid moves away from the thinner plate may act less
   // beside it than before; and tension relieves a compressed corner more on a smaller area.
-  Any any(34);
+  test::Uniform any(34);
   for (int i = 0; i < 1500; ++i) {
     Sample of = random_sample(any, i);
     of.acting.N = -std::abs(of.acting.N);
@@ -285,19 +274,19 @@ TEST_CASE("slender boxes: one thinner plate, compressed at the centroid, is neve
 
 TEST_CASE("slender webs bear less of a force where they are thinner, more on a longer length") {
   // So slender that lambda_F is above 0.5 by far, where the standard's m_2 begins and F_Rd jumps.
-  Any any(35);
+  test::Uniform any(35);
   for (int i = 0; i < 3000; ++i) {
     CAPTURE(i);
     PatchedWeb web;
-    web.depth = mm(any.in(500.0, 1400.0));
-    web.thickness = mm(any.in(5.0, 10.0));
+    web.depth = mm(any(500.0, 1400.0));
+    web.thickness = mm(any(5.0, 10.0));
     web.yield_strength = web.flange_strength = MPa(355.0);
-    web.flange_thickness = mm(any.in(6.0, 14.0));
-    web.flange_inside = mm(any.in(150.0, 400.0));
-    web.flange_outside = mm(any.in(0.0, 50.0));
-    web.stiff_length = mm(any.in(0.0, 400.0));
-    web.to_end = mm(any.in(0.0, 400.0));
-    if (i % 2 == 0) web.length = mm(any.in(500.0, 6000.0));
+    web.flange_thickness = mm(any(6.0, 14.0));
+    web.flange_inside = mm(any(150.0, 400.0));
+    web.flange_outside = mm(any(0.0, 50.0));
+    web.stiff_length = mm(any(0.0, 400.0));
+    web.to_end = mm(any(0.0, 400.0));
+    if (i % 2 == 0) web.length = mm(any(500.0, 6000.0));
     constexpr std::array entries{ForceEntry::one_flange, ForceEntry::both_flanges,
                                  ForceEntry::near_end};
     web.entry = entries[static_cast<std::size_t>(i % 3)];
@@ -320,15 +309,15 @@ TEST_CASE("slender webs bear less of a force where they are thinner, more on a l
 TEST_CASE("reduced stresses: a longer panel is never used less, where it buckles as a plate") {
   // Of a panel so short that it buckles like a column, k_sigma (a/b)^2 < 2, k_sigma stays that of a
   // long one, on the safe side, and the way back to plates leads down (4.5.4).
-  Any any(36);
+  test::Uniform any(36);
   int as_plates = 0;
   for (int i = 0; i < 4000; ++i) {
-    const double b = any.in(300.0, 1400.0);
-    double a = b * std::exp(any.in(std::log(0.2), std::log(6.0)));
-    ShearPanel panel{mm(b), mm(any.in(5.0, 14.0)), MPa(355.0), mm(a)};
-    const double psi = i % 3 == 0 ? 1.0 : any.in(-3.0, 1.0), sigma = any.in(1.0, 300.0);
+    const double b = any(300.0, 1400.0);
+    double a = b * std::exp(any(std::log(0.2), std::log(6.0)));
+    ShearPanel panel{mm(b), mm(any(5.0, 14.0)), MPa(355.0), mm(a)};
+    const double psi = i % 3 == 0 ? 1.0 : any(-3.0, 1.0), sigma = any(1.0, 300.0);
     const PanelStress stress{MPa(sigma), MPa(std::max(0.0, -psi * sigma)), psi,
-                             MPa(i % 4 == 0 ? 0.0 : any.in(0.0, 150.0))};
+                             MPa(i % 4 == 0 ? 0.0 : any(0.0, 150.0))};
     // Table 4.1.
     const double k_sigma = psi >= 0.0   ? 8.2 / (1.05 + psi)
                            : psi > -1.0 ? 7.81 - 6.29 * psi + 9.78 * psi * psi

@@ -12,6 +12,8 @@
 
 #include "boxbeam/strength/section_class.hpp"
 #include "catch.hpp"
+#include "support/buckling_curve.hpp"
+#include "support/uniform.hpp"
 
 namespace stiffened_plate_test {
 
@@ -216,10 +218,7 @@ TEST_CASE("a web with two flats in bending, by an independent calculation") {
 }
 
 TEST_CASE("the branches of both critical stresses meet") {
-  std::mt19937 random(6);
-  const auto in = [&](double low, double high) {
-    return std::uniform_real_distribution(low, high)(random);
-  };
+  test::Uniform in(6);
   for (int i = 0; i < 100; ++i) {
     const double gamma = in(1.0, 300.0), delta = in(0.0, 1.0), psi = in(0.5, 1.0);
     const double border = std::pow(gamma, 0.25);
@@ -242,10 +241,7 @@ TEST_CASE("the branches of both critical stresses meet") {
 }
 
 TEST_CASE("critical stresses: more inertia never lowers, longer never raises them") {
-  std::mt19937 random(7);
-  const auto in = [&](double low, double high) {
-    return std::uniform_real_distribution(low, high)(random);
-  };
+  test::Uniform in(7);
   for (int i = 0; i < 300; ++i) {
     const int count = 1 + i % 5;
     const double t = in(5.0, 15.0), b = t * in(20.0, 70.0) * (count + 1), d = in(4.0, 10.0) * t;
@@ -323,10 +319,7 @@ TEST_CASE("a stiffener in tension counts as a border of subpanels alone") {
 }
 
 TEST_CASE("strips cover the plate, and mirrored plates are mirrored") {
-  std::mt19937 random(8);
-  const auto in = [&](double low, double high) {
-    return std::uniform_real_distribution(low, high)(random);
-  };
+  test::Uniform in(8);
   for (int i = 0; i < 300; ++i) {
     const int count = 1 + i % 4;
     StiffenedPlate plate = even_plate(in(600, 2000), in(5, 12), count, in(50, 120), 10.0,
@@ -403,8 +396,7 @@ TEST_CASE("bare plates that are short buckle like columns") {
   CHECK(rho(500.0) == Approx(0.1925).margin(5e-4));
   // a = 600: xi = 4 x 0.36 - 1 = 0.44, chi_c = 0.2599 (lambda_c = 1.803 x ...): between.
   const double lambda = 0.6 * 2.0 * std::sqrt(355.0 / 75.92);
-  const double phi = 0.5 * (1.0 + 0.21 * (lambda - 0.2) + lambda * lambda);
-  const double chi = 1.0 / (phi + std::sqrt(phi * phi - lambda * lambda));
+  const double chi = test::chi_of(lambda, 0.21);
   CHECK(rho(600.0) == Approx((0.4154 - chi) * 0.44 * 1.56 + chi).epsilon(2e-3));
   CHECK(rho(10.0) == Approx(1.0));
 }

@@ -6,9 +6,9 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "catch.hpp"
+#include "support/uniform.hpp"
 
 namespace twisting_buckling_test {
 
@@ -113,10 +113,7 @@ TEST_CASE("one axis of symmetry: the quadratic of the textbooks", "[twisting]") 
 }
 
 TEST_CASE("bars between forks against the energy of finite elements", "[twisting]") {
-  std::mt19937 engine(5);
-  const auto in = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine);
-  };
+  test::Uniform in(5);
   for (int i = 0; i < 20; ++i) {
     Bar bar{in(1.0, 8.0),    in(1.0, 8.0),  0.0,           in(0.01, 0.5),
             in(0.001, 0.05), in(-0.3, 0.3), in(-0.3, 0.3), in(0.02, 0.1)};

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "boxbeam/verification/slender_path.hpp"
 #include "support/paths.hpp"
 #include "support/slender_cases.hpp"
 
@@ -42,6 +44,21 @@ inline std::string held(double length, int times) {
         length * i / times);
   }
   return text;
+}
+
+/// S355, flanges 400 x 12, web 1200 x 6: both of class 4.
+inline const ThinWalled girder = paths::i_section(400.0, 12.0, 1200.0, 6.0);
+
+/// A path as a cantilever, held, with a diaphragm and forces at its tip.
+inline std::string girder_case(const ThinWalled& path, double length, double V, double N = 0.0) {
+  using namespace slender_cases;
+  return cantilever(section("a", path),
+                    segment(length, "a") + diaphragms({length}) + held(length, 20),
+                    tip(length, V, N));
+}
+
+inline std::shared_ptr<const SlenderPath> path_at(const Project& project, double s) {
+  return slender_path_at(project, {}, {s * metre, Side::both});
 }
 
 struct At {

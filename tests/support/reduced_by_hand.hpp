@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/buckling_curve.hpp"
+
 /// Clause 10 of EN 1993-1-5 written out once more, for tests: MPa and mm, compression positive.
 namespace reduced_by_hand {
 
@@ -49,8 +51,7 @@ inline double use(const Plate& of, const Acting& on) {
   if (of.a > 0.0) {
     // Between plate and column, 4.5.4: sigma_cr,p/sigma_cr,c = k (a/b)^2.
     const double xi = std::clamp(k_sigma(psi) / (ratio * ratio) - 1.0, 0.0, 1.0);
-    const double phi = 0.5 * (1.0 + 0.21 * (lambda - 0.2) + lambda * lambda);
-    const double chi_c = lambda <= 0.2 ? 1.0 : 1.0 / (phi + std::sqrt(phi * phi - lambda * lambda));
+    const double chi_c = test::chi_of(lambda, 0.21);
     rho_x = (rho_x - chi_c) * xi * (2.0 - xi) + chi_c;
   }
   double chi_w = lambda < 0.83 ? 1.0 : 0.83 / lambda;

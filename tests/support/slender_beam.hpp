@@ -85,10 +85,27 @@ inline boxbeam::planar::Joint driven(const Beam& of, boxbeam::planar::Coordinate
   return {"drive", kind};
 }
 
+/// It narrows to 60 x 50 mm.
+inline Beam tapered() {
+  using namespace boxbeam;
+  Beam of;
+  of.beam.segments.front().to = {
+      symmetric_box(0.06 * metre, 0.05 * metre, plate * metre, plate * metre), {}};
+  const MassProperties properties = mass_properties_of(of.beam);
+  of.centre = properties.centre.value();
+  Body& body = of.mechanism.bodies.front();
+  body.mass = properties.mass.value();
+  body.inertia = properties.inertia.value();
+  body.sketch.centre = {of.centre, 0.0};
+  of.body = planar::beam_body_of(of.beam, 0);
+  return of;
+}
+
 /// Its base follows a driver across its axis; `length`: how long it is looked at, where the driver
 /// does not say so [s].
-inline Beam carried(boxbeam::Driver driver, int instants, double length = 0.0) {
-  Beam of;
+inline Beam carried(boxbeam::Driver driver, int instants, double length = 0.0,
+                    bool narrows = false) {
+  Beam of = narrows ? tapered() : Beam();
   boxbeam::planar::Slider slider;
   slider.point = of.start();
   slider.direction = std::numbers::pi / 2;
@@ -105,20 +122,11 @@ inline Beam shaken(double r, int instants, double amplitude = 0.01) {
   return carried(boxbeam::HarmonicDriver{0.0, amplitude, omega, 0.0}, instants);
 }
 
-/// It narrows to 60 x 50 mm, and its start is a pin about which a driver turns it; `length`: how
-/// long it is looked at, where the driver does not say so [s].
+/// Tapered, its start is a pin about which a driver turns it; `length`: how long it is looked at,
+/// where the driver does not say so [s].
 inline Beam tapered_and_turned(boxbeam::Driver driver, double length = 0.0) {
   using namespace boxbeam;
-  Beam of;
-  of.beam.segments.front().to = {
-      symmetric_box(0.06 * metre, 0.05 * metre, plate * metre, plate * metre), {}};
-  const MassProperties properties = mass_properties_of(of.beam);
-  of.centre = properties.centre.value();
-  Body& body = of.mechanism.bodies.front();
-  body.mass = properties.mass.value();
-  body.inertia = properties.inertia.value();
-  body.sketch.centre = {of.centre, 0.0};
-  of.body = planar::beam_body_of(of.beam, 0);
+  Beam of = tapered();
   planar::Pin pin;
   pin.a = of.start();
   of.mechanism.joints = {{"base", pin}, driven(of, planar::Coordinate::angle, std::move(driver))};

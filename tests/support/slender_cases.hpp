@@ -10,11 +10,13 @@
 #include "boxbeam/verification/plate_checks.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
+#include "support/gates.hpp"
 
 /// Cantilevers of slender boxes as cases, and what their verification says of them.
 namespace slender_cases {
 
 using namespace boxbeam;
+using test::has_gate;
 
 inline std::string box(const std::string& name, double width, double height, double flange,
                        double web, const std::string& more = "") {
@@ -25,9 +27,12 @@ inline std::string box(const std::string& name, double width, double height, dou
 }
 
 inline const std::string steel = "[material]\nsteel = \"S355\"\nfy_source = \"EN 1993-1-1\"\n";
-inline const std::string fatigue =
-    "[fatigue]\ncategory = 160\nloading = \"spectrum\"\ngamma_Mf = 1.0\n"
-    "required = 1.0\n";
+/// Judged in fatigue: the force at the tip comes and goes a thousand times.
+inline const std::string lifted_often =
+    "[fatigue]\ncategory = 160\nloading = \"spectrum\"\ngamma_Mf = 1.0\nrequired = 1.0\n"
+    "[[situations]]\nname = \"on\"\nloads = { tip = 1.0 }\n"
+    "[[situations]]\nname = \"off\"\nloads = { tip = 0.0 }\n"
+    "[[situations]]\nname = \"lift\"\nbetween = [\"on\", \"off\"]\ncycles = 1000\n";
 
 /// A cantilever at rest without weight, with forces at its tip.
 inline std::string cantilever(const std::string& sections, const std::string& segments,
@@ -63,15 +68,30 @@ inline Verification verified(const std::string& text) {
   return verify(parse_project("slender.toml", text));
 }
 
-inline bool has_gate(const Verification& of, const std::string& words) {
-  return std::any_of(of.gates.begin(), of.gates.end(), [&](const Gate& gate) {
-    return gate.finding.find(words) != std::string::npos;
-  });
-}
-
 inline double use_of(const Verification& of, Criterion criterion) {
   const CheckResult* const found = of.governing(criterion);
   return found == nullptr ? 0.0 : found->check.utilisation();
+}
+
+inline double shear_resistance_in(const Verification& of) {
+  const CheckResult* const shear = of.governing(Criterion::shear_buckling);
+  REQUIRE(shear != nullptr);
+  return shear->check.resisting.value();
+}
+
+/// Mean shear stress of both flanges under V_z, as their checks count it.
+inline void check_flanges_under(double V, const SlenderPlates& plates, double stress,
+                                double within) {
+  CutForces cut{};
+  cut.V_z = si<Force>(V);
+  int flanges = 0;
+  for (const ShearedPlate& plate : plates.sheared) {
+    if (!is_flange(plate.plate)) continue;
+    CHECK((plate.force_of(cut) / (plate.panel.depth * plate.panel.thickness)).value() ==
+          Approx(stress).epsilon(within));
+    ++flanges;
+  }
+  CHECK(flanges == 2);
 }
 
 inline std::string diaphragms(const std::vector<double>& at, double thickness = 10.0,

@@ -5,13 +5,18 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <deque>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "boxbeam/mechanism/common/driver.hpp"
 #include "boxbeam/mechanism/spatial/rest.hpp"
+#include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/section/shear_area.hpp"
+#include "boxbeam/section/torsion.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "catch.hpp"
 #include "src/verification/bent_in_space.hpp"
@@ -61,6 +66,44 @@ required = 1.0
 
 inline const std::string steel = "density = \"7850 kg/m^3\"\nrotary_inertia = true\n";
 inline const std::string light = "density = \"1e-3 kg/m^3\"\n";
+
+/// The heel on the ground, on a rail along z, and a point mass at the tip.
+inline const std::string clamped = R"(
+[joints.heel]
+kind = "fixed"
+connect = ["ground", "arm.heel"]
+at = ["0 m", "0 m", "0 m"]
+)";
+inline std::string on_rail(const std::string& driver) {
+  return R"(
+[joints.heel]
+kind = "prismatic"
+connect = ["ground", "arm.heel"]
+at = ["0 m", "0 m", "0 m"]
+axis = "z"
+[drivers.lifting]
+joint = "heel"
+)" + driver;
+}
+inline std::string with_load(double mass, const std::string& more = "") {
+  return fmt::format(R"(
+[bodies.load]
+mass = "{:.15g} kg"
+{}points = {{ c = ["0 m", "0 m", "0 m"] }}
+[joints.tip]
+kind = "fixed"
+connect = ["arm.tip", "load.c"]
+)",
+                     mass, more);
+}
+
+/// Deflection of a clamped beam at its end along z under 1 N there, e beside its axis [m].
+inline double give_of(const boxbeam::Section& section, double L, double e = 0.0) {
+  constexpr double E = 210e9, G = 81e9;
+  return std::pow(L, 3) / (3.0 * E * boxbeam::properties_of(section).I_y.value()) +
+         L / (G * boxbeam::shear_areas_of(section).z.value()) +
+         e * e * L / (G * boxbeam::torsion_properties_of(section).I_T->value());
+}
 
 /// A body beside the tip: with the arm it makes an L that leans.
 inline const std::string beside = R"(
@@ -203,24 +246,54 @@ inline void check_alike(const Cuts& found, const Cuts& expected, const Cuts& siz
   CHECK((found - expected).tail<3>().norm() < within * moment);
 }
 
-/// A tapered box beam of 12 m on a hinge; sizes of its tip [mm], shear modulus [GPa].
-inline std::string slender(const Eigen::Vector3d& axis, const std::string& driver, int width,
-                           int height, double G) {
-  return fmt::format(R"([case]
+/// Energy over a period of a small swing about an axis through the heel: what the drive does beyond
+/// moving rigid bodies is what the material takes,
+///
+///     integral of M q' = retardation times the sum of omega_j^2 integral of eta_j'^2
+///
+/// for p_j is the work of inertia, and the heel's moment that of the modes. By sums over the even
+/// instants, exact for few harmonics.
+inline void check_dissipated(const Moved& of, const boxbeam::ElasticMotionInSpace& elastic,
+                             const Eigen::Vector3d& axis, double amplitude, double frequency,
+                             double retardation) {
+  constexpr double full = 2.0 * std::numbers::pi;
+  const Eigen::MatrixXd& eta = elastic.coordinates();
+  const std::vector<boxbeam::frame::BeamMode> modes =
+      of.modes(8, static_cast<std::size_t>(eta.cols()));
+  const auto n = static_cast<double>(eta.rows());
+  const double omega = full * frequency, period = of.rigid().period().value();
+  double done = 0.0;
+  Eigen::MatrixXcd first = Eigen::MatrixXcd::Zero(1, eta.cols());
+  for (Eigen::Index i = 0; i < eta.rows(); ++i) {
+    const double part = static_cast<double>(i) / n;
+    const double rate = amplitude * omega * std::cos(full * part);
+    const Cuts extra = cuts_of(elastic.loads_at(of.at(part)), 0.0) -
+                       cuts_of(of.rigid().loads_at(of.at(part)), 0.0);
+    // The cut behind the heel is what it does, reversed.
+    done += -extra.tail<3>().dot(axis) * rate * period / n;
+    first += std::exp(std::complex<double>(0.0, -full * part)) * eta.row(i) * (2.0 / n);
+  }
+  double dissipated = 0.0;
+  for (Eigen::Index j = 0; j < eta.cols(); ++j) {
+    const double natural = full * modes[static_cast<std::size_t>(j)].frequency;
+    dissipated +=
+        retardation * natural * natural * 0.5 * std::norm(first(0, j)) * omega * omega * period;
+  }
+  REQUIRE(dissipated > 0.0);
+  CHECK(done == Approx(dissipated).epsilon(1e-5));
+}
+
+/// A tapered box beam of 12 m on a joint; sizes of its tip [mm].
+inline std::string slender_on(const std::string& joint, int width, int height) {
+  return R"([case]
 name = "shaken"
 kind = "spatial"
 [mechanism]
 gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
 [bodies.arm]
-points = {{ heel = ["0 m", "0 m", "0 m"] }}
-[joints.base]
-kind = "revolute"
-connect = ["ground", "arm.heel"]
-at = ["0 m", "0 m", "0 m"]
-axis = [{:.15g}, {:.15g}, {:.15g}]
-[drivers.turning]
-joint = "base"
-{}[sections.root]
+points = { heel = ["0 m", "0 m", "0 m"] }
+)" + joint +
+         R"([sections.root]
 kind = "box"
 width = "80 mm"
 height = "100 mm"
@@ -228,11 +301,10 @@ flange = "5 mm"
 web = "5 mm"
 [sections.tip]
 kind = "box"
-width = "{} mm"
-height = "{} mm"
 flange = "5 mm"
 web = "5 mm"
-[beam]
+)" + fmt::format("width = \"{} mm\"\nheight = \"{} mm\"\n", width, height) +
+         R"([beam]
 body = "arm"
 start = "heel"
 axis = "x"
@@ -246,67 +318,39 @@ to = "tip"
 steel = "S355"
 [strength]
 required = 1.0
-[model]
-youngs_modulus = "210 GPa"
-shear_modulus = "{} GPa"
-)",
-                     axis.x(), axis.y(), axis.z(), driver, width, height, G);
+)";
 }
 
-/// A point mass at the tip of an arm without mass, rigid in shear, that swings far about an axis
-/// through its heel, in its own axes:
-///
-///     m (u'' + 2 w x u' + w' x u + w x (w x u)) + K u + d K_0 u' = -m (w' x r + w x (w x r))
-///
-/// K = diag(EA/L, k_z, k_y), k = N/(L (1 - tanh(x)/x)), x = L (N/EI)^(1/2), in compression of tan,
-/// of the pull N of the rigid motion; by Runge and Kutta, periodic from the start that repeats.
-/// Sources: Goldstein, Classical Mechanics (1980), 4-10; Timoshenko, Gere, Theory of Elastic
-/// Stability (1961), 1.
-struct SwungMass {
-  using State = Eigen::Matrix<double, 6, 1>;
-  double m, L, EA, EI_y, EI_z, delay;
-  Eigen::Vector3d axis;
-  boxbeam::Driver angle;
-  static constexpr int steps = 9600;
+/// On a hinge; shear modulus [GPa].
+inline std::string slender(const Eigen::Vector3d& axis, const std::string& driver, int width,
+                           int height, double G) {
+  return slender_on(hinge(axis, driver), width, height) +
+         fmt::format("[model]\nyoungs_modulus = \"210 GPa\"\nshear_modulus = \"{} GPa\"\n", G);
+}
 
-  double stiffness(double EI, double N) const {
-    const double x = L * std::sqrt(std::abs(N) / EI);
-    if (x < 1e-4) return 3.0 * EI / (L * L * L) + 1.2 * N / L;
-    return N / (L * (1.0 - (N > 0.0 ? std::tanh(x) : std::tan(x)) / x));
-  }
-  State rate(double t, const State& y, double load) const {
-    const boxbeam::DriverState at = boxbeam::driver_at(angle, t);
-    const Eigen::Vector3d w = axis * at.rate, change = axis * at.acceleration, r(L, 0.0, 0.0),
-                          u = y.head<3>(), v = y.tail<3>();
-    const Eigen::Vector3d rigid = change.cross(r) + w.cross(w.cross(r));
-    const double N = -m * rigid.x();
-    const Eigen::Vector3d K(EA / L, stiffness(EI_z, N), stiffness(EI_y, N)),
-        K_0(EA / L, 3.0 * EI_z / (L * L * L), 3.0 * EI_y / (L * L * L));
-    State of;
-    of.head<3>() = v;
-    of.tail<3>() = -load * rigid - 2.0 * w.cross(v) - change.cross(u) - w.cross(w.cross(u)) -
-                   (K.cwiseProduct(u) + delay * K_0.cwiseProduct(v)) / m;
-    return of;
-  }
-  /// From t = 0 in so many steps.
-  std::vector<State> path(const State& start, double load, double length) const {
-    std::vector<State> states{start};
-    const double h = length / steps;
-    for (int i = 0; i < steps; ++i) {
-      const double t = h * i;
-      const State y = states.back(), a = rate(t, y, load),
-                  b = rate(t + 0.5 * h, y + 0.5 * h * a, load),
-                  c = rate(t + 0.5 * h, y + 0.5 * h * b, load), d = rate(t + h, y + h * c, load);
-      states.push_back(y + h / 6.0 * (a + 2.0 * b + 2.0 * c + d));
+/// What differs between a motion of the plane and the same in space at a place of the beam, over
+/// `count` instants: moments about y, beyond those of the rigid one.
+struct PlaneApart {
+  double rigid = 0.0, vibrating = 0.0;  ///< the largest moments
+  double apart = 0.0, across = 0.0;     ///< of those about y, and of what should be nothing
+
+  template <class Expected, class Instant>
+  PlaneApart(const Moved& of, const boxbeam::ElasticMotionInSpace& coarse,
+             const boxbeam::ElasticMotionInSpace& fine, double s, int count,
+             const Expected& expected_at, const Instant& instant) {
+    for (int i = 0; i < count; ++i) {
+      const boxbeam::Time time = instant(i);
+      const Cuts expected = expected_at(time), stiff = cuts_of(of.rigid().loads_at(time), s);
+      const auto beyond_rigid = [&](const boxbeam::ElasticMotionInSpace& by) -> Cuts {
+        return cuts_of(by.loads_at(time), s) - stiff;
+      };
+      // Axial forces stand in the middles of pieces: the error falls with the square of these.
+      const Cuts found = (4.0 * beyond_rigid(fine) - beyond_rigid(coarse)) / 3.0;
+      apart = std::max(apart, std::abs(found[4] - expected[4]));
+      across = std::max({across, std::abs(found[3]), std::abs(found[5])});
+      rigid = std::max(rigid, std::abs(stiff[4]));
+      vibrating = std::max(vibrating, std::abs(expected[4]));
     }
-    return states;
-  }
-  std::vector<State> periodic(double period) const {
-    Eigen::Matrix<double, 6, 6> free;
-    for (int i = 0; i < 6; ++i) free.col(i) = path(State::Unit(i), 0.0, period).back();
-    const State forced = path(State::Zero(), 1.0, period).back();
-    const Eigen::Matrix<double, 6, 6> open = Eigen::Matrix<double, 6, 6>::Identity() - free;
-    return path(open.lu().solve(forced), 1.0, period);
   }
 };
 

@@ -14,8 +14,8 @@
 #include <cmath>
 #include <random>
 
-#include "boxbeam/mechanism/flexible/matrices.hpp"
 #include "catch.hpp"
+#include "support/source_matrices.hpp"
 
 namespace drill_truck_matrices_test {
 
@@ -23,6 +23,8 @@ using namespace boxbeam::flexible;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using test::matrices_of;
+using test::SourceMatrices;
 
 namespace {
 

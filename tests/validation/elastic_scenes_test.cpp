@@ -19,6 +19,7 @@
 #include "boxbeam/verification/vibrating_stress.hpp"
 #include "catch.hpp"
 #include "support/corotational_mechanism.hpp"
+#include "support/gates.hpp"
 #include "support/program.hpp"
 #include "support/random_scene.hpp"
 
@@ -130,11 +131,7 @@ TEST_CASE("a beam that vibrates near its buckling load does not pass", "[elastic
   INFO(verification.model.reason);
   CHECK(verification.model.second_order.in_plane.part > 0.8);
   CHECK(verification.verdict != Verdict::pass);
-  const auto says = [&](const std::string& words) {
-    return std::any_of(verification.gates.begin(), verification.gates.end(), [&](const Gate& gate) {
-      return gate.blocks && gate.finding.find(words) != std::string::npos;
-    });
-  };
+  const auto says = [&](const std::string& words) { return test::blocks(verification, words); };
   CHECK(says("vibration is not proven"));
   CHECK(says("across it"));
 }

@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <random>
 
 #include "boxbeam/report/remarks.hpp"
 #include "boxbeam/report/verdict_sentence.hpp"
 #include "catch.hpp"
 #include "support/slender_cases.hpp"
+#include "support/uniform.hpp"
 
 namespace attached_welds_test {
 
@@ -235,10 +235,7 @@ TEST_CASE("short flats end by their length, and flats go on from segment to segm
 
 TEST_CASE("random beams, station by station: nothing is used more than what is found",
           "[attached_welds]") {
-  std::mt19937 random(20261126);
-  const auto draw = [&](double from, double to) {
-    return std::uniform_real_distribution<double>(from, to)(random);
-  };
+  test::Uniform draw(20261126);
   for (int n = 0; n < 6; ++n) {
     const double top = draw(100.0, 140.0);
     const auto section = [&](const char* name, double height, double flat) {

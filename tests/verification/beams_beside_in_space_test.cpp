@@ -28,7 +28,6 @@ namespace beams_beside_in_space_test {
 using namespace boxbeam;
 using namespace test::cut_arm;
 using Eigen::Matrix3d;
-using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using test::space_arm::check_alike;
 using test::space_arm::Cuts;
@@ -252,40 +251,13 @@ TEST_CASE("two beams on an elbow move alike however they lie, and bear what each
   }
 }
 
-// Energy over a period: what the drive does beyond moving rigid bodies is what the material of both
-// beams takes, retardation times the sum of omega_j^2 integral of eta_j'^2; by sums over the even
-// instants, exact for few harmonics.
 TEST_CASE("what the drive does beyond rigid bodies both beams dissipate", "[beams_beside]") {
   const Vector3d axis(0.48, -0.6, 0.64);
-  const double small = 1e-4, frequency = 3.0, omega = 2.0 * pi * frequency;
+  const double small = 1e-4, frequency = 3.0;
   const Moved of = moved(bent_arm(hinge(axis, small, frequency),
                                   "[model]\ndamping = { ratio = 0.05, at = \"6 Hz\" }\n"));
   const ElasticMotionInSpace elastic = of.by(6, 8);
-  const MatrixXd& eta = elastic.coordinates();
-  const std::vector<frame::BeamMode> modes = of.modes(8, static_cast<std::size_t>(eta.cols()));
-  const Eigen::Index n = eta.rows();
-  double done = 0.0;
-  Eigen::MatrixXcd first = Eigen::MatrixXcd::Zero(1, eta.cols());
-  const double period = of.rigid().period().value(), step = period / static_cast<double>(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double part = static_cast<double>(i) / static_cast<double>(n);
-    const double rate = small * omega * std::cos(2.0 * pi * part);
-    const Cuts extra = cuts_of(elastic.loads_at(of.at(part)), 0.0) -
-                       cuts_of(of.rigid().loads_at(of.at(part)), 0.0);
-    // The cut behind the heel is what it does, reversed.
-    done += -extra.tail<3>().dot(axis) * rate * step;
-    first += std::exp(std::complex<double>(0.0, -2.0 * pi * part)) * eta.row(i) *
-             (2.0 / static_cast<double>(n));
-  }
-  const double retardation = 0.05 / (pi * 6.0);
-  double dissipated = 0.0;
-  for (Eigen::Index j = 0; j < eta.cols(); ++j) {
-    const double natural = 2.0 * pi * modes[static_cast<std::size_t>(j)].frequency;
-    dissipated +=
-        retardation * natural * natural * 0.5 * std::norm(first(0, j)) * omega * omega * period;
-  }
-  REQUIRE(dissipated > 0.0);
-  CHECK(done == Approx(dissipated).epsilon(1e-5));
+  test::space_arm::check_dissipated(of, elastic, axis, small, frequency, 0.05 / (pi * 6.0));
 }
 
 // The limit: so much stiffer, the other beam is a rigid body of its mass; what is left falls as its

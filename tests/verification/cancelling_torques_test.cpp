@@ -3,18 +3,19 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "boxbeam/verification/distortion_checks.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
+#include "support/gates.hpp"
 #include "support/path_cases.hpp"
 
 namespace cancelling_torques_test {
 
 using namespace boxbeam;
+using test::blocks;
 using namespace slender_cases;
 using namespace paths;
 using path_cases::section;
@@ -62,12 +63,6 @@ DistortionChecks distortion(const Project& of) {
 double across(const Project& of) {
   const DistortionChecks found = distortion(of);
   return found.estimates.empty() ? 0.0 : 1e-6 * found.estimates.front().across.value();
-}
-
-bool blocks(const Verification& of, const std::string& words) {
-  return std::any_of(of.gates.begin(), of.gates.end(), [&](const Gate& gate) {
-    return gate.blocks && gate.finding.find(words) != std::string::npos;
-  });
 }
 
 /// On one web and at the top flange, in the middle of both plates.

@@ -10,11 +10,13 @@
 #include "boxbeam/strength/box_distortion.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
+#include "support/gates.hpp"
 #include "support/path_cases.hpp"
 
 namespace distorted_paths_test {
 
 using namespace boxbeam;
+using test::blocks;
 using namespace slender_cases;
 using namespace paths;
 using path_cases::section;
@@ -45,12 +47,6 @@ Verification forked(const std::string& sections, const std::string& more, const 
 double distorted(const Verification& of) {
   const CheckResult* const worst = of.governing(Criterion::distortion);
   return worst == nullptr ? 0.0 : worst->check.utilisation();
-}
-
-bool blocks(const Verification& of, const std::string& words) {
-  return std::any_of(of.gates.begin(), of.gates.end(), [&](const Gate& gate) {
-    return gate.blocks && gate.finding.find(words) != std::string::npos;
-  });
 }
 
 /// A box of webs that lean, top 400 and bottom 300, 10 mm all around.

@@ -9,12 +9,12 @@
 #include <complex>
 #include <string>
 
-#include "boxbeam/core/error.hpp"
 #include "boxbeam/verification/elastic_motion.hpp"
 #include "boxbeam/verification/model_choice.hpp"
 #include "boxbeam/verification/vibration_estimate.hpp"
 #include "catch.hpp"
 #include "support/lever.hpp"
+#include "support/refusals.hpp"
 
 namespace elastic_joints_test {
 
@@ -203,13 +203,8 @@ TEST_CASE("joints that give way in a case", "[elastic_joints]") {
   scene.hinge += stiffness(5e5);
   const ModelChoice of = choose_model(parse_project("lever.toml", scene.text()));
   CHECK(of.reason.find("(joint hinge, stay elastic as well)") != std::string::npos);
-  const auto problems_of = [](const std::string& text) -> std::string {
-    try {
-      parse_project("lever.toml", text);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+  const auto problems_of = [](const std::string& text) {
+    return test::refusal_of([&] { return parse_project("lever.toml", text); });
   };
   Scene damped = moved(false, shaking);
   damped.hinge += "damping = \"1 N s/m\"\n";

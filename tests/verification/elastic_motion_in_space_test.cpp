@@ -7,23 +7,23 @@
 
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/section/section_properties.hpp"
-#include "boxbeam/section/shear_area.hpp"
-#include "boxbeam/section/torsion.hpp"
 #include "boxbeam/verification/elastic_motion.hpp"
-#include "boxbeam/verification/model_gates.hpp"
 #include "boxbeam/verification/situation_run.hpp"
-#include "boxbeam/verification/vibrating_stress.hpp"
 #include "catch.hpp"
 #include "support/slender_beam.hpp"
 #include "support/space_arm.hpp"
 #include "support/space_elements.hpp"
+#include "support/swung_arm.hpp"
 
 namespace elastic_motion_in_space_test {
 
@@ -36,7 +36,7 @@ using namespace test::space_arm;
 
 namespace {
 
-constexpr double pi = std::numbers::pi, E = 210e9, G = 81e9;
+constexpr double pi = std::numbers::pi, E = 210e9;
 
 }  // namespace
 
@@ -108,27 +108,19 @@ TEST_CASE("a motion of the plane written in space has the plane's vibration", "[
   // Two of them in the plane.
   const ElasticMotionInSpace coarse = of.by(4, 48, 48), fine = of.by(4, 96, 48);
   REQUIRE(fine.dynamic_part().cols() == 4);
-  const auto beyond_rigid = [&](const ElasticMotionInSpace& by, Time time, double s) -> Cuts {
-    return cuts_of(by.loads_at(time), s) - cuts_of(of.rigid().loads_at(time), s);
-  };
   for (const double s : {0.0, 4.0, 9.0}) {
-    double moment = 0.0, vibrating_moment = 0.0, apart = 0.0, across = 0.0;
-    for (int i = 0; i < 96; ++i) {
-      const Time time = si<Time>(plane.motion.begin + plane.motion.period * i / 96.0);
-      const Cuts expected = cuts_of(vibrating.loads_at(time), s) - cuts_of(bent(time), s);
-      // Axial forces stand in the middles of pieces: the error falls with the square of these.
-      const Cuts found = (4.0 * beyond_rigid(fine, time, s) - beyond_rigid(coarse, time, s)) / 3.0;
-      apart = std::max(apart, std::abs(found[4] - expected[4]));
-      across = std::max({across, std::abs(found[3]), std::abs(found[5])});
-      moment = std::max(moment, std::abs(cuts_of(of.rigid().loads_at(time), s)[4]));
-      vibrating_moment = std::max(vibrating_moment, std::abs(expected[4]));
-    }
-    INFO("s = " << s << ": " << apart / moment << ", of what vibrates "
-                << apart / vibrating_moment);
-    CHECK(vibrating_moment > 0.01 * moment);
-    CHECK(apart < 1e-6 * moment);
+    const auto expected = [&](Time time) -> Cuts {
+      return cuts_of(vibrating.loads_at(time), s) - cuts_of(bent(time), s);
+    };
+    const PlaneApart found(of, coarse, fine, s, 96, expected, [&](int i) {
+      return si<Time>(plane.motion.begin + plane.motion.period * i / 96.0);
+    });
+    INFO("s = " << s << ": " << found.apart / found.rigid << ", of what vibrates "
+                << found.apart / found.vibrating);
+    CHECK(found.vibrating > 0.01 * found.rigid);
+    CHECK(found.apart < 1e-6 * found.rigid);
     // In the plane of the others nothing moves it.
-    CHECK(across < 1e-9 * moment);
+    CHECK(found.across < 1e-9 * found.rigid);
   }
 }
 
@@ -182,34 +174,14 @@ TEST_CASE("a beam on a hinge that swings about any axis vibrates as the closed s
 TEST_CASE("an eccentric mass twists an arm as an oscillator of one freedom", "[elastic_motion]") {
   const double L = 4.0, e = 0.7, m = 150.0, r = 0.5;
   const auto text = [&](double frequency) {
-    return arm(fmt::format(R"(
-[joints.heel]
-kind = "prismatic"
-connect = ["ground", "arm.heel"]
-at = ["0 m", "0 m", "0 m"]
-axis = "z"
-[drivers.shaking]
-joint = "heel"
-kind = "harmonic"
-mean = "0 m"
-amplitude = "1 mm"
-frequency = "{:.12g} Hz"
-[bodies.load]
-mass = "{} kg"
-centre = ["0 m", "{} m", "0 m"]
-points = {{ c = ["0 m", "0 m", "0 m"] }}
-[joints.tip]
-kind = "fixed"
-connect = ["arm.tip", "load.c"]
-)",
-                           frequency, m, e),
+    return arm(on_rail(fmt::format("kind = \"harmonic\"\nmean = \"0 m\"\namplitude = \"1 mm\"\n"
+                                   "frequency = \"{:.12g} Hz\"\n",
+                                   frequency)) +
+                   with_load(m, fmt::format("centre = [\"0 m\", \"{} m\", \"0 m\"]\n", e)),
                light);
   };
   const Project project = parse_project("arm.toml", text(1.0));
-  const Section& section = project.beam.segments.front().from;
-  const double give = std::pow(L, 3) / (3.0 * E * properties_of(section).I_y.value()) +
-                      L / (G * shear_areas_of(section).z.value()) +
-                      e * e * L / (G * torsion_properties_of(section).I_T->value());
+  const double give = give_of(project.beam.segments.front().from, L, e);
   const Moved of(text(r / (2.0 * pi * std::sqrt(m * give))));
   const ElasticMotionInSpace elastic = of.by(3, 8);
   for (const double part : {0.1, 0.6}) {
@@ -286,19 +258,9 @@ TEST_CASE("however a scene lies in the world its beam moves alike", "[elastic_mo
 // own pull stretches, rigid bodies miss (omega/omega_stretching)^2 alone.
 TEST_CASE("steady turning vibrates nothing", "[elastic_motion]") {
   const auto spun = [](const std::string& tip) {
-    return Moved(arm(R"(
-[joints.heel]
-kind = "revolute"
-connect = ["ground", "arm.heel"]
-at = ["0 m", "0 m", "0 m"]
-axis = "z"
-[drivers.turning]
-joint = "heel"
-kind = "constant rate"
-start = "0 rad"
-rate = "2 rad/s"
-)" + tip,
-                     steel));
+    return Moved(arm(
+        hinge({0, 0, 1}, "kind = \"constant rate\"\nstart = \"0 rad\"\nrate = \"2 rad/s\"\n") + tip,
+        steel));
   };
   const Moved plain = spun("");
   const ElasticMotionInSpace stretched = plain.by(6, 8);
@@ -315,87 +277,33 @@ rate = "2 rad/s"
 
 TEST_CASE("a mass on an arm that swings far moves as integration over time says",
           "[elastic_motion]") {
-  const Vector3d axis(0.48, -0.6, 0.64);
-  const double frequency = 1.0, amplitude = 0.8, mass = 300.0;
-  const Moved of(
-      arm(hinge(axis, amplitude, frequency) + R"(
-[bodies.load]
-mass = "300 kg"
-points = { c = ["0 m", "0 m", "0 m"] }
-[joints.tip]
-kind = "fixed"
-connect = ["arm.tip", "load.c"]
-)",
-          light,
-          "[model]\nshear_modulus = \"1e6 GPa\"\ndamping = { ratio = 0.03, at = \"4 Hz\" "
-          "}\n"));
-  const ElasticMotionInSpace elastic = of.by(3, 8);
-  const std::vector<frame::BeamMode> modes = of.modes(8, 3);
-  const MatrixXd& eta = elastic.coordinates();
+  const double frequency = 1.0, amplitude = 0.8;
+  const SwungArm arm(swinging(amplitude, frequency),
+                     HarmonicDriver{0.0, amplitude, 2.0 * pi * frequency, 0.0});
+  const MatrixXd& eta = arm.elastic.coordinates();
   REQUIRE(eta.cols() == 3);
-  Matrix3d tip;
-  for (int j = 0; j < 3; ++j)
-    tip.col(j) = modes[static_cast<std::size_t>(j)].motion.tail<6>().head<3>();
-  const SectionProperties section = properties_of(of.project.beam.segments.front().from);
-  const SwungMass swung{mass,
-                        4.0,
-                        E * section.area.value(),
-                        E * section.I_y.value(),
-                        E * section.I_z.value(),
-                        0.03 / (pi * 4.0),
-                        axis,
-                        HarmonicDriver{0.0, amplitude, 2.0 * pi * frequency, 0.0}};
-  const auto path = swung.periodic(1.0 / frequency);
+  const auto path = arm.mass.periodic(1.0 / frequency);
   double largest = 0.0, apart = 0.0;
   for (Eigen::Index i = 0; i < eta.rows(); ++i) {
     const auto at = static_cast<std::size_t>(i * SwungMass::steps / eta.rows());
     if (static_cast<Eigen::Index>(at) * eta.rows() != i * SwungMass::steps) continue;
-    const Vector3d expected = path[at].head<3>(), found = tip * eta.row(i).transpose();
+    const Vector3d expected = path[at].head<3>(), found = arm.tip * eta.row(i).transpose();
     largest = std::max(largest, expected.norm());
     apart = std::max(apart, (expected - found).norm());
   }
-  INFO(apart / largest << " of " << largest << " m, " << elastic.lowest_frequency() << " Hz");
+  INFO(apart / largest << " of " << largest << " m, " << arm.elastic.lowest_frequency() << " Hz");
   REQUIRE(largest > 0.0);
   CHECK(apart < 1e-4 * largest);
 }
 
-// Energy over a period: what the drive does beyond moving rigid bodies is what the material takes,
-//
-//     integral of M q' = retardation times the sum of omega_j^2 integral of eta_j'^2
-//
-// for p_j is the work of inertia, and the root's moment that of the modes. By sums over the even
-// instants, exact for few harmonics.
 TEST_CASE("what the drive does beyond rigid bodies is dissipated", "[elastic_motion]") {
   const Vector3d axis(0.48, -0.6, 0.64);
-  const double small = 1e-4, frequency = 4.0, omega = 2.0 * pi * frequency;
+  const double small = 1e-4, frequency = 4.0;
   const Moved of(arm(hinge(axis, small, frequency) + beside, steel,
                      "[model]\ndamping = { ratio = 0.05, at = \"6 Hz\" }\n"));
   const ElasticMotionInSpace elastic = of.by(6, 8);
-  const std::vector<frame::BeamMode> modes = of.modes(8, 6);
-  const MatrixXd& eta = elastic.coordinates();
-  REQUIRE(eta.cols() == 6);
-  const Eigen::Index n = eta.rows();
-  double done = 0.0;
-  Eigen::MatrixXcd first = Eigen::MatrixXcd::Zero(1, eta.cols());
-  const double step = of.rigid().period().value() / static_cast<double>(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double part = static_cast<double>(i) / static_cast<double>(n);
-    const double rate = small * omega * std::cos(2.0 * pi * part);
-    const Cuts extra = cuts_of(elastic.loads_at(of.at(part)), 0.0) -
-                       cuts_of(of.rigid().loads_at(of.at(part)), 0.0);
-    // The cut behind the root is what it does, reversed.
-    done += -extra.tail<3>().dot(axis) * rate * step;
-    first += std::exp(std::complex<double>(0.0, -2.0 * pi * part)) * eta.row(i) * (2.0 / double(n));
-  }
-  const double retardation = 0.05 / (pi * 6.0);
-  double dissipated = 0.0;
-  for (Eigen::Index j = 0; j < eta.cols(); ++j) {
-    const double natural = 2.0 * pi * modes[static_cast<std::size_t>(j)].frequency;
-    dissipated += retardation * natural * natural * 0.5 * std::norm(first(0, j)) * omega * omega *
-                  of.rigid().period().value();
-  }
-  REQUIRE(dissipated > 0.0);
-  CHECK(done == Approx(dissipated).epsilon(1e-5));
+  REQUIRE(elastic.coordinates().cols() == 6);
+  check_dissipated(of, elastic, axis, small, frequency, 0.05 / (pi * 6.0));
 }
 
 namespace {
@@ -465,183 +373,6 @@ TEST_CASE("where modes do not hold bodies stay rigid, and elastic ones are refus
   const ModelledRuns runs = run_by_chosen_model(project);
   CHECK(runs.model.chosen.level == ModelLevel::modal);
   CHECK(runs.model.weighed.back().found.value() <= project.model.tolerance);
-}
-
-namespace {
-
-/// A scene by chance: an arm at the end of driven joints, or luffed by a driven strut in a loop;
-/// some with a spring beside it, softer or stiffer than the arm.
-struct Scene {
-  std::string text;
-  bool closed = false, sprung = false;
-};
-
-Scene scene_by_chance(unsigned seed) {
-  std::mt19937 engine(seed);
-  const auto between = [&](double low, double high) {
-    return low + (high - low) * static_cast<double>(engine()) / 4294967296.0;
-  };
-  const auto direction = [&] {
-    Vector3d of(between(-1, 1), between(-1, 1), between(-1, 1));
-    return Vector3d(of.normalized());
-  };
-  const auto axis = [](const Vector3d& of) {
-    return fmt::format("axis = [{:.15g}, {:.15g}, {:.15g}]\n", of.x(), of.y(), of.z());
-  };
-  Scene scene;
-  scene.closed = between(0, 1) < 0.4;
-  const double base = between(0.2, 0.8);
-  const auto swings = [&](const char* name, const char* joint, double amplitude) {
-    return fmt::format(
-        "[drivers.{}]\njoint = \"{}\"\nkind = \"harmonic\"\nmean = \"{} rad\"\namplitude = \"{} "
-        "rad\"\nfrequency = \"{:.12g} Hz\"\nphase = \"{} rad\"\n",
-        name, joint, between(-0.3, 0.3), amplitude, base * (between(0, 1) < 0.3 ? 2.0 : 1.0),
-        between(0.0, 6.0));
-  };
-  std::string joints = fmt::format(R"(
-[bodies.column]
-mass = "80 kg"
-centre = ["0 m", "0 m", "0.5 m"]
-inertia = ["5 kg m^2", "6 kg m^2", "2 kg m^2"]
-points = {{ a = ["0 m", "0 m", "0 m"], b = ["0 m", "0 m", "1 m"], s = ["{:.3f} m", "{:.3f} m", "0 m"] }}
-[joints.slew]
-kind = "revolute"
-connect = ["ground", "column.a"]
-at = ["0 m", "0 m", "0 m"]
-)",
-                                   between(0.3, 0.9), between(-0.2, 0.2)) +
-                       axis(direction()) + swings("slewing", "slew", between(0.05, 0.4));
-  if (scene.closed) {
-    joints += fmt::format(R"(
-[joints.heel]
-kind = "revolute"
-connect = ["column.b", "arm.heel"]
-axis = "-y"
-start = "{} rad"
-[joints.strut]
-kind = "distance"
-connect = ["column.s", "arm.mid"]
-[drivers.luffing]
-joint = "strut"
-kind = "harmonic"
-mean = "{} m"
-amplitude = "{} m"
-frequency = "{:.12g} Hz"
-phase = "{} rad"
-)",
-                          between(0.1, 0.5), between(1.35, 1.6), between(0.01, 0.08), base,
-                          between(0.0, 6.0));
-  } else {
-    joints += "[joints.heel]\nkind = \"revolute\"\nconnect = [\"column.b\", \"arm.heel\"]\n" +
-              axis(direction()) + swings("heel", "heel", between(0.05, 0.3));
-  }
-  joints += fmt::format(R"(
-[bodies.load]
-mass = "{} kg"
-centre = ["{} m", "{} m", "{} m"]
-inertia = ["{} kg m^2", "{} kg m^2", "{} kg m^2"]
-points = {{ c = ["0 m", "0 m", "0 m"] }}
-[joints.tip]
-kind = "fixed"
-connect = ["arm.tip", "load.c"]
-)",
-                        between(20, 250), between(-0.2, 0.4), between(-0.5, 0.5),
-                        between(-0.5, 0.5), between(4, 8), between(5, 8), between(6, 9));
-  scene.sprung = between(0, 1) < 0.4;
-  if (scene.sprung) {
-    const bool grounded = between(0, 1) < 0.5;
-    joints += fmt::format(R"(
-[forces.stay]
-kind = "spring"
-connect = ["{}", "arm.{}"]
-stiffness = "{} N/m"
-free_length = "{} m"
-damping = "{} N s/m"
-)",
-                          grounded ? "ground" : "column.s", between(0, 1) < 0.7 ? "tip" : "mid",
-                          std::pow(10.0, between(3.0, 5.0)), between(2.0, 4.0),
-                          between(0, 1) < 0.5 ? 0.0 : between(0.0, 500.0));
-    if (grounded)
-      joints += fmt::format("at = [\"{} m\", \"{} m\", \"{} m\"]\n", between(1, 4), between(-2, 2),
-                            between(-3, -2));
-  }
-  scene.text = arm(joints, "density = \"7850 kg/m^3\"\n",
-                   fmt::format("[model]\ntolerance = 0.02\ndamping = {{ ratio = {}, at = \"6 Hz\" "
-                               "}}\n",
-                               between(0.01, 0.03)));
-  return scene;
-}
-
-/// Largest difference of stresses and of their ranges, as a model is judged.
-double apart(const MatrixXd& model, const MatrixXd& better) {
-  const MatrixXd difference = model - better;
-  return std::max(difference.cwiseAbs().maxCoeff() / better.cwiseAbs().maxCoeff(),
-                  largest_range(difference) / largest_range(better));
-}
-
-struct Judged {
-  int rigid = 0, modal = 0, unproven = 0, closed = 0, sprung = 0, near_buckling = 0;
-  double worst = 0.0;
-};
-
-/// What `auto` chooses, against twelve modes, four times the parts and statics of the second order;
-/// all loads in balance.
-void judge(unsigned seed, Judged& sum) {
-  const Scene scene = scene_by_chance(seed);
-  const Moved of(scene.text);
-  const ModelledRuns chosen = run_by_chosen_model(of.project);
-  INFO("seed " << seed << (scene.closed ? ", closed: " : ", open: ") << chosen.model.reason);
-  const SituationRun& run = chosen.runs.front();
-  for (int i = 0; i < 7; ++i) {
-    const double part = std::fmod(0.37 * i + 0.011 * seed, 1.0);
-    CHECK(imbalance(run.loads.loads_at(of.at(part)), 4.0) < 1e-9);
-  }
-  // Nearer to buckling no verdict is given.
-  constexpr double proven = 0.7;
-  const SecondOrderEstimate& second = chosen.model.second_order;
-  if (std::max(second.in_plane.part, second.across ? second.across->part : 0.0) > proven) {
-    ++sum.near_buckling;
-    return;
-  }
-  const bool rigid = chosen.model.chosen.level == ModelLevel::rigid;
-  const std::vector<Gate> gates = model_gates_of(of.project, chosen.model);
-  if (std::any_of(gates.begin(), gates.end(), [](const Gate& gate) { return gate.blocks; }) ||
-      (rigid && (chosen.model.weighed.empty() || chosen.model.weighed.front().error > 0.02))) {
-    ++sum.unproven;
-    return;
-  }
-  ++(rigid ? sum.rigid : sum.modal);
-  sum.closed += scene.closed ? 1 : 0;
-  sum.sprung += scene.sprung ? 1 : 0;
-  LoadSpan span = of.rigid().span();
-  const ElasticMotionInSpace best = of.bent_by(12, 32);
-  const LoadHistory better(span, [&](Time time) { return best.loads_at(time); });
-  const double error = apart(stress_history_in_space(run.loads, of.project.beam),
-                             stress_history_in_space(better, of.project.beam));
-  sum.worst = std::max(sum.worst, error);
-  CHECK(error < 0.02);
-}
-
-}  // namespace
-
-TEST_CASE("what is chosen for scenes by chance is within the tolerance", "[elastic_motion]") {
-  Judged sum;
-  for (unsigned seed = 1; seed <= 3; ++seed) judge(seed, sum);
-  CHECK(sum.rigid + sum.modal > 0);
-}
-
-// Takes minutes.
-TEST_CASE("what is chosen for two hundred scenes by chance is within the tolerance",
-          "[.][two_hundred_scenes]") {
-  Judged sum;
-  for (unsigned seed = 1; seed <= 200; ++seed) judge(seed, sum);
-  WARN(sum.rigid << " rigid, " << sum.modal << " by modes, " << sum.closed << " of them closed, "
-                 << sum.sprung << " with a spring, " << sum.near_buckling << " near buckling, "
-                 << sum.unproven << " without a model; worst " << sum.worst);
-  CHECK(sum.modal >= 50);
-  CHECK(sum.closed >= 30);
-  CHECK(sum.sprung >= 30);
-  CHECK(sum.unproven <= 10);
 }
 
 }  // namespace elastic_motion_in_space_test

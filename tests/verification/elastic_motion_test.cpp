@@ -45,31 +45,25 @@ double root_moment(const BeamLoads& loads) {
   return cut_forces_of(loads).at({Length{}, Side::behind}).M_y.value();
 }
 
-/// It turns steadily about its start under gravity, which in its axes is a load that turns.
-Beam turning(double r, int instants) {
+/// About its start, under gravity.
+Beam on_shaft(const Driver& turn, int instants) {
   Beam of;
   of.mechanism.gravity = {0.0, -9.81};
   planar::Pin pin;
   pin.a = of.start();
-  of.mechanism.joints = {{"shaft", pin}};
-  of.mechanism.joints.push_back(
-      driven(of, planar::Coordinate::angle, RateDriver{0.0, 2 * pi * r * first_frequency()}));
+  of.mechanism.joints = {{"shaft", pin}, driven(of, planar::Coordinate::angle, turn)};
   of.solve(instants);
   return of;
 }
 
-/// It swings far about its start under gravity.
+/// It turns steadily: gravity is in its axes a load that turns.
+Beam turning(double r, int instants) {
+  return on_shaft(RateDriver{0.0, 2 * pi * r * first_frequency()}, instants);
+}
+
+/// It swings far.
 Beam swinging(double r, int instants) {
-  Beam of;
-  of.mechanism.gravity = {0.0, -9.81};
-  planar::Pin pin;
-  pin.a = of.start();
-  of.mechanism.joints = {{"shaft", pin}};
-  of.mechanism.joints.push_back(
-      driven(of, planar::Coordinate::angle,
-             HarmonicDriver{0.3, 0.7, 2 * pi * r * first_frequency(), 0.0}));
-  of.solve(instants);
-  return of;
+  return on_shaft(HarmonicDriver{0.3, 0.7, 2 * pi * r * first_frequency(), 0.0}, instants);
 }
 
 }  // namespace

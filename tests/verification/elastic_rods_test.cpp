@@ -9,7 +9,6 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <random>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/verification/elastic_motion.hpp"
@@ -20,6 +19,7 @@
 #include "boxbeam/verification/vibration_estimate.hpp"
 #include "catch.hpp"
 #include "support/lever.hpp"
+#include "support/uniform.hpp"
 
 namespace elastic_rods_test {
 
@@ -507,10 +507,7 @@ double apart(const Project& project, const SituationRun& model, const SituationR
 
 TEST_CASE("random mechanisms with elastic rods are as near to many modes as the tolerance says",
           "[.][random_rods]") {
-  std::mt19937 random(11);
-  const auto between = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-  };
+  test::Uniform between(11);
   int by_rigid = 0, by_modes = 0, refused = 0, fine = 0;
   for (int i = 0; i < 60; ++i) {
     const bool body = i % 2 == 1, once = i % 3 == 0;

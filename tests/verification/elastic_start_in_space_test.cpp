@@ -2,17 +2,19 @@
 // by Duhamel's integral, an oscillator of one freedom, integration over time, the motion that
 // repeats, and what must hold in every motion.
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/section/section_properties.hpp"
-#include "boxbeam/section/shear_area.hpp"
-#include "boxbeam/section/torsion.hpp"
 #include "boxbeam/verification/elastic_motion.hpp"
 #include "boxbeam/verification/unsaid.hpp"
 #include "boxbeam/verification/unseen_time.hpp"
@@ -20,30 +22,18 @@
 #include "catch.hpp"
 #include "support/slender_beam.hpp"
 #include "support/space_arm.hpp"
+#include "support/swung_arm.hpp"
 
 namespace elastic_start_in_space_test {
 
 using namespace boxbeam;
 using namespace test::space_arm;
-using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 namespace {
 
-constexpr double pi = std::numbers::pi, E = 210e9, G = 81e9;
-
-std::string with(std::string text, const std::string& what, const std::string& instead) {
-  const std::size_t at = text.find(what);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, what.size(), instead);
-}
-
-const std::string weightless = "\"0 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"";
-
-std::string under_weight(const std::string& text) {
-  return with(text, weightless, "\"0 m/s^2\", \"0 m/s^2\", \"-9.81 m/s^2\"");
-}
+constexpr double pi = std::numbers::pi, E = 210e9;
 
 std::string lasting(const std::string& text, double seconds) {
   return text + fmt::format("[motion]\nduration = \"{:.15g} s\"\n", seconds);
@@ -114,31 +104,22 @@ TEST_CASE("starts and stops of the plane written in space vibrate as the plane's
     // In space at least as long: there is a slower mode across the plane.
     const double last = vibrating.transient()->times().back();
     CHECK(fine.transient()->times().back() > 0.999 * last);
-    const auto beyond_rigid = [&](const ElasticMotionInSpace& by, Time time, double s) -> Cuts {
-      return cuts_of(by.loads_at(time), s) - cuts_of(of.rigid().loads_at(time), s);
-    };
     double largest = 0.0;  // at the root
     for (const double s : {0.0, 4.0, 9.0}) {
-      double moment = 0.0, vibrating_moment = 0.0, apart = 0.0, across = 0.0;
-      for (int i = 0; i < 60; ++i) {
-        const Time time = si<Time>(last * (i + 0.5) / 60.0 * 0.999);
-        const Cuts expected = cuts_of(vibrating.loads_at(time), s) - cuts_of(bent(time), s);
-        // Axial forces stand in the middles of pieces: the error falls with the square of these.
-        const Cuts found =
-            (4.0 * beyond_rigid(fine, time, s) - beyond_rigid(coarse, time, s)) / 3.0;
-        apart = std::max(apart, std::abs(found[4] - expected[4]));
-        across = std::max({across, std::abs(found[3]), std::abs(found[5])});
-        moment = std::max(moment, std::abs(cuts_of(of.rigid().loads_at(time), s)[4]));
-        vibrating_moment = std::max(vibrating_moment, std::abs(expected[4]));
-      }
-      INFO(once.name << ", s = " << s << ": " << apart / moment << ", of what vibrates "
-                     << apart / vibrating_moment << ", which is " << vibrating_moment / moment);
-      largest = std::max(largest, moment);
-      CHECK(vibrating_moment > 0.01 * moment);
-      CHECK(apart < 1e-6 * largest);
-      CHECK(apart < 3e-6 * moment);
+      const auto expected = [&](Time time) -> Cuts {
+        return cuts_of(vibrating.loads_at(time), s) - cuts_of(bent(time), s);
+      };
+      const PlaneApart found(of, coarse, fine, s, 60, expected,
+                             [&](int i) { return si<Time>(last * (i + 0.5) / 60.0 * 0.999); });
+      INFO(once.name << ", s = " << s << ": " << found.apart / found.rigid << ", of what vibrates "
+                     << found.apart / found.vibrating << ", which is "
+                     << found.vibrating / found.rigid);
+      largest = std::max(largest, found.rigid);
+      CHECK(found.vibrating > 0.01 * found.rigid);
+      CHECK(found.apart < 1e-6 * largest);
+      CHECK(found.apart < 3e-6 * found.rigid);
       // In the plane of the others nothing moves it.
-      CHECK(across < 1e-9 * moment);
+      CHECK(found.across < 1e-9 * found.rigid);
     }
   }
 }
@@ -237,31 +218,12 @@ TEST_CASE("a beam on a hinge about any axis starts as its modes say", "[elastic_
 TEST_CASE("an eccentric mass that is lifted twists an arm as an oscillator", "[elastic_start]") {
   const double L = 4.0, e = 0.7, m = 150.0;
   const auto text = [&](double end) {
-    return arm(fmt::format(R"(
-[joints.heel]
-kind = "prismatic"
-connect = ["ground", "arm.heel"]
-at = ["0 m", "0 m", "0 m"]
-axis = "z"
-[drivers.lifting]
-joint = "heel"
-{}
-[bodies.load]
-mass = "{} kg"
-centre = ["0 m", "{} m", "0 m"]
-points = {{ c = ["0 m", "0 m", "0 m"] }}
-[joints.tip]
-kind = "fixed"
-connect = ["arm.tip", "load.c"]
-)",
-                           stepping(1e-3, end, "m"), m, e),
+    return arm(on_rail(stepping(1e-3, end, "m")) +
+                   with_load(m, fmt::format("centre = [\"0 m\", \"{} m\", \"0 m\"]\n", e)),
                light);
   };
   const Project project = parse_project("arm.toml", text(1.0));
-  const Section& section = project.beam.segments.front().from;
-  const double give = std::pow(L, 3) / (3.0 * E * properties_of(section).I_y.value()) +
-                      L / (G * shear_areas_of(section).z.value()) +
-                      e * e * L / (G * torsion_properties_of(section).I_T->value());
+  const double give = give_of(project.beam.segments.front().from, L, e);
   const double omega = 1.0 / std::sqrt(m * give), end = 1.3 * 2.0 * pi / omega;
   const StepDriver step{0.0, 1e-3, 0.0, end};
   const auto a = [&](double t) { return driver_at(step, t).acceleration; };
@@ -280,17 +242,7 @@ connect = ["arm.tip", "load.c"]
 TEST_CASE("a force that acts at once bends twice as far as one that comes slowly",
           "[elastic_start]") {
   const double L = 4.0, m = 150.0, F = 700.0;
-  Project project = parse_project("arm.toml", lasting(arm(R"(
-[joints.heel]
-kind = "fixed"
-connect = ["ground", "arm.heel"]
-at = ["0 m", "0 m", "0 m"]
-[bodies.load]
-mass = "150 kg"
-points = { c = ["0 m", "0 m", "0 m"] }
-[joints.tip]
-kind = "fixed"
-connect = ["arm.tip", "load.c"]
+  Project project = parse_project("arm.toml", lasting(arm(clamped + with_load(150.0) + R"(
 [forces.push]
 kind = "force"
 point = "arm.tip"
@@ -299,9 +251,7 @@ size = "1 N"
 )",
                                                           light),
                                                       1.0));
-  const Section& section = project.beam.segments.front().from;
-  const double give = std::pow(L, 3) / (3.0 * E * properties_of(section).I_y.value()) +
-                      L / (G * shear_areas_of(section).z.value());
+  const double give = give_of(project.beam.segments.front().from, L);
   const double omega = 1.0 / std::sqrt(m * give), period = 2.0 * pi / omega;
   const double begin = 0.4 * period, end = 2.1 * period;
   auto& mechanism = std::get<spatial::Mechanism>(project.mechanism);
@@ -322,47 +272,22 @@ size = "1 N"
 // By Runge and Kutta, an arm that turns far: Coriolis and centrifugal terms count.
 TEST_CASE("a mass on an arm that is turned far once moves as integration over time says",
           "[elastic_start]") {
-  const Vector3d axis(0.48, -0.6, 0.64);
-  const double mass = 300.0, turn = 1.4, end = 0.9;
-  const Moved of(arm(hinge(axis, stepping(turn, end)) + R"(
-[bodies.load]
-mass = "300 kg"
-points = { c = ["0 m", "0 m", "0 m"] }
-[joints.tip]
-kind = "fixed"
-connect = ["arm.tip", "load.c"]
-)",
-                     light,
-                     "[model]\nshear_modulus = \"1e6 GPa\"\ndamping = { ratio = 0.03, at = \"4 "
-                     "Hz\" }\n"));
-  const ElasticMotionInSpace elastic = of.by(3, 8);
-  const std::vector<frame::BeamMode> modes = of.modes(8, 3);
-  Eigen::Matrix3d tip;
-  for (int j = 0; j < 3; ++j)
-    tip.col(j) = modes[static_cast<std::size_t>(j)].motion.tail<6>().head<3>();
-  const SectionProperties section = properties_of(of.project.beam.segments.front().from);
-  const SwungMass swung{mass,
-                        4.0,
-                        E * section.area.value(),
-                        E * section.I_y.value(),
-                        E * section.I_z.value(),
-                        0.03 / (pi * 4.0),
-                        axis,
-                        StepDriver{0.0, turn, 0.0, end}};
+  const double turn = 1.4, end = 0.9;
+  const SwungArm arm(stepping(turn, end), StepDriver{0.0, turn, 0.0, end});
   // With as much of the free vibration behind it.
   const double watched = 1.5 * end;
-  const auto path = swung.path(SwungMass::State::Zero(), 1.0, watched);
+  const auto path = arm.mass.path(SwungMass::State::Zero(), 1.0, watched);
   double largest = 0.0, apart = 0.0, behind = 0.0;
   for (int i = 0; i <= 96; ++i) {
     const double time = watched * i / 96.0;
-    if (time > elastic.transient()->times().back()) break;
+    if (time > arm.elastic.transient()->times().back()) break;
     const Vector3d expected = path[static_cast<std::size_t>(i * SwungMass::steps / 96)].head<3>(),
-                   found = tip * elastic.transient()->at(time).eta;
+                   found = arm.tip * arm.elastic.transient()->at(time).eta;
     largest = std::max(largest, expected.norm());
     if (time > end) behind = std::max(behind, expected.norm());
     apart = std::max(apart, (expected - found).norm());
   }
-  INFO(apart / largest << " of " << largest << " m, " << elastic.lowest_frequency() << " Hz");
+  INFO(apart / largest << " of " << largest << " m, " << arm.elastic.lowest_frequency() << " Hz");
   REQUIRE(behind > 0.05 * largest);
   CHECK(apart < 2e-4 * largest);
 }
@@ -451,8 +376,8 @@ TEST_CASE("the work of the drive is what vibrates behind it and what is dissipat
 // once the rigid one has alpha m L^2/3 more.
 TEST_CASE("before and behind its motion a mechanism is held", "[elastic_start]") {
   const double alpha = 0.8, end = 0.5;
-  const Moved of(lasting(
-      under_weight(arm(hinge({0, -1, 0}, polynomial({0.0, 0.8 * end, -0.4})), steel)), end));
+  const Moved of(
+      lasting(arm(hinge({0, -1, 0}, polynomial({0.0, 0.8 * end, -0.4})), steel, "", 9.81), end));
   const MassProperties properties = mass_properties_of(of.project.beam);
   const double m = properties.mass.value(), L = 4.0;
   const double I = properties.tensor(1, 1) + m * 4.0;
@@ -471,11 +396,11 @@ TEST_CASE("before and behind its motion a mechanism is held", "[elastic_start]")
 // free vibration of r times it.
 TEST_CASE("a motion in space that is under way begins without a free vibration",
           "[elastic_start]") {
-  const std::string text = under_weight(arm(hinge({0, -1, 0}, R"(kind = "constant rate"
+  const std::string text = arm(hinge({0, -1, 0}, R"(kind = "constant rate"
 start = "0.3 rad"
 rate = "3 rad/s"
 )") + beside,
-                                            steel));
+                               steel, "", 9.81);
   const double period = 2.0 * pi / 3.0;
   const Moved all(text), part(lasting(text, 0.6 * period));
   REQUIRE(all.rigid().closed());
@@ -562,108 +487,6 @@ acts = "pulling"
   } catch (const AnalysisError& error) {
     CHECK_THAT(error.failure().what, Catch::Contains("begins or ends to act"));
   }
-}
-
-namespace {
-
-/// An arm at the end of two driven joints, that starts or stops by chance.
-std::string start_by_chance(unsigned seed) {
-  std::mt19937 engine(seed);
-  const auto between = [&](double low, double high) {
-    return low + (high - low) * static_cast<double>(engine()) / 4294967296.0;
-  };
-  const auto axis = [&] {
-    Vector3d of(between(-1, 1), between(-1, 1), between(-1, 1));
-    of.normalize();
-    return fmt::format("axis = [{:.15g}, {:.15g}, {:.15g}]\n", of.x(), of.y(), of.z());
-  };
-  const double end = 0.4 * std::exp(between(0.0, 3.0));
-  const auto driven = [&](const char* name, const char* joint, double most) {
-    const double turn = between(0.1, most), begin = between(0.0, 0.4) * end;
-    return fmt::format(
-        "[drivers.{}]\njoint = \"{}\"\nkind = \"smooth step\"\nfrom = \"{} rad\"\nto = \"{} "
-        "rad\"\nbegin = \"{} s\"\nend = \"{} s\"\n",
-        name, joint, -0.5 * turn, 0.5 * turn, begin, end);
-  };
-  std::string joints = fmt::format(R"(
-[bodies.column]
-mass = "80 kg"
-centre = ["0 m", "0 m", "0.5 m"]
-inertia = ["5 kg m^2", "6 kg m^2", "2 kg m^2"]
-points = {{ a = ["0 m", "0 m", "0 m"], b = ["0 m", "0 m", "1 m"] }}
-[joints.slew]
-kind = "revolute"
-connect = ["ground", "column.a"]
-at = ["0 m", "0 m", "0 m"]
-)") + axis() + driven("slewing", "slew", 0.8) +
-                       "[joints.heel]\nkind = \"revolute\"\nconnect = [\"column.b\", "
-                       "\"arm.heel\"]\n" +
-                       axis() + driven("luffing", "heel", 0.6);
-  joints += fmt::format(R"(
-[bodies.load]
-mass = "{} kg"
-centre = ["{} m", "{} m", "{} m"]
-inertia = ["{} kg m^2", "{} kg m^2", "{} kg m^2"]
-points = {{ c = ["0 m", "0 m", "0 m"] }}
-[joints.tip]
-kind = "fixed"
-connect = ["arm.tip", "load.c"]
-)",
-                        between(20, 250), between(-0.2, 0.4), between(-0.5, 0.5),
-                        between(-0.5, 0.5), between(4, 8), between(5, 8), between(6, 9));
-  const bool stops = between(0, 1) < 0.4;
-  const std::string text =
-      arm(joints, "density = \"7850 kg/m^3\"\n",
-          fmt::format("[model]\ntolerance = 0.02\ndamping = {{ ratio = {}, at = \"6 Hz\" }}\n",
-                      between(0.01, 0.03)));
-  // Under way at once, and at rest at its end.
-  return stops
-             ? text + fmt::format("[motion]\nsettle = \"{0} s\"\nduration = \"{0} s\"\n", 0.5 * end)
-             : under_weight(text);
-}
-
-}  // namespace
-
-// Takes minutes.
-TEST_CASE("random starts in space are as near to many modes as the tolerance says",
-          "[.][random_starts_in_space]") {
-  int rigid = 0, modal = 0, unproven = 0;
-  double most = 0.0;
-  for (unsigned seed = 1; seed <= 12; ++seed) {
-    const Moved of(start_by_chance(seed));
-    const ModelledRuns chosen = run_by_chosen_model(of.project);
-    INFO("seed " << seed << ": " << chosen.model.reason);
-    const SituationRun& run = chosen.runs.front();
-    const ElasticMotionInSpace best = of.bent_by(12, 32);
-    const bool by_rigid = chosen.model.chosen.level == ModelLevel::rigid;
-    if (by_rigid && vibration_missed_in_space(of.project, chosen.model) > 0.02) {
-      ++unproven;
-      continue;
-    }
-    ++(by_rigid ? rigid : modal);
-    const double looked = run.loads.period() / of.rigid().period();
-    for (int i = 1; i < 8; ++i)
-      CHECK(imbalance(run.loads.loads_at(of.at(0.14 * i * looked)), 4.0) < 1e-9);
-    // Up to where both look.
-    const double begin = run.loads.begin().value();
-    double last = best.transient()->times().back();
-    if (!by_rigid) last = std::min(last, begin + run.loads.period().value());
-    const LoadHistory better({run.loads.begin(), si<Time>(last - begin), 2000, false},
-                             [&](Time time) { return best.loads_at(time); });
-    const MatrixXd of_better = stress_history_in_space(better, of.project.beam);
-    const MatrixXd difference =
-        stress_history_in_space(run.loads, of.project.beam, better.span()) - of_better;
-    const double error =
-        std::max(difference.cwiseAbs().maxCoeff() / of_better.cwiseAbs().maxCoeff(),
-                 largest_range(difference) / largest_range(of_better));
-    most = std::max(most, error);
-    INFO(error);
-    CHECK(error < 0.02);
-  }
-  WARN(rigid << " rigid, " << modal << " by modes, " << unproven << " without a model; worst "
-             << most);
-  CHECK(modal >= 4);
-  CHECK(unproven <= 3);
 }
 
 }  // namespace elastic_start_in_space_test

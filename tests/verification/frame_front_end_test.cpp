@@ -12,10 +12,12 @@
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
 #include "support/clamped_beam.hpp"
+#include "support/refusals.hpp"
 
 namespace frame_front_end_test {
 
 using namespace boxbeam;
+using test::contains;
 
 namespace {
 
@@ -163,20 +165,8 @@ TEST_CASE(
   }
 }
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 std::string complaints_of(const std::string& text) {
-  try {
-    static_cast<void>(parse(text));
-  } catch (const InputError& error) {
-    std::string all;
-    for (const Problem& problem : error.problems())
-      all += problem.message + " | " + problem.hint + "\n";
-    return all;
-  }
-  return {};
+  return test::complaints_of([&] { return parse(text); });
 }
 
 TEST_CASE("what is wrong with a member does not hide what is wrong with its supports and loads",

@@ -16,11 +16,13 @@
 #include "support/changed_rig.hpp"
 #include "support/held_bar.hpp"
 #include "support/luffing_boom.hpp"
+#include "support/refusals.hpp"
 #include "support/rig.hpp"
 
 namespace gates_test {
 
 using namespace boxbeam;
+using test::contains;
 
 namespace {
 
@@ -46,10 +48,6 @@ std::vector<Gate> gates_with(const Verification& verification, const std::string
     if (gate.finding.find(words) != std::string::npos) found.push_back(gate);
   }
   return found;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 const double eps_355 = std::sqrt(235.0 / 355.0);

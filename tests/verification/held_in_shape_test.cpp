@@ -8,33 +8,18 @@
 #include <string>
 #include <vector>
 
-#include "boxbeam/verification/distortion_checks.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
+#include "support/distorted_boxes.hpp"
+#include "support/gates.hpp"
 
 namespace held_in_shape_test {
 
 using namespace boxbeam;
+using distorted_boxes::estimate_of;
+using distorted_boxes::twist;
 
 namespace {
-
-std::string twist(const std::string& name, double at, double torque) {
-  return fmt::format(
-      "[loads.{}]\nkind = \"force\"\nat = \"{} m\"\nforce = [\"0 N\", \"0 N\", \"0 N\"]\n"
-      "moment = [\"{} N m\", \"0 N m\", \"0 N m\"]\n",
-      name, at, torque);
-}
-
-std::vector<DistortionEstimate> estimates_of(const Project& project) {
-  const std::deque<SituationRun> runs = run_situations(project);
-  return check_distortion(project, runs, bending_zones_of(project, runs), {}).estimates;
-}
-
-DistortionEstimate estimate_of(const Project& project) {
-  const std::vector<DistortionEstimate> all = estimates_of(project);
-  REQUIRE(all.size() == 1);
-  return all.front();
-}
 
 /// A box of 6 m on forks, 800 x 800 x 20, with a diaphragm of 12 mm at 3 m and such at its ends
 /// as bear all; where there are cycles its load "f" comes and goes.
@@ -167,9 +152,7 @@ TEST_CASE("a diaphragm bears what keeps the box in shape and the forces that it 
           "force = [\"0 N\", \"0 N\", \"{} N\"]\n",
           y > 0.0 ? "left" : "right", y, -force);
     const Verification of = verify(forked("3 mm", more + twist("t", 3.1, torque), 0.0));
-    return std::any_of(of.gates.begin(), of.gates.end(), [](const Gate& gate) {
-      return gate.finding.find("diaphragm at s = 3 m: so that the box") != std::string::npos;
-    });
+    return test::has_gate(of, "diaphragm at s = 3 m: so that the box");
   };
   CHECK(stopped(400e3, 1500e3));
   CHECK_FALSE(stopped(400e3, 150e3));

@@ -6,9 +6,10 @@
 #include <numbers>
 #include <utility>
 
-#include "boxbeam/report/report.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
+#include "support/buckling_curve.hpp"
+#include "support/factor_of_sheet.hpp"
 #include "support/program.hpp"
 
 namespace lateral_estimate_test {
@@ -124,8 +125,7 @@ TEST_CASE("a plate that would turn over gets no verdict, though its stress is sm
   const Verification far = verify(plate(0.3 * critical_force()));
   CHECK(far.verdict == Verdict::pass);
   const double lambda = std::sqrt(part_of(far) / (0.3 * critical_force() * L / 3e-4 / 345e6));
-  const double phi = 0.5 * (1.0 + 0.76 * (lambda - 0.2) + lambda * lambda);
-  const double chi = 1.0 / (phi + std::sqrt(phi * phi - lambda * lambda));
+  const double chi = test::chi_of(lambda, 0.76);
   REQUIRE(sideways(far) != nullptr);
   CHECK(sideways(far)->utilisation() ==
         Approx(0.3 * critical_force() * L / 3e-4 / 345e6 / chi).epsilon(1e-6));
@@ -136,11 +136,7 @@ TEST_CASE("the sheet of a beam that may turn over ends with its factor", "[later
   const Verification of = verify(project);
   for (const CheckResult& result : of.checks) {
     if (result.check.criterion != Criterion::member) continue;
-    const report::Sheet sheet = sheet_of(project, of, result);
-    REQUIRE_FALSE(sheet.steps.empty());
-    CHECK(sheet.steps.back().symbol == "factor");
-    CHECK(std::stod(sheet.steps.back().formulas.back()) ==
-          Approx(result.check.safety_factor).epsilon(1e-3));
+    test::sheet_to_factor(project, of, result, 1e-3);
   }
 }
 
@@ -157,8 +153,7 @@ TEST_CASE("compression across the plane and turning over count together", "[late
   const double yielding = 1000.0 / (b * h * 345e6) + of.model.second_order.bending;
   CHECK(of.model.second_order.bending == Approx(1000.0 * L / 3e-4 / 345e6).epsilon(1e-2));
   const double lambda = std::sqrt((pushed + part_of(of)) / yielding);
-  const double phi = 0.5 * (1.0 + 0.76 * (lambda - 0.2) + lambda * lambda);
-  const double chi = 1.0 / (phi + std::sqrt(phi * phi - lambda * lambda));
+  const double chi = test::chi_of(lambda, 0.76);
   REQUIRE(sideways(of) != nullptr);
   CHECK(sideways(of)->utilisation() == Approx(yielding / chi).epsilon(2e-3));
 }

@@ -3,10 +3,12 @@
 #include "boxbeam/verification/verdict_text.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
+#include "support/refusals.hpp"
 
 namespace lifted_supports_test {
 
 using namespace boxbeam;
+using test::contains;
 
 namespace {
 
@@ -29,10 +31,6 @@ std::string support(const std::string& name, const std::string& kind, const std:
 
 std::string force(const std::string& at, const std::string& F) {
   return "[loads.f]\nkind = \"force\"\nat = \"" + at + "\"\nforce = [\"0 kN\", \"" + F + "\"]\n";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace

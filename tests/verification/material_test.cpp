@@ -1,9 +1,9 @@
 // Steels beyond S450 and materials of the case's own, from the case file to the verdict.
 
-#include "boxbeam/core/error.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
 #include "support/clamped_beam.hpp"
+#include "support/refusals.hpp"
 
 namespace material_of_case_test {
 
@@ -37,12 +37,7 @@ bool says(const Verification& of, const std::string& words, bool blocks) {
 }
 
 std::string refusal(const std::string& material) {
-  try {
-    beam_of(material);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return test::refusal_of([&] { return beam_of(material); });
 }
 
 }  // namespace

@@ -4,16 +4,14 @@
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "support/changed_rig.hpp"
+#include "support/refusals.hpp"
 
 namespace measured_loads_test {
 
 using namespace boxbeam;
+using test::contains;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// The slender rig, whose beam vibrates, at 0.8 Hz, with further lines, beside a table of a small
 /// force that repeats with its exciter.

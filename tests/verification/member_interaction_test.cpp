@@ -7,27 +7,22 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <string>
 
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
+#include "support/buckling_curve.hpp"
+#include "support/uniform.hpp"
 
 namespace member_interaction_test {
 
 using namespace boxbeam;
+using test::chi_of;
 
 namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double E = 210e3, G = 81e3, f_y = 355.0;  // MPa
-
-/// Equation 6.49, alpha = 0.49 of curve c, 0.76 of curve d.
-double chi_of(double lambda, double alpha = 0.49) {
-  if (lambda <= 0.2) return 1.0;
-  const double phi = 0.5 * (1.0 + alpha * (lambda - 0.2) + lambda * lambda);
-  return 1.0 / (phi + std::sqrt(phi * phi - lambda * lambda));
-}
 
 /// A box in mm, and what acts on it.
 struct Strut {
@@ -124,10 +119,7 @@ struct Strut {
 
 /// Of class 3 at most: c/t below 42 eps = 34.2. In the plane, which it bends in, as wide as high or
 /// more.
-Strut random_strut(std::mt19937& random, bool in_space) {
-  const auto in = [&](double low, double high) {
-    return std::uniform_real_distribution(low, high)(random);
-  };
+Strut random_strut(test::Uniform& in, bool in_space) {
   Strut of;
   of.in_space = in_space;
   of.flange = in(8.0, 20.0);
@@ -160,10 +152,10 @@ const CheckResult* member_check_of(const Verification& verification, const std::
 }  // namespace
 
 TEST_CASE("struts at random: the member's check is never milder than equation 6.61", "[member]") {
-  std::mt19937 random(661);
+  test::Uniform in(661);
   int compared = 0, left_alone = 0, by_k = 0;
   for (int i = 0; i < 320; ++i) {
-    Strut of = random_strut(random, false);
+    Strut of = random_strut(in, false);
     of.central = i % 2 == 1;
     const double part = of.part(of.I_y());
     CAPTURE(i, of.n, of.m_y, of.central, part);
@@ -204,10 +196,10 @@ TEST_CASE("struts at random: the member's check is never milder than equation 6.
 }
 
 TEST_CASE("struts in space: equations 6.61 and 6.62 of both planes", "[member]") {
-  std::mt19937 random(662);
+  test::Uniform in(662);
   int in_plane = 0, across = 0;
   for (int i = 0; i < 160; ++i) {
-    Strut of = random_strut(random, true);
+    Strut of = random_strut(in, true);
     of.central = i % 2 == 1;
     CAPTURE(i, of.n, of.m_y, of.m_z, of.central, of.part(of.I_y()), of.part(of.I_z()));
     const Verification verification = verify(parse_project("strut.toml", of.text()));

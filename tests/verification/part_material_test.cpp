@@ -7,11 +7,12 @@
 #include <cmath>
 #include <limits>
 
-#include "boxbeam/core/error.hpp"
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
+#include "support/gates.hpp"
+#include "support/refusals.hpp"
 
 namespace part_material_test {
 
@@ -88,12 +89,7 @@ constexpr double I = (0.15 * 0.3 * 0.3 * 0.3 - 0.134 * 0.276 * 0.276 * 0.276) / 
 double bending_at(double s, double z) { return 20e3 * (4.0 - s) * z / I; }
 
 std::string message_of(const std::string& text) {
-  try {
-    parse_project("case.toml", text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { return parse_project("case.toml", text); });
 }
 
 }  // namespace
@@ -226,9 +222,7 @@ TEST_CASE("part materials: flanges above twice the web's strength give no verdic
   const auto of = [](const std::string& flange) {
     const auto verification =
         verified(cantilever(s235 + part(flange, "plates = [\"top flange\", \"bottom flange\"]")));
-    return std::any_of(verification.gates.begin(), verification.gates.end(), [](const Gate& gate) {
-      return gate.blocks && gate.finding.find("twice the yield strength") != std::string::npos;
-    });
+    return test::blocks(verification, "twice the yield strength");
   };
   CHECK_FALSE(of("S460N"));
   CHECK(of("S500Q"));

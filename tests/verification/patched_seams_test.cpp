@@ -10,9 +10,10 @@
 #include <vector>
 
 #include "boxbeam/report/remarks.hpp"
-#include "boxbeam/report/report.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
+#include "support/factor_of_sheet.hpp"
+#include "support/gates.hpp"
 
 namespace patched_seams_test {
 
@@ -282,12 +283,7 @@ TEST_CASE("the sheet of a seam under a force ends with its factor", "[patch]") {
     int sheets = 0;
     for (const CheckResult& result : of.checks) {
       if (!result.patch || result.check.criterion != Criterion::weld) continue;
-      const report::Sheet sheet = sheet_of(project, of, result);
-      INFO(result.check.id);
-      REQUIRE(!sheet.steps.empty());
-      CHECK(sheet.steps.back().symbol == "factor");
-      CHECK(std::stod(sheet.steps.back().formulas.back()) ==
-            Approx(result.check.safety_factor).epsilon(6e-4));
+      test::sheet_to_factor(project, of, result);
       ++sheets;
     }
     CHECK(sheets == 4);
@@ -306,9 +302,7 @@ TEST_CASE("where nothing is said of how forces come in, they stand on an edge", 
   StoutBox slender{600.0, 1224.0, 12.0, 12.0, 8.0, 3.0};
   const Verification of = verified(beam(slender, "", force("hook", 4.5, -200.0)));
   CHECK(of.verdict == Verdict::not_applicable);
-  CHECK(std::any_of(of.gates.begin(), of.gates.end(), [](const Gate& gate) {
-    return gate.blocks && gate.finding.find("\"hook\" and its seam bears") != std::string::npos;
-  }));
+  CHECK(test::blocks(of, "\"hook\" and its seam bears"));
 }
 
 /// With its welds as thick as said, or not said.

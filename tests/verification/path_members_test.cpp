@@ -10,28 +10,24 @@
 #include "boxbeam/section/torsion.hpp"
 #include "boxbeam/verification/patch_checks.hpp"
 #include "catch.hpp"
+#include "support/buckling_curve.hpp"
+#include "support/gates.hpp"
 #include "support/path_cases.hpp"
 
 namespace path_members_test {
 
 using namespace boxbeam;
+using test::blocks;
 using namespace slender_cases;
 using namespace path_cases;
 
 namespace {
 
-bool blocks(const Verification& of, const std::string& words) {
-  return std::any_of(of.gates.begin(), of.gates.end(), [&](const Gate& gate) {
-    return gate.blocks && gate.finding.find(words) != std::string::npos;
-  });
-}
-
 /// EN 1993-1-1, 6.3.1.2, curve c, and m beside it as 6.3.3 has it: n_cr the part of the critical
 /// load.
 double use_by_hand(double n, double m, double n_cr, double gamma) {
   const double lambda = std::sqrt(n_cr / n);
-  const double phi = 0.5 * (1.0 + 0.49 * (lambda - 0.2) + lambda * lambda);
-  const double chi = std::min(1.0, 1.0 / (phi + std::sqrt(phi * phi - lambda * lambda)));
+  const double chi = test::chi_of(lambda);
   return gamma * (n / chi + m);
 }
 

@@ -12,6 +12,18 @@ using namespace boxbeam;
 
 namespace {
 
+/// `count` equally spaced instants; of a time that repeats, behind the last comes the first; else
+/// the last is the end.
+SampledTime equal_instants(double begin, double step, std::size_t count, bool closed) {
+  SampledTime span{{}, begin, step * static_cast<double>(closed ? count : count - 1)};
+  for (std::size_t i = 0; i < count; ++i) {
+    const double at = begin + step * static_cast<double>(i);
+    const bool first = i == 0 && !closed, last = i + 1 == count && !closed;
+    span.instants.push_back({at, first ? at : at - step, last ? at : at + step});
+  }
+  return span;
+}
+
 std::vector<double> sampled(const SampledTime& span, const std::function<double(double)>& f) {
   std::vector<double> values;
   for (const SampledInstant& instant : span.instants) values.push_back(f(instant.at));

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <string>
 
 #include "boxbeam/core/error.hpp"
@@ -14,6 +13,7 @@
 #include "boxbeam/verification/vibrating_stress.hpp"
 #include "catch.hpp"
 #include "support/program.hpp"
+#include "support/uniform.hpp"
 
 namespace random_starts_test {
 
@@ -31,10 +31,7 @@ planar::Driven& driver_of(planar::Mechanism& mechanism) {
 
 /// A linkage whose crank, or arm whose shaft, turns once from rest to rest, some back again. From
 /// hardly to strongly vibrating; `slow` ones mostly bear their weight, which excites nothing.
-Project random_start(const Project& linkage, bool arm, bool slow, std::mt19937& random) {
-  const auto between = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-  };
+Project random_start(const Project& linkage, bool arm, bool slow, test::Uniform& between) {
   Project project = linkage;
   project.model.tolerance = tolerance;
   planar::Mechanism& mechanism = planar_of(project);
@@ -150,13 +147,13 @@ TEST_CASE("random starts are as near to many modes as the tolerance says", "[.][
       mechanism.joints.push_back({name, held});
     }
   }
-  std::mt19937 random(7);
+  test::Uniform between(7);
   std::string refusals;
   int by_rigid = 0, by_modes = 0, refused = 0;
   constexpr int sudden = 40, slow = 20;
   for (int i = 0; i < sudden + slow; ++i) {
     const bool is_arm = i % 2 == 1, is_slow = i >= sudden;
-    const Project project = random_start(is_arm ? arm : linkage, is_arm, is_slow, random);
+    const Project project = random_start(is_arm ? arm : linkage, is_arm, is_slow, between);
     INFO("start " << i);
     try {
       const ModelledRuns chosen = run_by_chosen_model(project);

@@ -12,11 +12,13 @@
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
 #include "support/program.hpp"
+#include "support/refusals.hpp"
 #include "support/table_cantilever.hpp"
 
 namespace recorded_front_end_test {
 
 using namespace boxbeam;
+using test::contains;
 
 namespace {
 
@@ -40,18 +42,7 @@ Project given(const test::TemporaryFolder& folder, const std::string& loads) {
 
 /// What is said of a case that cannot be read.
 std::string complaint(const test::TemporaryFolder& folder, const std::string& loads) {
-  try {
-    given(folder, loads);
-  } catch (const InputError& error) {
-    std::string all;
-    for (const Problem& problem : error.problems()) all += problem.message + "\n" + problem.hint;
-    return all;
-  }
-  return "";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+  return test::complaints_of([&] { return given(folder, loads); });
 }
 
 void check_same_factors(const Verification& a, const Verification& b, std::size_t least) {

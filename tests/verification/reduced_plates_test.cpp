@@ -6,14 +6,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <random>
 
-#include "boxbeam/core/error.hpp"
-#include "boxbeam/report/report.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
+#include "support/factor_of_sheet.hpp"
 #include "support/reduced_by_hand.hpp"
+#include "support/refusals.hpp"
 #include "support/slender_cases.hpp"
+#include "support/uniform.hpp"
 
 namespace reduced_plates_test {
 
@@ -107,10 +107,7 @@ TEST_CASE("the routes are never mixed, and each stands beside the other", "[plat
 }
 
 TEST_CASE("by reduced stresses no place is used more than what is reported", "[plates]") {
-  std::mt19937 random(23);
-  const auto in = [&](double low, double high) {
-    return std::uniform_real_distribution(low, high)(random);
-  };
+  test::Uniform in(23);
   int judged = 0;
   for (int i = 0; i < 20; ++i) {
     const bool space = i % 2 == 1;
@@ -318,14 +315,10 @@ TEST_CASE("wheels on webs by reduced stresses: no instant is worse than what is 
 
 TEST_CASE("fatigue of plates that work by less than half is not judged by this route either",
           "[plates]") {
-  const std::string cycles =
-      "[[situations]]\nname = \"on\"\nloads = { tip = 1.0 }\n"
-      "[[situations]]\nname = \"off\"\nloads = { tip = 0.0 }\n"
-      "[[situations]]\nname = \"lift\"\nbetween = [\"on\", \"off\"]\ncycles = 1000\n";
   const auto at = [&](double force) {
     return verified(cantilever(box("a", 900.0, 1000.0, 8.0, 10.0), segment(10.0, "a"),
                                tip(10.0, -force), "", reduced) +
-                    fatigue + cycles);
+                    lifted_often);
   };
   CHECK(!has_gate(at(5.0), "2.2(5)"));
   CHECK(has_gate(at(260.0), "2.2(5)"));
@@ -347,13 +340,7 @@ TEST_CASE("sheets of reduced stresses end at the factor of the check", "[plates]
     const Verification of = verify(project);
     for (const CheckResult& result : of.checks) {
       if (result.check.criterion != Criterion::reduced_stress) continue;
-      const report::Sheet sheet = sheet_of(project, of, result);
-      INFO(result.check.id);
-      REQUIRE(!sheet.steps.empty());
-      const report::Step& last = sheet.steps.back();
-      CHECK(last.symbol == "factor");
-      REQUIRE(!last.formulas.empty());
-      CHECK(std::stod(last.formulas.back()) == Approx(result.check.safety_factor).epsilon(6e-4));
+      test::sheet_to_factor(project, of, result);
       ++sheets;
     }
   }
@@ -361,14 +348,11 @@ TEST_CASE("sheets of reduced stresses end at the factor of the check", "[plates]
 }
 
 TEST_CASE("a route that is none is refused with those that are", "[plates]") {
-  const auto said = [](const std::string& strength) -> std::string {
-    try {
-      parse_project("slender.toml",
-                    cantilever(slender, segment(6.0, "a"), tip(6.0, -1.0), "", strength));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+  const auto said = [](const std::string& strength) {
+    return test::refusal_of([&] {
+      return parse_project("slender.toml",
+                           cantilever(slender, segment(6.0, "a"), tip(6.0, -1.0), "", strength));
+    });
   };
   CHECK(said(reduced).empty());
   CHECK(said("plates = \"effective widths\"\n").empty());

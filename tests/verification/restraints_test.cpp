@@ -7,13 +7,13 @@
 #include <numbers>
 #include <random>
 
-#include "boxbeam/core/error.hpp"
 #include "boxbeam/report/remarks.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/section/torsion.hpp"
 #include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
+#include "support/refusals.hpp"
 #include "support/slider_crank.hpp"
 
 namespace restraints_test {
@@ -74,12 +74,7 @@ bool has_remark(const Project& project, const Verification& of, const std::strin
 
 /// What is said of a case that is refused.
 std::string refused(const std::string& restraints) {
-  try {
-    static_cast<void>(column(pushed, restraints));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { return column(pushed, restraints); });
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
+#include "support/buckling_curve.hpp"
 
 namespace rod_strength_test {
 
@@ -56,8 +57,7 @@ const double I = (0.12 * std::pow(0.08, 3) - 0.108 * std::pow(0.068, 3)) / 12.0;
 double use_by_hand(double N, double E, double gamma_M1) {
   const double N_cr = std::pow(std::numbers::pi / 4.0, 2) * E * I;
   const double lambda = std::sqrt(A * 355e6 / N_cr);
-  const double phi = 0.5 * (1.0 + 0.49 * (lambda - 0.2) + lambda * lambda);
-  const double chi = 1.0 / (phi + std::sqrt(phi * phi - lambda * lambda));
+  const double chi = test::chi_of(lambda);
   return gamma_M1 * N / (chi * A * 355e6);
 }
 

@@ -11,6 +11,7 @@
 #include "boxbeam/verification/second_order_estimate.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
+#include "support/buckling_curve.hpp"
 
 namespace second_order_factors_test {
 
@@ -97,18 +98,12 @@ double use_of(const Verification& of, Criterion criterion) {
   return result->check.utilisation();
 }
 
-/// EN 1993-1-1, 6.3.1.2, curve c.
-double reduction_by(double lambda) {
-  const double phi = 0.5 * (1.0 + 0.49 * (lambda - 0.2) + lambda * lambda);
-  return std::min(1.0, 1.0 / (phi + std::sqrt(phi * phi - lambda * lambda)));
-}
-
 /// N/(chi A f_y) + M/(W f_y), M = Q L/4 grown by 1/(1 - N/N_cr), all under `factor` times the
 /// loads.
 double member_by_hand(const Box& box, double L, double P, double Q, double factor) {
   const double N = factor * P * 1e3, N_y = box.area() * 355e6, N_cr = box.critical(L);
   const double M = factor * Q * 1e3 * L / 4.0, W = box.second_moment() / (0.5 * box.h);
-  return N / (reduction_by(std::sqrt(N_y / N_cr)) * N_y) + M / (W * 355e6) / (1.0 - N / N_cr);
+  return N / (test::chi_of(std::sqrt(N_y / N_cr)) * N_y) + M / (W * 355e6) / (1.0 - N / N_cr);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "boxbeam/section/torsion.hpp"
 #include "boxbeam/verification/model_gates.hpp"
 #include "support/bent_in_space.hpp"
+#include "support/gates.hpp"
 #include "support/luffing_boom.hpp"
 
 namespace second_order_in_space_test {
@@ -158,9 +159,7 @@ TEST_CASE("near its buckling load a beam deflects as its mode of buckling", "[se
   CHECK_THROWS_AS(run_situations(buckling, bent_by(16)), AnalysisError);
   const Verification of = verify(parse_project("bent.toml", cantilever({-1.02 * N_cr, 1.0, 0.0})));
   CHECK(of.model.second_order.across->part == Approx(1.02).epsilon(3e-3));
-  CHECK(std::any_of(of.gates.begin(), of.gates.end(), [](const Gate& gate) {
-    return gate.blocks && gate.finding.find("it buckles") != std::string::npos;
-  }));
+  CHECK(test::blocks(of, "it buckles"));
 }
 
 // From outside: the moment at a place is that of the forces beyond it about the bent axis, as far
@@ -326,9 +325,7 @@ TEST_CASE("the model that is chosen bends in space where that counts, and says b
   const Verification rigid =
       verify(parse_project("bent.toml", cantilever({-P, Q, 0.0}, "arm", Vector3d::Zero(),
                                                    "[model]\ndemand = \"rigid\"\n")));
-  CHECK(std::any_of(rigid.gates.begin(), rigid.gates.end(), [](const Gate& gate) {
-    return gate.blocks && gate.finding.find("theory of the first order") != std::string::npos;
-  }));
+  CHECK(test::blocks(rigid, "theory of the first order"));
 }
 
 }  // namespace second_order_in_space_test

@@ -9,10 +9,12 @@
 #include "boxbeam/verification/planar_links.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
+#include "support/gates.hpp"
 
 namespace second_order_kinds_test {
 
 using namespace boxbeam;
+using test::blocks;
 
 namespace {
 
@@ -106,13 +108,6 @@ std::string given(double kN) {
          "[[situations]]\nname = \"down\"\n[situations.set]\n" + down + of_situations + demands("");
 }
 
-bool blocked(const Verification& verification, const std::string& words) {
-  for (const Gate& gate : verification.gates) {
-    if (gate.blocks && gate.finding.find(words) != std::string::npos) return true;
-  }
-  return false;
-}
-
 double fatigue_use(const Verification& of) {
   return of.governing(Criterion::fatigue)->check.utilisation();
 }
@@ -168,7 +163,7 @@ TEST_CASE("a cantilever that second order makes fail passes in no kind of case",
     const Verification straight = verify(parse_project("c.toml", text));
     CAPTURE(straight.model.reason);
     CHECK(straight.verdict == Verdict::not_applicable);
-    CHECK(blocked(straight, "second order (bending by N w) is not in the cut forces"));
+    CHECK(blocks(straight, "second order (bending by N w) is not in the cut forces"));
     CHECK(straight.model.reason.find("second order is estimated to change it by") !=
           std::string::npos);
     const double growth = second_order_growth_at(straight.model.second_order, Length{}, true);
@@ -210,9 +205,9 @@ TEST_CASE("of more bodies than are computed with neither vibration nor second or
   const auto most = static_cast<int>(most_elastic_bodies);
   const Verification many = verify(parse_project("c.toml", with_bodies(most + 1)));
   CHECK(many.verdict == Verdict::not_applicable);
-  CHECK(blocked(many, "51 bodies"));
+  CHECK(blocks(many, "51 bodies"));
   const Verification few = verify(parse_project("c.toml", with_bodies(3)));
-  CHECK_FALSE(blocked(few, "bodies: of more than"));
+  CHECK_FALSE(blocks(few, "bodies: of more than"));
 }
 
 }  // namespace second_order_kinds_test

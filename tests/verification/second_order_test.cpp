@@ -18,11 +18,13 @@
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
+#include "support/refusals.hpp"
 #include "support/slider_crank.hpp"
 
 namespace second_order_test {
 
 using namespace boxbeam;
+using test::contains;
 
 namespace {
 
@@ -53,10 +55,6 @@ double stress_of(const Project& project, const ElasticModel& model) {
   const std::deque<SituationRun> runs = run_situations(project, model);
   const CutForces cut = runs.front().loads.diagram(0).at({si<Length>(0.5 * L)});
   return std::abs(cut.N.value()) / A + std::abs(cut.M_y.value()) / W;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 /// Of the beam as a member, 0 where it does not count.

@@ -9,15 +9,16 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "boxbeam/core/error.hpp"
 #include "boxbeam/report/json.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
 #include "support/program.hpp"
+#include "support/refusals.hpp"
 
 namespace several_beams_test {
 
 using namespace boxbeam;
+using test::contains;
 
 namespace {
 
@@ -120,19 +121,7 @@ Verification alone(const std::string& text) { return verify(parse_project("alone
 
 std::string complaints(const std::string& text) {
   const test::TemporaryFolder folder;
-  try {
-    read_beams(folder.write("case.toml", text));
-  } catch (const InputError& error) {
-    std::string all;
-    for (const Problem& problem : error.problems())
-      all += problem.message + " | " + problem.hint + "\n";
-    return all;
-  }
-  return "";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+  return test::complaints_of([&] { return read_beams(folder.write("case.toml", text)); });
 }
 
 const std::string arm = "[[beam]]\nname = \"arm\"\nbody = \"arm\"\n" + density + segment_of_arm;

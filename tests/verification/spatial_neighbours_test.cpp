@@ -12,81 +12,26 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/verification/neighbours.hpp"
 #include "boxbeam/verification/verify.hpp"
+#include "support/box_boom.hpp"
 
 namespace spatial_neighbours_test {
 
 using namespace boxbeam;
+using test::box_boom::boom;
+using test::box_boom::hinged;
 
 namespace {
 
 constexpr double g = 9.81;
 
-/// A beam 4 m long along x, hinged about y at its start, under a force at its end that swings
-/// between 10 and 30 kN, and held by a strut from below its hinge to its middle.
-std::string strutted(const std::string& strut, const std::string& more) {
-  return R"([case]
-name = "strutted"
-kind = "spatial"
-
-[mechanism]
-gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
-
-[bodies.arm]
-points = { heel = ["0 m", "0 m", "0 m"], lug = ["2 m", "0 m", "0 m"], tip = ["4 m", "0 m", "0 m"] }
-
-[joints.heel]
-kind = "revolute"
-connect = ["ground", "arm.heel"]
-at = ["0 m", "0 m", "0 m"]
-axis = "-y"
-start = "0 deg"
-)" + strut +
-         R"(
-[forces.load]
-point = "arm.tip"
-direction = [0, 0, -1]
-kind = "force"
-law = { kind = "harmonic", mean = "20 kN", amplitude = "10 kN", frequency = "1 Hz" }
-
-[sections.arm]
-kind = "box"
-width = "200 mm"
-height = "300 mm"
-flange = "20 mm"
-web = "12 mm"
-
-[sections.tube]
-kind = "round tube"
-diameter = "114.3 mm"
-wall = "10 mm"
-
-[beam]
-body = "arm"
-start = "heel"
-axis = "x"
-z = "z"
-density = "7850 kg/m^3"
-
-[[beam.segments]]
-length = "4 m"
-from = "arm"
-to = "arm"
-
-[material]
-steel = "S355"
-
-[strength]
-required = 1.0
-)" + more;
+/// A boom under a force at its end that swings between 10 and 30 kN, and what holds it.
+std::string strutted(const std::string& by, const std::string& more) {
+  return boom(
+      hinged + by,
+      "direction = [0, 0, -1]\nlaw = { kind = \"harmonic\", mean = \"20 kN\", amplitude = "
+      "\"10 kN\", frequency = \"1 Hz\" }\n",
+      "[sections.tube]\nkind = \"round tube\"\ndiameter = \"114.3 mm\"\nwall = \"10 mm\"\n" + more);
 }
-
-const std::string distance = R"(
-[joints.strut]
-kind = "distance"
-connect = ["ground", "arm.lug"]
-at = ["0 m", "0 m", "-2 m"]
-length = "2.8284271247461903 m"
-)";
 
 const std::string linked_rod = R"(
 [[rods]]
@@ -115,7 +60,7 @@ const NeighbourResult& of(const NeighbourChecks& checks, Criterion criterion) {
 
 TEST_CASE("space: a strut that is a joint bears what statics says, and buckles as a rod does") {
   // The beam's weight and the load about its hinge, over the lever of the strut, 2 m / sqrt(2).
-  const Project project = read(strutted(distance, linked_rod));
+  const Project project = read(strutted(test::box_boom::strut, linked_rod));
   const std::deque<SituationRun> runs = run_situations(project);
   const NeighbourChecks checks = check_rods(project, runs);
   const double force = 30e3 * 4.0 / (2.0 / std::numbers::sqrt2);
@@ -166,14 +111,14 @@ TEST_CASE("space: a pin bears what its joint does across it") {
   // Of the hinge: the strut's force less the load, along x and z.
   const double strut = 30e3 * 4.0 / std::numbers::sqrt2 * 1.0;
   const double x = strut / std::numbers::sqrt2, z = strut / std::numbers::sqrt2 - 30e3;
-  const Project project = read(strutted(distance, pin_in("heel")));
+  const Project project = read(strutted(test::box_boom::strut, pin_in("heel")));
   const NeighbourChecks checks = check_pins(project, run_situations(project));
   CHECK(of(checks, Criterion::pin).check.acting.value() == Approx(std::hypot(x, z)).epsilon(1e-9));
   CHECK(checks.gates.empty());
   CHECK(checks.not_judged.empty());
 
   SECTION("in the joint that the strut is, all of its force") {
-    const Project at_strut = read(strutted(distance, pin_in("strut")));
+    const Project at_strut = read(strutted(test::box_boom::strut, pin_in("strut")));
     const NeighbourChecks found = check_pins(at_strut, run_situations(at_strut));
     CHECK(of(found, Criterion::pin).check.acting.value() == Approx(strut).epsilon(1e-9));
   }
@@ -181,7 +126,7 @@ TEST_CASE("space: a pin bears what its joint does across it") {
 
 TEST_CASE("space: a moment across a pin, and a force along it, are said") {
   // 30 kN along the pin, at 4 m from it: as much along it, and 120 kN m across.
-  std::string text = strutted(distance, pin_in("heel"));
+  std::string text = strutted(test::box_boom::strut, pin_in("heel"));
   const std::string down = "direction = [0, 0, -1]";
   text.replace(text.find(down), down.size(), "direction = [0, 1, -1]");
   const Project project = read(text);
@@ -232,7 +177,7 @@ free_length = "1 m"
   const std::string checked =
       "\n[[rods]]\nname = \"bar\"\nfrom = \"bar.a\"\nto = \"bar.b\"\nsection = \"tube\"\ncurve = "
       "\"a\"\n";
-  const Project project = read(strutted(distance + rod, checked));
+  const Project project = read(strutted(test::box_boom::strut + rod, checked));
   const NeighbourChecks checks = check_rods(project, run_situations(project));
   CHECK(of(checks, Criterion::rod).check.acting.value() ==
         Approx(40.0 * 900.0 * 2.0 / 2.0).epsilon(1e-6));
@@ -289,7 +234,7 @@ TEST_CASE("space: the plates of a pin in fatigue are those of the same mechanism
       "\n[[pins.lugs]]\nplate = \"inner\"\nwidth = \"200 mm\"\nend = \"90 mm\"\n"
       "\n[fatigue]\ncategory = 71\ncycles = 1e6\nloading = \"spectrum\"\ngamma_Mf = 1.0\nrequired "
       "= 1.0\n";
-  const Project project = read(strutted(distance, pin_in("heel") + lugs));
+  const Project project = read(strutted(test::box_boom::strut, pin_in("heel") + lugs));
   const NeighbourChecks checks = check_lugs(project, run_situations(project));
   // The hinge's force is proportional to the load: its range is two thirds of its largest.
   const double strut = 30e3 * 4.0 / std::numbers::sqrt2;

@@ -10,11 +10,13 @@
 #include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
+#include "support/box_boom.hpp"
 #include "support/luffing_boom.hpp"
 
 namespace stopped_in_space_test {
 
 using namespace boxbeam;
+using namespace test::box_boom;
 
 namespace {
 
@@ -22,53 +24,14 @@ constexpr double E = 210e9, L = 4.0, P = 100e3;
 /// Of the box 200 x 300, flanges 20, webs 12, about its vertical axis, the weaker one.
 const double I_z = (0.3 * std::pow(0.2, 3) - 0.26 * std::pow(0.176, 3)) / 12.0;
 
-/// A boom of 4 m along x, held at its heel by `joints`, pressed along its axis at its tip.
-std::string boom(const std::string& joints, const char* along = "[-1, 0, 0]",
-                 const std::string& more = "") {
-  return R"([case]
-name = "boom"
-kind = "spatial"
-
-[mechanism]
-gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
-
-[bodies.arm]
-points = { heel = ["0 m", "0 m", "0 m"], lug = ["2 m", "0 m", "0 m"], tip = ["4 m", "0 m", "0 m"] }
-)" + joints +
-         fmt::format(R"(
-[forces.load]
-point = "arm.tip"
-direction = {}
-kind = "force"
-law = {{ kind = "harmonic", mean = "{} N", amplitude = "0.1 N", frequency = "1 Hz" }}
-)",
-                     along, P) +
-         R"(
-[sections.arm]
-kind = "box"
-width = "200 mm"
-height = "300 mm"
-flange = "20 mm"
-web = "12 mm"
-
-[beam]
-body = "arm"
-start = "heel"
-axis = "x"
-z = "z"
-density = "7850 kg/m^3"
-
-[[beam.segments]]
-length = "4 m"
-from = "arm"
-to = "arm"
-
-[material]
-steel = "S355"
-
-[strength]
-required = 1.0
-)" + more;
+/// Pressed along its axis at its tip.
+std::string pressed(const std::string& joints, const char* along = "[-1, 0, 0]",
+                    const std::string& more = "") {
+  return boom(joints,
+              fmt::format("direction = {}\nlaw = {{ kind = \"harmonic\", mean = \"{} N\", "
+                          "amplitude = \"0.1 N\", frequency = \"1 Hz\" }}\n",
+                          along, P),
+              more);
 }
 
 const std::string clamp = R"(
@@ -78,32 +41,8 @@ connect = ["ground", "arm.heel"]
 at = ["0 m", "0 m", "0 m"]
 )";
 
-/// It luffs about y, held in that plane by a strut to a place below the heel.
-const std::string luffing = R"(
-[joints.heel]
-kind = "revolute"
-connect = ["ground", "arm.heel"]
-at = ["0 m", "0 m", "0 m"]
-axis = "-y"
-start = "0 deg"
-
-[joints.strut]
-kind = "distance"
-connect = ["ground", "arm.lug"]
-at = ["0 m", "0 m", "-2 m"]
-length = "2.8284271247461903 m"
-)";
-
-/// It luffs about y, held by teeth on a wheel that is held.
-const std::string geared = R"(
-[joints.heel]
-kind = "revolute"
-connect = ["ground", "arm.heel"]
-at = ["0 m", "0 m", "0 m"]
-axis = "-y"
-start = "0 deg"
-
-[bodies.wheel]
+/// By teeth on a wheel that is held.
+const std::string teeth = R"([bodies.wheel]
 points = { c = ["0 m", "0 m", "0 m"] }
 
 [joints.wheel]
@@ -134,7 +73,7 @@ std::optional<double> critical(const std::string& text) {
 }  // namespace
 
 TEST_CASE("a boom that is clamped buckles as a cantilever about its weaker axis", "[stability]") {
-  const auto factor = critical(boom(clamp));
+  const auto factor = critical(pressed(clamp));
   REQUIRE(factor);
   CHECK(*factor * P == Approx(std::pow(std::numbers::pi / (2.0 * L), 2) * E * I_z).epsilon(0.01));
 }
@@ -164,7 +103,7 @@ connect = ["{2}", "post-{0}.O"]
   }
   joints +=
       fmt::format("[joints.heel]\nkind = \"fixed\"\nconnect = [\"{}\", \"arm.heel\"]\n", before);
-  const auto carried = critical(boom(joints)), clamped = critical(boom(clamp));
+  const auto carried = critical(pressed(joints)), clamped = critical(pressed(clamp));
   REQUIRE(carried);
   REQUIRE(clamped);
   CHECK(*carried == Approx(*clamped).epsilon(1e-6));
@@ -174,12 +113,12 @@ TEST_CASE(
     "a boom that a strut holds in the plane in which it luffs buckles across it as a cantilever",
     "[stability]") {
   // The force along the boom leaves the strut without one; the hinge about y clamps it about z.
-  const auto factor = critical(boom(luffing));
+  const auto factor = critical(pressed(hinged + strut));
   REQUIRE(factor);
   const double N_cr = std::pow(std::numbers::pi / (2.0 * L), 2) * E * I_z;
   CHECK(*factor * P == Approx(N_cr).epsilon(0.01));
 
-  const Verification of = verify(parse_project("boom.toml", boom(luffing)));
+  const Verification of = verify(parse_project("boom.toml", pressed(hinged + strut)));
   REQUIRE(of.model.second_order.across);
   CHECK(of.model.second_order.across->part == Approx(P / N_cr).epsilon(0.01));
   CHECK_FALSE(of.model.second_order.across->assumed);
@@ -187,7 +126,7 @@ TEST_CASE(
 
 TEST_CASE("teeth hold a boom in the plane in which it luffs", "[stability]") {
   // The weaker axis lies along the hinge: a cantilever by the tooth at 0.6 m from it alone.
-  std::string text = boom(geared);
+  std::string text = pressed(hinged + teeth);
   text.replace(text.find("z = \"z\""), 7, "z = \"y\"");
   const auto factor = critical(text);
   REQUIRE(factor);
@@ -196,11 +135,12 @@ TEST_CASE("teeth hold a boom in the plane in which it luffs", "[stability]") {
 
 TEST_CASE("a boom that is pulled does not buckle, nor is one looked at whose holds the case says",
           "[stability]") {
-  CHECK(*critical(boom(clamp, "[1, 0, 0]")) == 1e4);
+  CHECK(*critical(pressed(clamp, "[1, 0, 0]")) == 1e4);
   const std::string held =
       "[[beam.restraints]]\nstation = \"0 m\"\nholds = [\"along y\", \"along z\"]\n"
       "[[beam.restraints]]\nstation = \"4 m\"\nholds = [\"along y\", \"along z\"]\n";
-  const Verification of = verify(parse_project("boom.toml", boom(luffing, "[-1, 0, 0]", held)));
+  const Verification of =
+      verify(parse_project("boom.toml", pressed(hinged + strut, "[-1, 0, 0]", held)));
   CHECK(of.model.second_order.across->part ==
         Approx(P / (std::pow(std::numbers::pi / L, 2) * E * I_z)).epsilon(0.01));
 }
@@ -211,24 +151,16 @@ TEST_CASE("a strut that is pressed tilts with what it carries", "[stability]") {
   // cantilever of stiffness 3 E I_z/L^3 that N/h of the strut takes away, where nothing presses it.
   const double h = 2.0;
   const std::string text =
-      boom(R"(
-[joints.heel]
-kind = "revolute"
-connect = ["ground", "arm.heel"]
-at = ["0 m", "0 m", "0 m"]
-axis = "-y"
-start = "0 deg"
-
-[joints.strut]
+      pressed(hinged + R"([joints.strut]
 kind = "distance"
 connect = ["ground", "arm.tip"]
 at = ["4 m", "0 m", "-2 m"]
 length = "2 m"
 )",
-           "[0, 0, -1]",
-           // So that the boom is stressed at all.
-           "\n[forces.little]\npoint = \"arm.lug\"\ndirection = \"-z\"\nkind = "
-           "\"force\"\nsize = \"0.1 kN\"\n");
+              "[0, 0, -1]",
+              // So that the boom is stressed at all.
+              "\n[forces.little]\npoint = \"arm.lug\"\ndirection = \"-z\"\nkind = "
+              "\"force\"\nsize = \"0.1 kN\"\n");
   const auto factor = critical(text);
   REQUIRE(factor);
   const double N_cr = h * 3.0 * E * I_z / (L * L * L);

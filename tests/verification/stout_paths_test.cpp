@@ -4,13 +4,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
 #include "boxbeam/verification/patch_checks.hpp"
 #include "catch.hpp"
+#include "support/gates.hpp"
 #include "support/path_cases.hpp"
 
 namespace stout_paths_test {
@@ -93,10 +93,7 @@ const CheckResult* under_hook(const Verification& of, const std::string& begins,
 }
 
 bool blocks(const Verification& of, const std::string& words) {
-  return of.verdict != Verdict::pass &&
-         std::any_of(of.gates.begin(), of.gates.end(), [&](const Gate& gate) {
-           return gate.blocks && gate.finding.find(words) != std::string::npos;
-         });
+  return of.verdict != Verdict::pass && test::blocks(of, words);
 }
 
 /// What is said of the walls of a path in the verdict line; "" where nothing is.

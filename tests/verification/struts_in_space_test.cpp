@@ -6,7 +6,6 @@
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
 #include <cmath>
-#include <random>
 #include <string>
 
 #include "boxbeam/section/section_properties.hpp"
@@ -14,6 +13,7 @@
 #include "catch.hpp"
 #include "support/lever_in_space.hpp"
 #include "support/space_elements.hpp"
+#include "support/uniform.hpp"
 
 namespace struts_in_space_test {
 
@@ -258,10 +258,7 @@ TEST_CASE("rods in space that cannot be laid out count as rigid, and say why",
 
 TEST_CASE("random levers on oblique struts have the frequencies of finite elements",
           "[.][random_rods_in_space]") {
-  std::mt19937 random(5);
-  const auto between = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-  };
+  test::Uniform between(5);
   for (int i = 0; i < 30; ++i) {
     const Vector3d foot(between(0.3, 3.5), between(-1.5, 1.5), between(-2.0, -0.8));
     const double mass = between(1.0, 30.0), side = between(0.01, 0.05);

@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "boxbeam/core/error.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
 #include "support/program.hpp"
+#include "support/refusals.hpp"
 
 namespace unlike_files_test {
 
 using namespace boxbeam;
+using test::contains;
 
 namespace {
 
@@ -35,19 +36,7 @@ Project given(const test::TemporaryFolder& folder, const std::string& text) {
 }
 
 std::string complaint(const test::TemporaryFolder& folder, const std::string& text) {
-  try {
-    given(folder, text);
-  } catch (const InputError& error) {
-    std::string all;
-    for (const Problem& problem : error.problems())
-      all += problem.message + " | " + problem.hint + "\n";
-    return all;
-  }
-  return "";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+  return test::complaints_of([&] { return given(folder, text); });
 }
 
 double largest_moment(const Verification& of) {

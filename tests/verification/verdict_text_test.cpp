@@ -20,16 +20,14 @@
 #include "support/changed_rig.hpp"
 #include "support/clamped_beam.hpp"
 #include "support/held_bar.hpp"
+#include "support/refusals.hpp"
 
 namespace verdict_text_test {
 
 using namespace boxbeam;
+using test::contains;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// What the terminal, the reports and the results say.
 struct Said {

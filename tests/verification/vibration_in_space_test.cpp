@@ -34,54 +34,16 @@ namespace {
 
 constexpr double pi = std::numbers::pi, E = 210e9, G = 81e9, length = 4.0;
 
-/// An arm of 4 m along x, a box that narrows, with a body at its tip; `joints` hold it.
+/// An arm with what is at its tip; `joints` hold it, and it may narrow from a larger section.
 std::string arm(const std::string& joints, const std::string& tip, const char* density,
                 const char* from = "arm") {
-  return R"([case]
-name = "arm"
-kind = "spatial"
-
-[mechanism]
-gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
-
-[bodies.arm]
-points = { heel = ["0 m", "0 m", "0 m"], tip = ["4 m", "0 m", "0 m"] }
-)" + joints +
-         tip +
-         fmt::format(R"(
-[sections.arm]
-kind = "box"
-width = "120 mm"
-height = "160 mm"
-flange = "8 mm"
-web = "6 mm"
-
-[sections.root]
-kind = "box"
-width = "160 mm"
-height = "240 mm"
-flange = "8 mm"
-web = "6 mm"
-
-[beam]
-body = "arm"
-start = "heel"
-axis = "x"
-z = "z"
-density = "{} kg/m^3"
-
-[[beam.segments]]
-length = "4 m"
-from = "{}"
-to = "arm"
-
-[material]
-steel = "S355"
-
-[strength]
-required = 1.0
-)",
-                     density, from);
+  std::string text = test::space_arm::arm(
+      joints + tip, fmt::format("density = \"{} kg/m^3\"\n", density),
+      "[sections.root]\nkind = \"box\"\nwidth = \"160 mm\"\nheight = \"240 mm\"\n"
+      "flange = \"8 mm\"\nweb = \"6 mm\"\n");
+  const std::string even = "section = \"arm\"";
+  return text.replace(text.find(even), even.size(),
+                      fmt::format("from = \"{}\"\nto = \"arm\"", from));
 }
 
 /// A mass beside the tip, in axes of its own.
@@ -98,15 +60,16 @@ connect = ["arm.tip", "load.c"]
 turn = [["z", "40 deg"]]
 )";
 
-const std::string light_point = R"(
-[bodies.load]
-mass = "200 kg"
-points = { c = ["0 m", "0 m", "0 m"] }
-
-[joints.tip]
-kind = "fixed"
-connect = ["arm.tip", "load.c"]
+const std::string luffed = R"(
+[joints.heel]
+kind = "revolute"
+connect = ["ground", "arm.heel"]
+at = ["0 m", "0 m", "0 m"]
+axis = "-y"
+start = "0 deg"
 )";
+
+const std::string light_point = test::space_arm::with_load(200.0);
 
 std::string slewing(const std::string& ground_turn) {
   return test::space_arm::slewing(ground_turn, R"(kind = "harmonic"
@@ -217,15 +180,7 @@ TEST_CASE("however a scene lies in the world its beam vibrates alike", "[vibrati
 
 // Closed forms of Euler and Bernoulli; shear takes up to 2 % from a box of L/h = 25.
 TEST_CASE("a strut at the tip holds an arm in the plane in which it luffs only", "[vibration]") {
-  const std::string text = arm(R"(
-[joints.heel]
-kind = "revolute"
-connect = ["ground", "arm.heel"]
-at = ["0 m", "0 m", "0 m"]
-axis = "-y"
-start = "0 deg"
-
-[joints.strut]
+  const std::string text = arm(luffed + R"([joints.strut]
 kind = "distance"
 connect = ["ground", "arm.tip"]
 at = ["4 m", "0 m", "-2 m"]
@@ -255,14 +210,8 @@ law = { kind = "harmonic", mean = "0 N", amplitude = "1 kN", frequency = "1 Hz" 
 // A force on a mass at the tip of an arm without mass: the rigid arm bears it as it is, the elastic
 // one 1/(1 - r^2) times.
 TEST_CASE("what rigid bodies miss under a force on a mass is r^2/(1 - r^2)", "[vibration]") {
-  const std::string clamp = R"(
-[joints.heel]
-kind = "fixed"
-connect = ["ground", "arm.heel"]
-at = ["0 m", "0 m", "0 m"]
-)";
   const auto under = [&](double frequency) {
-    return arm(clamp,
+    return arm(test::space_arm::clamped,
                light_point + fmt::format(R"(
 [forces.push]
 kind = "force"
@@ -300,13 +249,7 @@ law = {{ kind = "harmonic", mean = "0 N", amplitude = "1 kN", frequency = "{:.12
 // A couple on a disc at the end of a shaft without mass, of 1/omega^2 = J L/(G I_T): nothing bends.
 TEST_CASE("a shaft with a disc vibrates in torsion, and that is estimated", "[vibration]") {
   const auto under = [](double frequency) {
-    return arm(R"(
-[joints.heel]
-kind = "fixed"
-connect = ["ground", "arm.heel"]
-at = ["0 m", "0 m", "0 m"]
-
-[bodies.load]
+    return arm(test::space_arm::clamped + R"([bodies.load]
 mass = "1 kg"
 inertia = ["80 kg m^2", "50 kg m^2", "50 kg m^2"]
 points = { c = ["0 m", "0 m", "0 m"] }
@@ -375,15 +318,6 @@ std::size_t opened_by_motion(const Project& project) {
       gaps.begin(), gaps.end(), [&](double gap) { return gap > 1e-9 * (1.0 + largest); }));
 }
 
-const std::string luffed = R"(
-[joints.heel]
-kind = "revolute"
-connect = ["ground", "arm.heel"]
-at = ["0 m", "0 m", "0 m"]
-axis = "-y"
-start = "0 deg"
-)";
-
 /// A wheel beside the heel's hinge that a driver turns.
 const std::string wheel = R"(
 [bodies.wheel]
@@ -450,100 +384,20 @@ closes = true
         2);
 }
 
-namespace {
-
-using test::slender::Beam;
-
-/// The slender beam of the plane narrowed towards its tip, its base shaken across its axis.
-Beam narrowed(double frequency) {
-  using namespace test::slender;
-  Beam of;
-  const Section root{symmetric_box(w * metre, h * metre, plate * metre, plate * metre), {}};
-  const Section tip{symmetric_box(0.06 * metre, 0.05 * metre, plate * metre, plate * metre), {}};
-  of.beam.segments = {{"", Length{}, si<Length>(L), root, tip}};
-  const MassProperties properties = mass_properties_of(of.beam);
-  boxbeam::Body& body = of.mechanism.bodies.front();
-  body.mass = properties.mass.value();
-  body.inertia = properties.inertia.value();
-  of.body = planar::beam_body_of(of.beam, 0);
-  planar::Slider slider;
-  slider.point = of.start();
-  slider.direction = pi / 2;
-  of.mechanism.joints = {{"base", slider}};
-  of.mechanism.joints.push_back(
-      driven(of, planar::Coordinate::y, HarmonicDriver{0.0, 0.01, 2 * pi * frequency, 0.0}));
-  return of;
-}
-
-}  // namespace
-
 // The same beam as a chain of rigid finite elements of the plane and by its elements in space.
 TEST_CASE("a case of the plane written in space has its frequencies and its estimate",
           "[vibration]") {
   const double frequency = 0.2;
-  Beam plane = narrowed(frequency);
-  const double centre = mass_properties_of(plane.beam).centre.value();
-  plane.mechanism.bodies.front().sketch.centre = {centre, 0.0};
-  for (planar::Joint& joint : plane.mechanism.joints) {
-    if (auto* slider = std::get_if<planar::Slider>(&joint.kind))
-      slider->point = {0, {-centre, 0.0}};
-    if (auto* driven = std::get_if<planar::Driven>(&joint.kind))
-      driven->point = {0, {-centre, 0.0}};
-  }
-  plane.solve(48);
-  const ElasticBody elastic{0,
-                            centre,
-                            test::slender::L,
-                            link_stretches_of(plane.beam, test::slender::E, test::slender::G),
-                            0.0,
-                            384};
+  const test::slender::Beam plane =
+      test::slender::carried(HarmonicDriver{0.0, 0.01, 2 * pi * frequency, 0.0}, 48, 0.0, true);
+  ElasticBody elastic = plane.elastic();
+  elastic.parts = 384;
   const VibrationEstimate expected = estimate_vibration(plane.rigid(), elastic, plane.history());
-  const std::string text = fmt::format(R"([case]
-name = "shaken"
-kind = "spatial"
-[mechanism]
-gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
-[bodies.arm]
-points = {{ heel = ["0 m", "0 m", "0 m"] }}
-[joints.base]
-kind = "prismatic"
-connect = ["ground", "arm.heel"]
-at = ["0 m", "0 m", "0 m"]
-axis = "z"
-[drivers.shaking]
-joint = "base"
-kind = "harmonic"
-mean = "0 mm"
-amplitude = "10 mm"
-frequency = "{} Hz"
-[sections.root]
-kind = "box"
-width = "80 mm"
-height = "100 mm"
-flange = "5 mm"
-web = "5 mm"
-[sections.tip]
-kind = "box"
-width = "60 mm"
-height = "50 mm"
-flange = "5 mm"
-web = "5 mm"
-[beam]
-body = "arm"
-start = "heel"
-axis = "x"
-z = "z"
-density = "7850 kg/m^3"
-[[beam.segments]]
-length = "12 m"
-from = "root"
-to = "tip"
-[material]
-steel = "S355"
-[strength]
-required = 1.0
-)",
-                                       frequency);
+  const std::string text = test::space_arm::slender_on(
+      test::space_arm::on_rail(fmt::format("kind = \"harmonic\"\nmean = \"0 mm\"\namplitude = "
+                                           "\"10 mm\"\nfrequency = \"{} Hz\"\n",
+                                           frequency)),
+      60, 50);
   const Project project = parse_project("shaken.toml", text);
   const std::deque<SituationRun> runs = run_situations(project);
   // About y alone: in the plane of the others nothing moves it, though there it has modes as well.

@@ -4,8 +4,11 @@
 
 #include "catch.hpp"
 #include "support/program.hpp"
+#include "support/refusals.hpp"
 
 namespace compare_command_test {
+
+using test::contains;
 
 namespace {
 
@@ -13,10 +16,6 @@ using Json = nlohmann::ordered_json;
 
 const std::string rig = "sections/sledge-rig/rig.toml";
 const std::string header = "result,published,tolerance,reason,source\n";
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// Runs the comparison of the rig with a table of these rows.
 test::ProgramResult compared(const std::string& rows, std::vector<std::string> more = {}) {

@@ -17,6 +17,7 @@
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
 #include "support/program.hpp"
+#include "support/refusals.hpp"
 
 namespace extreme_cases_test {
 
@@ -34,12 +35,7 @@ Project lever(const std::vector<std::string>& set) {
 }
 
 std::string refused(const std::string& text, const std::vector<std::string>& set = {}) {
-  try {
-    parse_project("case.toml", text, set);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { return parse_project("case.toml", text, set); });
 }
 
 bool has(const std::string& text, const std::string& part) {

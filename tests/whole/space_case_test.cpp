@@ -7,10 +7,12 @@
 #include "boxbeam/project/project.hpp"
 #include "catch.hpp"
 #include "support/program.hpp"
+#include "support/refusals.hpp"
 
 namespace space_case_test {
 
 using namespace boxbeam;
+using test::contains;
 using Json = nlohmann::ordered_json;
 
 namespace {
@@ -47,10 +49,6 @@ Eigen::Vector3d vector(const Json& list) {
 /// Whether a number came through the text of the document.
 bool same(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return (a - b).norm() <= 1e-15 * b.norm();
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace

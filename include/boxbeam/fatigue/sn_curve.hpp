@@ -91,9 +91,4 @@ SnCurve en_1993_1_9_shear(double category);
 /// d_sigma = d_sigma_C (5e6/N)^(1/5).
 SnCurve published_step(double category);
 
-/// Whether a number is a detail category of EN 1993-1-9 figure 7.1 (direct stress), MPa.
-bool is_direct_category(int category);
-/// The categories as text, for messages.
-std::string direct_categories();
-
 }  // namespace boxbeam

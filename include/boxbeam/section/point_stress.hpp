@@ -47,7 +47,4 @@ inline double stress_of(const std::array<double, cut_force::count>& per_force,
   return sum;
 }
 
-/// The same influence with the shear multiplied: q/t to q/a on the throat of a weld.
-StressInfluence shear_scaled(const StressInfluence& influence, double factor);
-
 }  // namespace boxbeam

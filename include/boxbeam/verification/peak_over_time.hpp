@@ -20,10 +20,6 @@ struct SampledTime {
   double begin = 0.0, period = 0.0;  ///< [s]
 };
 
-/// `count` equally spaced instants; of a time that repeats, behind the last comes the first; else
-/// the last is the end.
-SampledTime equal_instants(double begin, double step, std::size_t count, bool closed);
-
 /// The instants of a load history, up to the times at which loads jump or bend.
 SampledTime sampled_time_of(const LoadHistory& loads);
 

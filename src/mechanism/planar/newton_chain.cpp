@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 
 #include <cassert>
-#include <numbers>
 
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
 #include "boxbeam/mechanism/planar/constraints.hpp"
@@ -37,8 +36,7 @@ ChainForces chain_at(const NewtonChain& chain, const State& state) {
 BeamLoads beam_loads_of(const NewtonChain& chain, const TaperedBeam& beam,
                         const std::vector<SegmentMass>& distribution,
                         const Eigen::Vector2d& gravity, const State& state) {
-  const double turned = chain.axis_sense > 0 ? 0.0 : std::numbers::pi;
-  const double angle = state.q[3 * chain.axis_body + 2] + turned;
+  const double angle = state.q[3 * chain.axis_body + 2];
   const ChainForces forces = chain_at(chain, state);
 
   BeamLoads loads;

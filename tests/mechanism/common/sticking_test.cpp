@@ -6,6 +6,7 @@
 
 #include "boxbeam/core/error.hpp"
 #include "catch.hpp"
+#include "support/refusals.hpp"
 
 namespace sticking_test {
 
@@ -37,12 +38,7 @@ Sticking decided(const FrictionResponse& of, const Friction& friction = law) {
 }
 
 std::string refusal_of(const FrictionResponse& of, const Friction& friction = law) {
-  try {
-    decided(of, friction);
-  } catch (const AnalysisError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of<AnalysisError>([&] { return decided(of, friction); });
 }
 
 }  // namespace

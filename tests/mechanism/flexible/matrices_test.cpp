@@ -1,5 +1,3 @@
-#include "boxbeam/mechanism/flexible/matrices.hpp"
-
 #include <Eigen/Dense>
 #include <cmath>
 #include <numbers>
@@ -7,6 +5,7 @@
 #include "boxbeam/mechanism/flexible/response.hpp"
 #include "catch.hpp"
 #include "support/elastic_beams.hpp"
+#include "support/source_matrices.hpp"
 
 namespace matrices_test {
 
@@ -17,7 +16,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using test::Bar;
 using test::Chance;
+using test::coordinates_of;
+using test::matrices_of;
 using test::RandomMechanism;
+using test::SourceMatrices;
 
 namespace {
 

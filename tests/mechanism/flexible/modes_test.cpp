@@ -7,9 +7,9 @@
 #include <numbers>
 #include <vector>
 
-#include "boxbeam/mechanism/flexible/matrices.hpp"
 #include "catch.hpp"
 #include "support/elastic_beams.hpp"
+#include "support/source_matrices.hpp"
 
 namespace modes_test {
 
@@ -19,6 +19,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using test::Bar;
 using test::End;
+using test::matrices_of;
+using test::SourceMatrices;
 
 namespace {
 

@@ -22,17 +22,25 @@ TEST_CASE("beam axes: x along the axis, z its left normal, y into the plane") {
   CHECK((in_beam_axes(left, angle) - Eigen::Vector3d::UnitZ()).norm() < 1e-15);
 }
 
+namespace {
+
+void check_balance(const BeamLoads& loads) {
+  const Imbalance open = imbalance_of(loads);
+  double largest = 0.0;
+  for (const PointLoad& load : loads.points) largest = std::max(largest, load.force.norm());
+  CHECK(open.force.norm() < 1e-11 * largest);
+  CHECK(open.moment.norm() < 1e-11 * largest * 6.2);
+}
+
+}  // namespace
+
 TEST_CASE("the loads on the rig's beam are in balance at every instant") {
   const Project& project = test::rig();
   const BeamBody body = beam_body_of(project.beam, project.beam_body);
   for (const State& state : solve_motion(planar_of(project), 24).states) {
     const BeamLoads loads = beam_loads_of(planar_of(project), state, body);
     REQUIRE(loads.points.size() == 3);
-    const Imbalance open = imbalance_of(loads);
-    double largest = 0.0;
-    for (const PointLoad& load : loads.points) largest = std::max(largest, load.force.norm());
-    CHECK(open.force.norm() < 1e-11 * largest);
-    CHECK(open.moment.norm() < 1e-11 * largest * 6.2);
+    check_balance(loads);
   }
 }
 
@@ -49,11 +57,7 @@ TEST_CASE("a force beside the axis turns the beam: balance, and the couple by ha
     const PointLoad& push = loads.points.back();
     CHECK(push.force.x() == Approx(40e3).epsilon(1e-12));
     CHECK(push.moment.y() == Approx(12e3).epsilon(1e-12));
-    const Imbalance open = imbalance_of(loads);
-    double largest = 0.0;
-    for (const PointLoad& load : loads.points) largest = std::max(largest, load.force.norm());
-    CHECK(open.force.norm() < 1e-11 * largest);
-    CHECK(open.moment.norm() < 1e-11 * largest * 6.2);
+    check_balance(loads);
   }
 }
 

@@ -13,6 +13,7 @@
 #include "boxbeam/mechanism/planar/motion.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
 #include "catch.hpp"
+#include "support/refusals.hpp"
 
 namespace sticking_motion_test {
 
@@ -69,13 +70,10 @@ State begin(FreeSolver& solver, const Mechanism& of) {
 }
 
 std::string failure_of(const Mechanism& of, double until) {
-  try {
+  return test::refusal_of<AnalysisError>([&] {
     FreeSolver solver(of);
     solver.advance(until, begin(solver, of));
-  } catch (const AnalysisError& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 }  // namespace

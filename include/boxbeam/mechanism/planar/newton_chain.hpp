@@ -31,7 +31,6 @@ struct NewtonChain {
   std::size_t second_end = 0;    ///< likewise `second_station`
   Length first_station, second_station, pivot;
   int axis_body = ground;  ///< body along whose x axis the beam lies
-  int axis_sense = 1;      ///< +1: the beam's x points along the body's x
 };
 
 /// Force after each step, in world axes, and the mass that the chain yields.

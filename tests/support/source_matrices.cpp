@@ -1,11 +1,14 @@
-#include "boxbeam/mechanism/flexible/matrices.hpp"
+#include "support/source_matrices.hpp"
 
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
 #include <cmath>
 
-namespace boxbeam::flexible {
+namespace test {
+
+using namespace boxbeam::flexible;
+
 namespace {
 
 /// Coordinates of a link beyond (x, y, angle): of each further rigid element those in which it can
@@ -147,4 +150,4 @@ SourceMatrices matrices_of(const Structure& structure) {
   return result;
 }
 
-}  // namespace boxbeam::flexible
+}  // namespace test

@@ -6,7 +6,7 @@
 
 #include "boxbeam/mechanism/flexible/structure.hpp"
 
-namespace boxbeam::flexible {
+namespace test {
 
 /// Mass, stiffness and damping of the whole structure as dense matrices in the generalised
 /// coordinates of the source:
@@ -18,19 +18,19 @@ namespace boxbeam::flexible {
 ///
 /// x and y of the first rigid element's node, world axes; eta and xi the shifts of the others
 /// across and along the link beyond it. M = B^T M_RFE B, K = B^T K_SDE B + sum of J^T C J over
-/// joints, B the full coordinates of the rigid elements from q. For looking at and for testing:
-/// work and memory grow with the square of the elements. Precondition: no joint is rigid. Source:
-/// Wojnarowski, Wojciech, Płosa, Płoski, Mechanika 85 (1987), equations (2), (3), (5) to (11);
-/// their vectors begin with element 1 where these begin with 0.
+/// joints, B the full coordinates of the rigid elements from q. Precondition: no joint is rigid.
+/// Source: Wojnarowski, Wojciech, Płosa, Płoski, Mechanika 85 (1987), equations (2), (3), (5) to
+/// (11); their vectors begin with element 1 where these begin with 0.
 struct SourceMatrices {
   Eigen::MatrixXd M, K, C;
   std::vector<std::string> names;        ///< of the coordinates, "boom.eta_3"
   std::vector<Eigen::Index> link_start;  ///< first coordinate of each link
 };
 
-SourceMatrices matrices_of(const Structure& structure);
+SourceMatrices matrices_of(const boxbeam::flexible::Structure& structure);
 
 /// Full coordinates (u, w, phi) of a link's elements from its generalised coordinates.
-Eigen::MatrixXd coordinates_of(const Link& link, const DividedLink& divided);
+Eigen::MatrixXd coordinates_of(const boxbeam::flexible::Link& link,
+                               const boxbeam::flexible::DividedLink& divided);
 
-}  // namespace boxbeam::flexible
+}  // namespace test
