@@ -144,7 +144,7 @@ PinInput read_pin(TableReader table, const Project& project) {
       strength_at(table, "outer_plate", plates, yield_strength_of, geometry.outer_plate);
   strength.gamma_M0 =
       table.number({"gamma_M0", "on bearing and bending"}, project.strength.gamma_M0);
-  strength.gamma_M2 = table.number({"gamma_M2", "on shear"}, strength.gamma_M2);
+  strength.gamma_M2 = table.number({"gamma_M2", "on shear"}, project.strength.gamma_M2);
   pin.replaceable = table.boolean({"replaceable",
                                    "to be taken out in service, whose limits it keeps as well, "
                                    "without load factors (3.13.2(3))"},
