@@ -149,7 +149,7 @@ Outcome examine(const RandomCase& of, const std::string& folder, const Density& 
     }
     const ModelledRuns modelled = run_by_chosen_model(project);
     outcome.verification = judge(project, modelled.runs, modelled.model);
-    outcome.findings = look_everywhere(project, modelled.runs, density);
+    outcome.findings = look_everywhere(project, modelled.runs, density, of.combining);
     outcome.comparison = compare(outcome.verification, outcome.findings);
     for (std::size_t i = 0; i < faults.size(); ++i) {
       outcome.shown[i] = misses_more(
