@@ -17,6 +17,7 @@
 #include "boxbeam/verification/bending_zones.hpp"
 #include "combined_cases.hpp"
 #include "instants.hpp"
+#include "member.hpp"
 #include "rules.hpp"
 #include "section_stress.hpp"
 #include "slender_walls.hpp"
@@ -78,6 +79,7 @@ class Search {
       look_at(station);
     look_at_deflection(project_, sampled_, cut_places_of(project_, sampled_, zones_),
                        density_.stations, found_);
+    look_at_member(project_, sampled_, rules_, found_);
     if (std::holds_alternative<planar::Mechanism>(project_.mechanism))
       look_at_neighbours(project_, runs_, sampled_, found_);
     return std::move(found_);
@@ -263,6 +265,7 @@ class Search {
       look_at_yield(place, bounds);
     else
       look_at_weld(place, bounds);
+    if (!fatigue.asked) return;
     Resisting direct;
     if (!throat) direct = detail_here(place);
     if (own != nullptr) direct = {own, own->detail.compression_reduced, own->stress_factor};

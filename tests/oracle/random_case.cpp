@@ -272,6 +272,10 @@ RandomCase random_case(std::uint64_t number) {
   of.name = fmt::format("random-{}", number);
   // Numbers of their own, so that the beams stay what they are when a part is added.
   Draw of_parts(number + 0x5bd1e995ULL);
+  if (of_parts.chance(0.05)) {
+    write_strut(draw, of);
+    return of;
+  }
   if (of_parts.chance(0.15)) {
     const BeamWriter beam =
         of_parts.chance(0.6) ? write_given_loads(draw, of) : write_frame(draw, of);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "random_text.hpp"
@@ -181,6 +182,42 @@ BeamWriter write_frame(Draw& draw, RandomCase& of) {
       draw.whole(2, 3), draw.logarithmic(1e3, 1e6));
   text += demands(draw, beam, length, true);
   return beam;
+}
+
+void write_strut(Draw& draw, RandomCase& of) {
+  const double length = round_mm(draw.real(2.0, 6.0));
+  const bool welded = draw.chance(0.6);
+  const double width = round_mm(draw.real(0.08, 0.16)), height = round_mm(draw.real(0.08, 0.25));
+  const double wall = round_mm(draw.real(0.005, 0.012));
+  const bool pins = draw.chance(0.5);
+  const double A = 2.0 * wall * (width + height);
+  const double I = wall * width * width * (width / 6.0 + 0.5 * height);
+  const double L_cr = (pins ? 1.0 : 2.0) * length;
+  const double critical = std::numbers::pi * std::numbers::pi * 210e9 * I / (L_cr * L_cr);
+  const double N = std::min(draw.real(0.03, 0.4) * critical, 0.8 * 235e6 * A);
+  const double M = A * height / 4.0 * 235e6 * draw.real(0.05, 0.5);
+  std::string& text = of.text;
+  text += fmt::format("[case]\nname = \"{}\"\nkind = \"loads\"\n\n[sections.strut]\n", of.name);
+  text += welded ? fmt::format("kind = \"box\"\nflange = {0}\nweb = {0}\n", mm(wall))
+                 : fmt::format("kind = \"rectangular tube\"\nwall = {}\n", mm(wall));
+  text += fmt::format(
+      "width = {}\nheight = {}\n\n[beam]\ndensity = \"7850 kg/m^3\"\n\n[[beam.segments]]\n"
+      "length = {}\nsection = \"strut\"\n",
+      mm(width), mm(height), m(length));
+  for (const double s : {0.0, length}) {
+    if (!pins && s > 0.0) continue;
+    text += fmt::format(
+        "\n[[beam.restraints]]\nstation = {}\nholds = [\"along y\", \"along z\", \"turning "
+        "over\"]\nclamped = {}\n",
+        m(s), !pins);
+  }
+  text += fmt::format(
+      "\n[loads.tip]\nstation = {}\nforce = [{}, {}, {}]\nmoment = [\"0 kN m\", \"{:.4g} kN m\", "
+      "\"0 kN m\"]\n\n[balance]\nstation = \"0 m\"\n",
+      m(length), kN(-N), draw.chance(0.5) ? kN(0.3 * M / length) : kN(0.0),
+      kN(M / length * draw.real(-1.0, 1.0)), 1e-3 * M * draw.real(-1.0, 1.0));
+  text += fmt::format("\n[material]\nsteel = \"{}\"\n\n[strength]\nrequired = {:.3g}\n{}",
+                      draw.one_of({"S235", "S355", "S460N"}), draw.real(1.0, 1.4), factors(draw));
 }
 
 }  // namespace oracle

@@ -49,9 +49,12 @@ Resisting Rules::detail_at(const Station& station, PlaceKind kind, double plate,
   }
   if (beside) look_at(fatigue.beam);
   if (at_flat) look_at(along_flat_);
-  for (const Diaphragm& of : project_->beam.diaphragms)
-    if (of.s == station.s)
-      look_at(3.0 * of.thickness.value() > 50e-3 ? thick_diaphragm_ : thin_diaphragm_);
+  for (const Diaphragm& of : project_->beam.diaphragms) {
+    if (of.s != station.s) continue;
+    const double t = of.thickness.value(), a = of.throat.value();
+    const double between_toes = t + 2.0 * (a > 0.0 ? std::numbers::sqrt2 * a : t);
+    look_at(between_toes > 50e-3 ? thick_diaphragm_ : thin_diaphragm_);
+  }
   weakest.compression_reduced = reduced;
   weakest.range_factor = largest;
   return weakest;

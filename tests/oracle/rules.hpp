@@ -27,7 +27,8 @@ class Rules {
 
   /// `plate` decides the size effect of the details that compete; along a flat its weld is one of
   /// them, by hand, category 100 (EN 1993-1-9, row 8.2/5), and at a diaphragm its fillets, with
-  /// legs as long as it is thick: 80 up to 50 mm between their toes, 71 beyond (row 8.4/8).
+  /// the legs of its throat, or as long as it is thick: 80 up to 50 mm between their toes, 71
+  /// beyond (row 8.4/8).
   Resisting detail_at(const boxbeam::Station& station, PlaceKind kind, double plate, bool at_flat);
 
   /// The curve of a detail in a plate: (25 mm/t)^0.2 where its row has the size effect of a
