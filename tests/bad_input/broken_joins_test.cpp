@@ -57,6 +57,9 @@ TEST_CASE("pins and lugs that cannot be are refused", "[bad_input]") {
       with(pin, "diameter = \"80 mm\"", "diameter = 80", {"is a length, not a bare number"}),
       with(pin, "hole = \"81 mm\"", "hole = \"79 mm\"", {"does not fit its hole"}),
       with(pin, "joint = \"O\"", "joint = \"OO\"", {"there is no joint \"OO\"", "did you mean"}),
+      // What bears a moment as well, or turns by a couple, is no pin.
+      with(pin, "joint = \"O\"", "joint = \"rail\"", {"\"rail\" does not turn about a pin"}),
+      with(pin, "joint = \"O\"", "joint = \"exciter\"", {"\"exciter\" does not turn about a pin"}),
       with(pin, "hole = \"81 mm\"", "bore = \"81 mm\"", {"unknown key \"bore\""}),
       ending(pin, "required = 0", {"must be above zero"}),
       ending(pin, "steel = \"S355J2\"", {"no steel \"S355J2\"", "did you mean \"S355\"?"}),
