@@ -115,6 +115,11 @@ void add_small_factors(const Project& project, std::vector<std::string>& odd) {
     look_beside("pin " + pin.name, "gamma_M0", pin.strength.gamma_M0, strength.gamma_M0);
     look_beside("pin " + pin.name, "gamma_M2", pin.strength.gamma_M2, strength.gamma_M2);
     look_beside("pin " + pin.name, "required", pin.required, strength.required);
+    constexpr double loose = 1.2;
+    const double play = pin.geometry.hole / pin.geometry.diameter;
+    if (play > loose)
+      odd.push_back(fmt::format("odd: the hole of pin {} is {:.3g} times as wide as the pin",
+                                pin.name, play));
   }
   for (const RodInput& rod : project.rods) {
     look_beside("rod " + rod.name, "gamma_M0", rod.gamma_M0, strength.gamma_M0);

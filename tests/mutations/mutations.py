@@ -634,7 +634,7 @@ MUTATIONS = [
          ("distortion-flow", "for (double& q : of.flow) q += added;", "",
           "the shear flow of distortion at a corner", "box_distortion_test")),
     *_in("src/project", "attachment_welds.cpp",
-         ("legs-of-diaphragm", "of.thickness + 2.0 * leg, longest", "of.thickness + 0.0 * leg, longest",
+         ("legs-of-diaphragm", "of.thickness + 2.0 * leg;", "of.thickness + 0.0 * leg;",
           "the length between the toes of a diaphragm's fillets", "attached_welds_test"),
          ("throat-of-diaphragm", "said ? Length(std::numbers::sqrt2 * of.throat) : of.thickness", "of.thickness",
           "the legs of the throat that is said of them", "attached_welds_test"),
