@@ -42,6 +42,7 @@ class BeamWriter {
   std::string sections, segments;
   double modulus() const { return modulus_; }
   Family family() const { return family_; }
+  bool has_stiffeners() const { return bars_ > 0; }
   double length() const { return length_; }
   bool in_space() const { return space_; }
   const std::vector<double>& borders() const { return borders_; }

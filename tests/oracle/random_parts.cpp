@@ -25,14 +25,28 @@ std::string factors(Draw& draw) {
   return text;
 }
 
+/// A plate that the sections of a beam have.
+std::string plate_of(Draw& draw, const BeamWriter& beam) {
+  switch (beam.family()) {
+    case Family::box:
+      if (beam.has_stiffeners() && draw.chance(0.3)) return "stiffeners";
+      return draw.one_of({"top flange", "bottom flange", "left web", "right web"});
+    case Family::nested:
+      return draw.one_of({"top flange", "bottom flange", "left web", "right web", "inner profile"});
+    case Family::tube:
+    case Family::round:
+    case Family::plate: break;
+  }
+  return "walls";
+}
+
 std::string part_materials(Draw& draw, const BeamWriter& beam) {
   std::string text;
   const int count = draw.whole(1, 2);
   for (int i = 0; i < count; ++i) {
-    text += fmt::format("\n[[part_materials]]\nsteel = \"{}\"\nplates = [\"{}\"{}]\n",
-                        draw.one_of({"S235", "S275", "S355", "S420N"}),
-                        draw.one_of({"top flange", "bottom flange", "left web"}),
-                        draw.chance(0.4) ? ", \"right web\"" : "");
+    text += fmt::format("\n[[part_materials]]\nsteel = \"{}\"\nplates = [\"{}\", \"{}\"]\n",
+                        draw.one_of({"S235", "S275", "S355", "S420N"}), plate_of(draw, beam),
+                        plate_of(draw, beam));
     const int segments = static_cast<int>(beam.borders().size()) - 1;
     if (draw.chance(0.5))
       text += fmt::format("segments = [\"part {}\"]\n", draw.whole(1, segments));
@@ -76,7 +90,7 @@ void add_parts(Draw& draw, const BeamWriter& beam, RandomCase& of) {
   if (draw.chance(0.3) && at != std::string::npos)
     text.replace(at, gamma_Ff.size(), fmt::format("gamma_Ff = {:.3g}", draw.real(1.0, 1.3)));
   const bool box = beam.family() == Family::box;
-  if (box && draw.chance(0.35)) {
+  if (draw.chance(0.3)) {
     text += part_materials(draw, beam);
     // Which of them these are of is to be said then.
     put_behind(text, "\n[[rods]]\n", "steel = \"S275\"\n");
