@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "boxbeam/project/plate_detail.hpp"
 #include "boxbeam/strength/effective_box.hpp"
@@ -51,12 +52,16 @@ class Attachments {
 
   void add_diaphragm(const Diaphragm& of) {
     const Length longest = si<Length>(80e-3);
-    const Length between_toes = std::min(3.0 * of.thickness, longest);
+    const bool said = of.throat > Length{};
+    const Length leg = said ? Length(std::numbers::sqrt2 * of.throat) : of.thickness;
+    const Length toes = of.thickness + 2.0 * leg;
+    const Length between_toes = std::min(toes, longest);
     const bool path = std::holds_alternative<ThinWalled>(section_at(*beam_, {of.s}).outer);
     add(of.s, of.s, given_->diaphragms,
         detail_of_row(path ? "8.4/7" : "8.4/8", "weld of a diaphragm", between_toes),
-        fmt::format("fillets with legs as long as it is thick, {:.6g} mm between their toes",
-                    1e3 * between_toes.value()));
+        fmt::format("fillets with legs {}, {:.6g} mm between their toes{}",
+                    said ? "of their throat" : "as long as it is thick", 1e3 * toes.value(),
+                    toes > longest ? ", beyond the 80 mm at which their row ends" : ""));
   }
 
   static const std::vector<Stiffener>& flats_of(const Section& section) {

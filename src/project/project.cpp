@@ -130,6 +130,7 @@ Project read_for_beam(const CaseDocument& document, const Node& tree, std::size_
   const auto front_end = readers::front_end_reader(sections, tables, project);
   front_end->read(root, tree);
   readers::read_part_materials(root, project);
+  readers::check_modulus(root, tree, project);
   readers::read_situations(root, tree, *front_end, project);
   readers::read_demands(root, project);
   front_end->read_neighbours(root);

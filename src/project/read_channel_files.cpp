@@ -219,12 +219,40 @@ std::optional<double> ChannelFiles::unit_of(const Wanted& of, const SignalHead& 
   return couple ? file.moment_unit : file.force_unit;
 }
 
+void ChannelFiles::check_unit_of_all(std::size_t file, const SignalHead& head,
+                                     const WantedDimension& dimension, const char* key,
+                                     const std::optional<double>& unit) const {
+  if (!unit) return;
+  const SignalChannel* other = nullptr;
+  for (const Wanted& of : wanted_) {
+    if (of.file != file || !of.signal.dimension ||
+        of.signal.dimension->exponents != dimension.exponents)
+      continue;
+    const auto channel =
+        std::find_if(head.channels.begin(), head.channels.end(),
+                     [&](const SignalChannel& at) { return at.name == of.signal.name; });
+    if (channel == head.channels.end() || channel->unit.empty()) return;
+    const auto parsed = parse_file_unit(channel->unit);
+    const auto* const its = std::get_if<ParsedQuantity>(&parsed);
+    constexpr double alike = 1e-9;
+    if (its != nullptr && std::abs(its->value - *unit) > alike * *unit) other = &*channel;
+  }
+  if (other == nullptr) return;
+  TableReader table = files_[file].table;
+  table.problem(key,
+                fmt::format("no column that is read is without a unit, and \"{}\" has another, {}",
+                            other->name, other->unit),
+                "take it away, or out of the file what is wrong there");
+}
+
 void ChannelFiles::choose(std::size_t file, const SignalHead& head,
                           std::vector<WantedSignal>& signals) const {
   std::vector<const Wanted*> of_file;
   for (const Wanted& of : wanted_)
     if (of.file == file) of_file.push_back(&of);
   for (std::size_t i = 0; i < signals.size(); ++i) signals[i].scale = unit_of(*of_file[i], head);
+  check_unit_of_all(file, head, wanted::force, "force_unit", files_[file].force_unit);
+  check_unit_of_all(file, head, wanted::moment, "moment_unit", files_[file].moment_unit);
   for (const ChosenSignals::Trouble& trouble : choose_signals(head, signals).troubles) {
     const Wanted& of = *of_file[trouble.wanted];
     const auto channel =

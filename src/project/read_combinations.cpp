@@ -107,6 +107,7 @@ std::vector<CaseRule> read_case_rules(TableReader& root, const frame::Structure&
                                       bool all_wanted) {
   std::vector<CaseRule> rules(structure.cases.size());
   std::vector<bool> said(rules.size(), false);
+  const std::size_t before = root.problems().size();
   const int weight = index_by_name(structure.cases, "weight");
   if (weight >= 0) {
     rules[static_cast<std::size_t>(weight)].permanent = true;
@@ -123,7 +124,8 @@ std::vector<CaseRule> read_case_rules(TableReader& root, const frame::Structure&
       rule.psi_2 = table.any_number({"psi_2", "of its quasi-permanent value"}, rule.psi_1);
       for (const auto& [key, psi] :
            {std::pair{"psi_0", rule.psi_0}, {"psi_1", rule.psi_1}, {"psi_2", rule.psi_2}}) {
-        if (psi >= 0.0 && psi <= 1.0) continue;
+        // One that is not there is as the one before it, which has been looked at.
+        if (!table.has(key) || (psi >= 0.0 && psi <= 1.0)) continue;
         table.problem(key, fmt::format("{} is from 0 to 1", key), "see EN 1990, table A1.1");
       }
     }
@@ -137,7 +139,9 @@ std::vector<CaseRule> read_case_rules(TableReader& root, const frame::Structure&
     rules[static_cast<std::size_t>(index)] = rule;
     said[static_cast<std::size_t>(index)] = true;
   }
-  for (std::size_t k = 0; all_wanted && k < rules.size(); ++k) {
+  // One that is misspelt is said already.
+  const bool named = root.problems().size() == before;
+  for (std::size_t k = 0; all_wanted && named && k < rules.size(); ++k) {
     if (said[k]) continue;
     root.problem("combinations",
                  fmt::format("how load case \"{}\" combines is not said", structure.cases[k].name),
@@ -234,14 +238,16 @@ void add_sets(TableReader& table, const frame::Structure& structure, Combination
       }
       std::vector<double>& of = choices[static_cast<std::size_t>(index)];
       of.clear();
+      bool numbers = true;
       const auto take = [&](const Node& node) {
-        if (node.kind == Node::Kind::number) of.push_back(node.number);
+        numbers = numbers && node.kind == Node::Kind::number;
+        of.push_back(node.number);
       };
       if (member.value.kind == Node::Kind::array)
         for (const Node& item : member.value.items) take(item);
       else
         take(member.value);
-      if (of.empty() || of.size() > 2) {
+      if (!numbers || of.empty() || of.size() > 2) {
         factors.problem(member.key, "a load case has one factor, or the least and the largest",
                         "write for example wind = 1.5, or wind = [0.0, 1.5]");
         of = {0.0};

@@ -99,7 +99,8 @@ AttachmentDetails read_attachment_details(TableReader& table) {
   given.diaphragms = read_direct_detail(
       table,
       {"diaphragms",
-       "of their welds; where not said row 8.4/8 with legs as long as they are thick"},
+       "of their welds; where not said row 8.4/8 with the legs of their throat, or as long as they "
+       "are thick"},
       "write category = 80, or a row of table 8.4");
   given.flats = read_direct_detail(
       table, {"flats", "of the welds along stiffeners; where not said row 8.2/5, category 100"},

@@ -75,7 +75,11 @@ std::vector<bool> read_segments(TableReader& table, const std::vector<Segment>& 
   const Key of{"segments", "names of those it holds for; all where not said"};
   if (!table.has(of.name)) return std::vector<bool>(segments.size(), true);
   std::vector<bool> listed(segments.size(), false);
-  for (const std::string& name : table.texts(of, true)) {
+  const std::vector<std::string> said = table.texts(of, true);
+  if (table.problems().empty() && said.empty())
+    table.problem(of.name, "no segment is of this material",
+                  "name some, or leave the key out for all");
+  for (const std::string& name : said) {
     const int found = index_by_name(segments, name);
     if (found >= 0)
       listed[static_cast<std::size_t>(found)] = true;
@@ -104,7 +108,11 @@ std::array<bool, plate_kinds> read_plates(TableReader& table, const PartMaterial
       there[static_cast<std::size_t>(plate.kind)] = true;
   }
   const std::vector<std::string>& names = plate_kind_names();
-  for (const std::string& name : table.texts(of, true)) {
+  const std::vector<std::string> said = table.texts(of, true);
+  if (table.problems().empty() && said.empty())
+    table.problem(of.name, "no plate is of this material",
+                  "name some, or leave the key out for all");
+  for (const std::string& name : said) {
     const auto found = std::find(names.begin(), names.end(), name);
     const auto kind = static_cast<std::size_t>(found - names.begin());
     if (found == names.end()) {
@@ -187,6 +195,25 @@ void read_material(TableReader& root, Project& project) {
                                                   wanted::stress, project.model.youngs_modulus);
   }
   table.finish();
+}
+
+void check_modulus(TableReader& root, const Node& tree, const Project& project) {
+  const Node* const material = tree.find("material");
+  if (!root.problems().empty() || material == nullptr || material->find("steel") != nullptr) return;
+  for (const char* const part : {"material", "model"}) {
+    const Node* const of = tree.find(part);
+    if (of != nullptr && of->find("youngs_modulus") != nullptr) return;
+  }
+  // Carbon steel has 7850, stainless steel 7600 to 8100 kg/m^3.
+  constexpr double lightest = 7500.0, heaviest = 8300.0;
+  const double density = project.beam.density.value();
+  if (density >= lightest && density <= heaviest) return;
+  root.problem("material",
+               fmt::format("the beam's density, {:.6g} kg/m^3, is not that of steel, and Young's "
+                           "modulus of {} is not said",
+                           density, project.material.name),
+               "write youngs_modulus = \"70 GPa\" of aluminium, \"210 GPa\" of steel whatever "
+               "the density stands for");
 }
 
 void read_part_materials(TableReader& root, Project& project) {

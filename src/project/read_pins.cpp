@@ -90,10 +90,27 @@ bool may_have_pin(const spatial::Mechanism& mechanism, int joint) {
   return kind == spatial::ClosingKind::spherical || kind == spatial::ClosingKind::distance;
 }
 
+/// Whether the force of a joint in the plane is all that it bears: a moment is not judged by a pin.
+bool may_have_pin(const planar::Joint& joint) {
+  return std::holds_alternative<planar::Pin>(joint.kind) ||
+         std::holds_alternative<planar::PinInSlot>(joint.kind) || planar::is_rod(joint);
+}
+
+int joint_of_planar_pin(TableReader& table, const Key& key, const planar::Mechanism& mechanism) {
+  const int joint = joint_of(table, key, mechanism);
+  if (joint < 0) return joint;
+  const planar::Joint& of = mechanism.joints[static_cast<std::size_t>(joint)];
+  if (!may_have_pin(of))
+    table.problem(key.name, fmt::format("\"{}\" does not turn about a pin", of.name),
+                  "a pin is in a joint of kind \"pin\", \"pin in slot\" or \"distance\", or at the "
+                  "end of a driven length");
+  return joint;
+}
+
 /// The joint of a pin: in space behind those that carry bodies those that close loops.
 int joint_of_pin(TableReader& table, const Project& project) {
   const Key key{"joint", "in which it is"};
-  if (!project.in_space) return joint_of(table, key, planar_of(project));
+  if (!project.in_space) return joint_of_planar_pin(table, key, planar_of(project));
   const spatial::Mechanism& mechanism = spatial_of(project);
   const std::string name = table.text(key);
   if (name.empty()) return 0;
@@ -144,7 +161,7 @@ PinInput read_pin(TableReader table, const Project& project) {
       strength_at(table, "outer_plate", plates, yield_strength_of, geometry.outer_plate);
   strength.gamma_M0 =
       table.number({"gamma_M0", "on bearing and bending"}, project.strength.gamma_M0);
-  strength.gamma_M2 = table.number({"gamma_M2", "on shear"}, strength.gamma_M2);
+  strength.gamma_M2 = table.number({"gamma_M2", "on shear"}, project.strength.gamma_M2);
   pin.replaceable = table.boolean({"replaceable",
                                    "to be taken out in service, whose limits it keeps as well, "
                                    "without load factors (3.13.2(3))"},

@@ -187,6 +187,7 @@ RodInput read_rod(TableReader table, const Sections& sections, const Project& pr
                   std::optional<Eigen::Vector3d>& z) {
   RodInput rod;
   rod.name = table.text({"name", "of the rod"});
+  const std::size_t before_place = table.problems().size();
   if (project.in_space)
     read_place<SpatialRod>(table, spatial_of(project), rod);
   else
@@ -198,7 +199,8 @@ RodInput read_rod(TableReader table, const Sections& sections, const Project& pr
                      "against flexural buckling; their distance where not said and it does not "
                      "change"};
   const bool known = rod.length > Length{};
-  if (!known && std::holds_alternative<RodLink>(rod.place) && !table.has(buckling))
+  const bool placed = table.problems().size() == before_place;
+  if (!known && placed && std::holds_alternative<RodLink>(rod.place) && !table.has(buckling))
     table.problem(buckling.name, "the length of the rod changes as it moves",
                   "write buckling_length, its largest");
   rod.buckling_length =

@@ -162,7 +162,7 @@ AnyMechanism changed_mechanism(TableReader& set, const Node& root, Situation& si
 }
 
 /// The situations of which one is made, which are read before; `key` is "between" or "sequence".
-std::vector<std::size_t> read_parts(TableReader& table, const Key& of,
+std::vector<std::size_t> read_parts(TableReader& table, const Key& of, bool in_order,
                                     const std::vector<Situation>& situations) {
   const std::string_view key = of.name;
   std::vector<std::size_t> parts;
@@ -179,7 +179,11 @@ std::vector<std::size_t> read_parts(TableReader& table, const Key& of,
                     unknown_hint(name, running));
       continue;
     }
-    parts.push_back(static_cast<std::size_t>(found - situations.begin()));
+    const auto part = static_cast<std::size_t>(found - situations.begin());
+    if (!in_order && std::find(parts.begin(), parts.end(), part) != parts.end())
+      table.problem(key, fmt::format("\"{}\" stands there already", name),
+                    "a change goes from one situation to others: write each once");
+    parts.push_back(part);
   }
   if (table.problems().empty() && parts.empty()) {
     table.problem(key, fmt::format("\"{}\" names no situation", key),
@@ -236,7 +240,7 @@ void read_made_of(TableReader& table, const std::vector<Situation>& others, Situ
                   "write one of \"between\" and \"sequence\"");
     return;
   }
-  situation.between = read_parts(table, of, others);
+  situation.between = read_parts(table, of, situation.in_order, others);
   const bool levels = table.has("spectrum");
   if (levels && situation.in_order) {
     table.problem("spectrum", "a sequence of situations is counted, it has no levels",

@@ -273,6 +273,10 @@ void read_material(TableReader& root, Project& project);
 /// materials go.
 void read_part_materials(TableReader& root, Project& project);
 
+/// Refuses a material of one's own whose modulus is taken to be that of steel, and with it the
+/// rules for steel, where the density of the beam is not. `tree` is the case.
+void check_modulus(TableReader& root, const Node& tree, const Project& project);
+
 /// What to write instead of plates thicker than a material's table goes.
 std::string thickest_hint(const Material& material);
 

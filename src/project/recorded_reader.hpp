@@ -75,6 +75,10 @@ class ChannelFiles {
   /// One of a column in SI, which the file itself does not say; nothing and a problem where the
   /// case gives it as something else.
   std::optional<double> unit_of(const Wanted& of, const SignalHead& head) const;
+  /// Notes a unit that holds for all columns of a dimension, of which none that is wanted is
+  /// without one and one has another.
+  void check_unit_of_all(std::size_t file, const SignalHead& head, const WantedDimension& dimension,
+                         const char* key, const std::optional<double>& unit) const;
   /// Notes what is wrong with the columns that are wanted of a file.
   void choose(std::size_t file, const SignalHead& head, std::vector<WantedSignal>& signals) const;
   /// Notes files that do not say what they have in the time of the others.

@@ -76,8 +76,7 @@ void add_lugs(const Project& project, std::vector<std::string>& remarks) {
     };
     if (said(true) && said(false)) continue;
     remarks.push_back(fmt::format(
-        "pin {}: the fatigue of its {} is not judged, nor what stands beside and before the hole "
-        "(EN 1993-1-8, table 3.9): [[pins.lugs]] say how wide they are",
+        "pin {}: the fatigue of its {} is not judged: [[pins.lugs]] say how wide they are",
         pin.name,
         said(true)    ? "outer plates"
         : said(false) ? "inner plate"
@@ -86,12 +85,25 @@ void add_lugs(const Project& project, std::vector<std::string>& remarks) {
 }
 
 void add_thin_welds(const Project& project, std::vector<std::string>& remarks) {
-  for (const WeldInput& weld : project.welds) {
-    if (weld.full || weld.throat >= least_throat()) continue;
-    remarks.push_back(fmt::format(
-        "weld {} has a throat of {}, below 3 mm, the least of a fillet weld (EN 1993-1-8, "
-        "4.5.2(2))",
-        weld.name, text::mm(weld.throat.value())));
+  const auto look = [&](const std::string& what, Length throat) {
+    if (!(throat > Length{}) || throat >= least_throat()) return;
+    std::string remark = fmt::format(
+        "{} has a throat of {}, below 3 mm, the least of a fillet weld (EN 1993-1-8, 4.5.2(2))",
+        what, text::mm(throat.value()));
+    if (std::find(remarks.begin(), remarks.end(), remark) == remarks.end())
+      remarks.push_back(std::move(remark));
+  };
+  for (const WeldInput& weld : project.welds) look("weld " + weld.name, weld.throat);
+  for (const Segment& segment : project.beam.segments) {
+    for (const Section* section : {&segment.from, &segment.to}) {
+      if (const auto* const box = std::get_if<Box>(&section->outer))
+        look("the seam of segment " + segment.name, box->seam_throat);
+    }
+  }
+  for (const Diaphragm& diaphragm : project.beam.diaphragms) {
+    look(fmt::format("the weld of the diaphragm at s = {} m",
+                     to_text(Station{diaphragm.s, Side::both})),
+         diaphragm.throat);
   }
 }
 

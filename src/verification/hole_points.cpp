@@ -48,10 +48,16 @@ void GatheredPoints::add_hole(const CutHole& at) {
       if (!taper_.empty())
         append_edges(edges, hole_edges_of(field_.section, field_.holes, {}, hole, hole_case));
       const Length plate = wall_at(field_.section, edges.front().z);
-      // Flanges of different thickness resist each on its own.
+      const auto material_at = [&](const HoleEdge& edge) -> const Material* {
+        if (webs || project_->part_materials.empty()) return nullptr;
+        return first_to_yield(plates_here(edge.y, edge.z)).material;
+      };
+      // Flanges of different thickness or steel resist each on its own.
       const auto other = std::stable_partition(
           edges.begin(), edges.end(),
-          [&](const HoleEdge& edge) { return wall_at(field_.section, edge.z) == plate; });
+          [&, material = material_at(edges.front())](const HoleEdge& edge) {
+            return wall_at(field_.section, edge.z) == plate && material_at(edge) == material;
+          });
       std::vector<HoleEdge> below(other, edges.end());
       edges.erase(other, edges.end());
       const std::string name = "hole " + hole.name + " edge";

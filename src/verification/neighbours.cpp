@@ -113,6 +113,23 @@ NeighbourResult check_in_service(const Project& project, const PinInput& pin,
 
 namespace {
 
+/// Plates of a pin that are not given, which are weakest beside and before its hole.
+void add_unknown_plates(const PinInput& pin, NeighbourChecks& checks) {
+  const auto said = [&](bool inner) {
+    return std::any_of(pin.lugs.begin(), pin.lugs.end(),
+                       [&](const LugInput& lug) { return lug.inner == inner; });
+  };
+  if (said(true) && said(false)) return;
+  checks.not_judged.push_back({Criterion::pin,
+                               fmt::format("{} of pin {} beside and before its hole (EN 1993-1-8, "
+                                           "table 3.9)",
+                                           said(true)    ? "outer plates"
+                                           : said(false) ? "inner plate"
+                                                         : "plates",
+                                           pin.name),
+                               "[[pins.lugs]] are not given"});
+}
+
 /// What the joint of a pin bears that no check of the pin counts: a moment across it, which its
 /// outer plates take as two forces, and a force along it.
 void look_beside(const Project& project, const NeighbourRuns& runs, const PinInput& pin,
@@ -171,6 +188,7 @@ NeighbourChecks check_pins(const Project& project, const std::deque<SituationRun
     check.required = pin.required;
     check.source = "EN 1993-1-8:2005, 3.13.2, table 3.10";
     checks.results.push_back(std::move(result));
+    add_unknown_plates(pin, checks);
     for (const LugInput& lug : pin.lugs) {
       checks.results.push_back(check_lug(project, pin, lug, worst));
       if (!lug.plate.end)

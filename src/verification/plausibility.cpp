@@ -87,6 +87,52 @@ void require_moderate_work(std::size_t instants, std::size_t places) {
        "beam"});
 }
 
+namespace {
+
+/// Factors below one, with which less is asked than without any.
+void add_small_factors(const Project& project, std::vector<std::string>& odd) {
+  const auto look = [&](const std::string& table, const char* key, double value) {
+    if (value >= 1.0) return;
+    odd.push_back(fmt::format(
+        "odd: {} = {:.3g} of {} is below 1: less is asked for than without it", key, value, table));
+  };
+  const StrengthDemand& strength = project.strength;
+  look("[strength]", "gamma_M0", strength.gamma_M0);
+  look("[strength]", "gamma_M1", strength.gamma_M1);
+  look("[strength]", "gamma_M2", strength.gamma_M2);
+  look("[strength]", "required", strength.required);
+  if (project.fatigue.asked) {
+    look("[fatigue]", "gamma_Ff", project.fatigue.demand.gamma_Ff);
+    look("[fatigue]", "gamma_Mf", project.fatigue.demand.gamma_Mf);
+    look("[fatigue]", "required", project.fatigue.required);
+  }
+  // Those that are as [strength] has them have been said.
+  const auto look_beside = [&](const std::string& of, const char* key, double value,
+                               double in_strength) {
+    if (value != in_strength) look(of, key, value);
+  };
+  for (const PinInput& pin : project.pins) {
+    look_beside("pin " + pin.name, "gamma_M0", pin.strength.gamma_M0, strength.gamma_M0);
+    look_beside("pin " + pin.name, "gamma_M2", pin.strength.gamma_M2, strength.gamma_M2);
+    look_beside("pin " + pin.name, "required", pin.required, strength.required);
+    constexpr double loose = 1.2;
+    const double play = pin.geometry.hole / pin.geometry.diameter;
+    if (play > loose)
+      odd.push_back(fmt::format("odd: the hole of pin {} is {:.3g} times as wide as the pin",
+                                pin.name, play));
+  }
+  for (const RodInput& rod : project.rods) {
+    look_beside("rod " + rod.name, "gamma_M0", rod.gamma_M0, strength.gamma_M0);
+    look_beside("rod " + rod.name, "gamma_M1", rod.gamma_M1, strength.gamma_M1);
+    look_beside("rod " + rod.name, "gamma_M2", rod.gamma_M2, strength.gamma_M2);
+    look_beside("rod " + rod.name, "required", rod.required, strength.required);
+  }
+  for (const WeldInput& weld : project.welds)
+    look_beside("weld " + weld.name, "required", weld.required, strength.required);
+}
+
+}  // namespace
+
 std::vector<std::string> odd_things(const Project& project, const Verification& verification) {
   std::vector<std::string> odd;
   const Check* highest = nullptr;
@@ -115,6 +161,7 @@ std::vector<std::string> odd_things(const Project& project, const Verification& 
   };
   outside("the density of the beam", project.beam.density.value(), odd_density, "kg/m^3");
   outside("Young's modulus of the beam", project.model.youngs_modulus, odd_modulus, "Pa");
+  add_small_factors(project, odd);
   return odd;
 }
 

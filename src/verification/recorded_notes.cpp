@@ -94,11 +94,18 @@ struct Step {
   std::size_t instant = 0;  ///< behind it
 };
 
-/// The longest step over which a value changes, and half of all are at most `median`.
+/// What steps a record has.
+struct Steps {
+  Step longest;         ///< over which a value changes
+  double median = 0.0;  ///< half of all are at most that
+  bool even = false;    ///< nearly all are that
+};
+
 template <class TimeOf, class Changes>
-Step longest_step(std::size_t instants, TimeOf time_of, Changes changes, double& median) {
+Steps steps_of(std::size_t instants, TimeOf time_of, Changes changes) {
   std::vector<double> steps;
-  Step longest;
+  Steps of;
+  Step& longest = of.longest;
   for (std::size_t i = 1; i < instants; ++i) {
     const double length = time_of(i) - time_of(i - 1);
     steps.push_back(length);
@@ -106,12 +113,18 @@ Step longest_step(std::size_t instants, TimeOf time_of, Changes changes, double&
   }
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::nth_element(steps.begin(), middle, steps.end());
-  median = *middle;
-  return longest;
+  of.median = *middle;
+  constexpr double alike = 0.01, nearly_all = 0.95;
+  const auto even = std::count_if(steps.begin(), steps.end(), [&](double step) {
+    return std::abs(step - of.median) <= alike * of.median;
+  });
+  of.even = static_cast<double>(even) >= nearly_all * static_cast<double>(steps.size());
+  return of;
 }
 
 void add_gaps(const recorded::Channels& channels, std::vector<NotJudged>& found) {
-  constexpr double far = 100.0;       // median steps
+  // Median steps; where all others are as long, instants were lost.
+  constexpr double far = 100.0, far_of_even = 10.0;
   constexpr double same = 1e-6;       // of what a value changes
   constexpr std::size_t fewest = 10;  // instants of which a median says something
   const recorded::Record* const record = channels.record.get();
@@ -136,9 +149,10 @@ void add_gaps(const recorded::Channels& channels, std::vector<NotJudged>& found)
   const auto time_of = [&](std::size_t i) {
     return record != nullptr ? record->time_of(i) : channels.times[i];
   };
-  double median = 0.0;
-  const Step gap = longest_step(instants, time_of, changes, median);
-  if (gap.length < far * median) return;
+  const Steps steps = steps_of(instants, time_of, changes);
+  const Step& gap = steps.longest;
+  const double median = steps.median;
+  if (gap.length < (steps.even ? far_of_even : far) * median) return;
   found.push_back({Criterion::yield, "the record",
                    fmt::format("it has no instants between {:.6g} and {:.6g} s, {:.3g} of its "
                                "usual steps: a straight line is taken there",

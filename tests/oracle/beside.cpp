@@ -22,7 +22,9 @@ std::vector<Run> sample(const Project& project, const std::deque<SituationRun>& 
     run.situation = index_of(project, *of.situation);
     run.load_factor = of.situation->load_factor;
     run.closed = of.loads.closed();
-    const int count = run.closed ? instants : instants + 1;
+    // Frames of random cases bear loads that do not change.
+    const bool still = std::holds_alternative<frame::Structure>(project.mechanism);
+    const int count = still ? 1 : run.closed ? instants : instants + 1;
     for (int i = 0; i < count; ++i) {
       // A closed history is not met where the program meets it.
       const double part = (i + (run.closed ? 0.37 : 0.0)) / instants;
@@ -107,8 +109,9 @@ void look_at_neighbours(const Project& project, const std::deque<SituationRun>& 
         for (const planar::Reaction& reaction : reactions) {
           if (reaction.joint != pin.joint) continue;
           found.note(Criterion::pin,
-                     pin_utilisation(sampled[r].load_factor * reaction.force.norm(), pin), {},
-                     pin.name);
+                     pin_utilisation(sampled[r].load_factor * reaction.force.norm(), pin,
+                                     project.strength),
+                     {}, pin.name);
         }
       }
       for (const RodInput& input : project.rods) {
@@ -128,7 +131,8 @@ void look_at_neighbours(const Project& project, const std::deque<SituationRun>& 
         }
         for (const double push : {push_from, push_to}) {
           const Criterion criterion = push > 0.0 ? Criterion::buckling : Criterion::rod;
-          found.note(criterion, rod_utilisation(sampled[r].load_factor * push, input), {},
+          found.note(criterion,
+                     rod_utilisation(sampled[r].load_factor * push, input, project.strength), {},
                      input.name);
         }
       }

@@ -9,17 +9,19 @@
 #include <functional>
 #include <limits>
 #include <numbers>
-#include <set>
 #include <span>
 
 #include "beside.hpp"
 #include "boxbeam/fatigue/damage.hpp"
 #include "boxbeam/fatigue/rainflow.hpp"
-#include "boxbeam/strength/material.hpp"
 #include "boxbeam/verification/bending_zones.hpp"
+#include "combined_cases.hpp"
 #include "instants.hpp"
+#include "member.hpp"
 #include "rules.hpp"
 #include "section_stress.hpp"
+#include "slender_walls.hpp"
+#include "stations.hpp"
 
 namespace oracle {
 namespace {
@@ -33,8 +35,6 @@ Cut as_array(const CutForces& cut) {
           cut.T.value(), cut.M_y.value(), cut.M_z.value()};
 }
 
-/// The cut forces over the instants of a situation, each in a column; and a stress of them.
-using Cuts = Eigen::Array<double, Eigen::Dynamic, cut_force::count>;
 using Stresses = Eigen::ArrayXd;
 
 template <typename Column>
@@ -60,97 +60,32 @@ struct Bounds {
 
 class Search {
  public:
-  Search(const Project& project, const std::deque<SituationRun>& runs, const Density& density)
+  Search(const Project& project, const std::deque<SituationRun>& runs, const Density& density,
+         const Combining& combining)
       : project_(project),
         runs_(runs),
         density_(density),
         rules_(project),
         sampled_(sample(project, runs, density.instants)),
-        zones_(bending_zones_of(project, runs)) {
+        zones_(bending_zones_of(project, runs)),
+        combined_(combinations_of(combining, project, sampled_)) {
     for (const Situation& situation : project.situations) all_cycles_ += situation.cycles;
+    for (const Run& run : sampled_) load_factors_.push_back(run.load_factor);
+    load_factors_.resize(sampled_.size() + combined_.size(), 1.0);
   }
 
   Findings findings() {
-    for (const Station& station : stations()) look_at(station);
-    look_at_deflection(project_, sampled_, cuts(), density_.stations, found_);
-    if (!std::holds_alternative<flexible::Mechanism>(project_.mechanism) && !project_.in_space)
+    for (const Station& station : stations_of(project_, sampled_, zones_, density_))
+      look_at(station);
+    look_at_deflection(project_, sampled_, cut_places_of(project_, sampled_, zones_),
+                       density_.stations, found_);
+    look_at_member(project_, sampled_, rules_, found_);
+    if (std::holds_alternative<planar::Mechanism>(project_.mechanism))
       look_at_neighbours(project_, runs_, sampled_, found_);
     return std::move(found_);
   }
 
  private:
-  // ------------------------------------------------------------------------------- along the beam
-
-  /// Every place where something begins, ends, jumps or bends.
-  std::set<double> cuts() const {
-    const TaperedBeam& beam = project_.beam;
-    std::set<double> places{0.0, beam.length().value()};
-    for (const Segment& segment : beam.segments) {
-      places.insert(segment.start.value());
-      places.insert(segment.end().value());
-    }
-    for (const BeamHole& hole : project_.holes) {
-      const double radius = 0.5 * hole.hole.diameter.value();
-      for (const double s : {hole.s.value() - radius, hole.s.value(), hole.s.value() + radius})
-        if (s >= 0.0 && s <= beam.length().value()) places.insert(s);
-    }
-    for (const BeamDetail& detail : project_.fatigue.details) {
-      places.insert(detail.from.value());
-      places.insert(detail.to.value());
-    }
-    for (const BendingZone& zone : zones_) {
-      places.insert(zone.from.value());
-      places.insert(zone.to.value());
-    }
-    // Loads that slide are met at a few of their places.
-    for (const Run& run : sampled_) {
-      const std::size_t stride = std::max<std::size_t>(1, run.diagrams.size() / 16);
-      for (std::size_t i = 0; i < run.diagrams.size(); i += stride) {
-        for (const CutForcePiece& piece : run.diagrams[i].pieces) {
-          places.insert(std::clamp(piece.start.value(), 0.0, beam.length().value()));
-          places.insert(std::clamp(piece.end().value(), 0.0, beam.length().value()));
-        }
-      }
-    }
-    return places;
-  }
-
-  /// Both sides of the cuts first, then a grid from coarse to fine, so that most places can soon be
-  /// seen to be milder than the worst.
-  std::vector<Station> stations() const {
-    const double length = project_.beam.length().value();
-    std::vector<Station> stations;
-    for (const double s : cuts()) {
-      if (s > 0.0) stations.push_back({si<Length>(s), Side::before});
-      if (s < length) stations.push_back({si<Length>(s), Side::behind});
-    }
-    std::vector<bool> done(static_cast<std::size_t>(density_.stations) + 1, false);
-    for (int stride = 64; stride >= 1; stride /= 2) {
-      for (int j = stride; j < density_.stations; j += stride) {
-        if (done[static_cast<std::size_t>(j)]) continue;
-        done[static_cast<std::size_t>(j)] = true;
-        const Length s = si<Length>(length * j / density_.stations);
-        stations.push_back({s, Side::before});
-        if (!sliding()) continue;
-        stations.push_back({s, Side::behind});
-      }
-    }
-    return stations;
-  }
-
-  /// Whether loads slide along the beam, so that both sides of any station may differ.
-  bool sliding() const {
-    for (const Run& run : sampled_) {
-      const CutForceDiagram& first = run.diagrams.front();
-      const CutForceDiagram& other = run.diagrams[run.diagrams.size() / 3];
-      if (first.pieces.size() != other.pieces.size()) return true;
-      for (std::size_t i = 0; i < first.pieces.size(); ++i) {
-        if (abs(first.pieces[i].end() - other.pieces[i].end()).value() > 1e-12) return true;
-      }
-    }
-    return false;
-  }
-
   LocalSection section_at(const Station& station) const {
     const TaperedBeam& beam = project_.beam;
     LocalSection local;
@@ -197,7 +132,8 @@ class Search {
   void look_at(const Station& station) {
     if (cuts_a_hole(station)) return;
     const LocalSection section = section_at(station);
-    cuts_.resize(sampled_.size());
+    segment_ = segment_at(project_.beam, station);
+    cuts_.resize(load_factors_.size());
     Bounds bounds;
     bounds.low.fill(std::numeric_limits<double>::infinity());
     bounds.high.fill(-std::numeric_limits<double>::infinity());
@@ -216,12 +152,22 @@ class Search {
         bounds.most[k] = std::max(bounds.most[k], run.load_factor * column.abs().maxCoeff());
       }
     }
+    // Of load cases at rest: sums of what each does alone.
+    for (std::size_t c = 0; c < combined_.size(); ++c) {
+      Cuts& of = cuts_[sampled_.size() + c];
+      of.setZero(1, cut_force::count);
+      for (const auto& [run, factor] : combined_[c]) of.row(0) += factor * cuts_[run].row(0);
+      for (std::size_t k = 0; k < cut_force::count; ++k)
+        bounds.most[k] = std::max(bounds.most[k], std::abs(of(0, static_cast<Eigen::Index>(k))));
+    }
     for (std::size_t k = 0; k < cut_force::count; ++k) acts_[k] = bounds.most[k] > 0.0;
     station_ = station;
     known_.clear();
     for (const Place& place : places_of(section, density_.around)) look_at(place, bounds);
     look_at_holes(section, bounds);
-    look_at_class(section);
+    if (found_.gate.empty())
+      found_.gate =
+          slender_wall_at(project_, rules_, section, station_, segment_, cuts_, load_factors_);
   }
 
   // ---------------------------------------------------------------------------- around the section
@@ -262,6 +208,7 @@ class Search {
         place.hole = hole.name;
         place.kind = centre.along_z ? PlaceKind::web : PlaceKind::fibre;
         place.plate = centre.plate;
+        place.wall = centre.kind;
         place.y = centre.y + (centre.along_z ? 0.0 : r * std::sin(theta));
         place.z = centre.z + (centre.along_z ? r * std::sin(theta) : 0.0);
         for (std::size_t i = 0; i < cut_force::count; ++i) {
@@ -318,6 +265,7 @@ class Search {
       look_at_yield(place, bounds);
     else
       look_at_weld(place, bounds);
+    if (!fatigue.asked) return;
     Resisting direct;
     if (!throat) direct = detail_here(place);
     if (own != nullptr) direct = {own, own->detail.compression_reduced, own->stress_factor};
@@ -340,15 +288,15 @@ class Search {
 
   void look_at_yield(const Place& place, const Bounds& bounds) {
     const double per = project_.strength.required * project_.strength.gamma_M0 /
-                       rules_.yield_strength(place.plate);
+                       rules_.yield_strength(segment_, place);
     const double normal = bounds.size_of(place.normal), along = bounds.size_of(place.shear);
     if (!beats(Criterion::yield, per * std::sqrt(normal * normal + 3.0 * along * along))) return;
     double most = 0.0;
-    for (std::size_t r = 0; r < sampled_.size(); ++r) {
+    for (std::size_t r = 0; r < cuts_.size(); ++r) {
       const double squared =
           (stresses_in(r, place.normal).square() + 3.0 * stresses_in(r, place.shear).square())
               .maxCoeff();
-      most = std::max(most, sampled_[r].load_factor * sampled_[r].load_factor * squared);
+      most = std::max(most, load_factors_[r] * load_factors_[r] * squared);
     }
     ++found_.evaluations;
     note(Criterion::yield, per * std::sqrt(most), place.name);
@@ -356,13 +304,13 @@ class Search {
 
   void look_at_weld(const Place& place, const Bounds& bounds) {
     // sqrt(3) tau_par against f_u/(beta_w gamma_M2), of the weaker part joined.
-    const double per = project_.strength.required * std::numbers::sqrt3 * project_.material.beta_w *
-                       project_.strength.gamma_M2 / rules_.tensile_strength(place.joined);
+    const double per = project_.strength.required * std::numbers::sqrt3 *
+                       project_.strength.gamma_M2 / rules_.weld_strength(segment_, place);
     if (!beats(Criterion::weld, per * bounds.size_of(place.shear))) return;
     double most = 0.0;
-    for (std::size_t r = 0; r < sampled_.size(); ++r) {
+    for (std::size_t r = 0; r < cuts_.size(); ++r) {
       const double largest = stresses_in(r, place.shear).abs().maxCoeff();
-      most = std::max(most, sampled_[r].load_factor * largest);
+      most = std::max(most, load_factors_[r] * largest);
     }
     ++found_.evaluations;
     note(Criterion::weld, per * most, place.name);
@@ -449,7 +397,7 @@ class Search {
 
   void look_at_ranges(const Place& place, const Bounds& bounds, const Resisting& direct,
                       const Detail* shear) {
-    const double f_y = rules_.yield_strength(place.plate);
+    const double f_y = rules_.yield_strength(segment_, place);
     const double gamma = project_.fatigue.demand.gamma_Ff;
     const auto look = [&](const Factors& factors, double times, double limit) {
       if (!beats(Criterion::stress_range, gamma * times * bounds.range_of(factors) / limit)) return;
@@ -520,7 +468,7 @@ class Search {
     ++found_.evaluations;
 
     // By the rule of the program: so small no range is one.
-    const double nothing = 1e-6 * rules_.yield_strength(place.plate);
+    const double nothing = 1e-6 * rules_.yield_strength(segment_, place);
     Histories &of_direct = direct_, &of_shear = shear_;
     bool direct_counts = false, shear_counts = false;
     // With the ranges and cycles themselves most places can be seen to be milder.
@@ -570,91 +518,15 @@ class Search {
     return range / strength_at(rules_.curve_of(detail, plate), cycles, loading).value();
   }
 
-  // -------------------------------------------------------------------------------- section class
-
-  void look_at_class(const LocalSection& section) {
-    if (!found_.gate.empty()) return;
-    look_at_class(section, section.here.outer);
-    if (section.here.inner) look_at_class(section, *section.here.inner);
-  }
-
-  /// EN 1993-1-1, table 5.2: even compression 42 eps, round tubes 90 eps^2, webs by their stress;
-  /// EN 1993-1-5, 5.1(2): shear buckling above 72 eps/eta, eta = 1.2.
-  void look_at_class(const LocalSection& section, const Profile& profile) {
-    const auto eps = [&](double t) { return std::sqrt(235e6 / rules_.yield_strength(t)); };
-    const auto gate = [&](const char* what) {
-      if (found_.gate.empty())
-        found_.gate = fmt::format("{} at s = {:.6g} m", what, station_.s.value());
-    };
-    if (const auto* round = std::get_if<RoundTube>(&profile)) {
-      const double t = round->wall.value();
-      if (round->diameter.value() / t > 90.0 * eps(t) * eps(t)) gate("round wall of class 4");
-      return;
-    }
-    const auto* box = std::get_if<Box>(&profile);
-    const auto* tube = std::get_if<RectangularTube>(&profile);
-    if (box == nullptr && tube == nullptr) return;
-    const double W = (box ? box->width : tube->width).value();
-    const double H = (box ? box->height : tube->height).value();
-    const double top = (box ? box->top_flange : tube->wall).value();
-    const double bottom = (box ? box->bottom_flange : tube->wall).value();
-    const double left = (box ? box->left_web : tube->wall).value();
-    const double right = (box ? box->right_web : tube->wall).value();
-    const bool bars = box != nullptr && !box->stiffeners.empty();
-    const double c_flange = W - left - right, h_w = H - top - bottom;
-    if (!bars) {
-      for (const double t : {top, bottom})
-        if (c_flange / t > 42.0 * eps(t)) gate("flange of class 4");
-    }
-    for (const double t : {left, right})
-      if (h_w / t > 72.0 / 1.2 * eps(t)) gate("web that may buckle in shear");
-    if (project_.in_space) {
-      for (const double t : {top, bottom})
-        if (c_flange / t > 72.0 / 1.2 * eps(t)) gate("flange that may buckle in shear");
-    }
-    const Plane plane = plane_of({section.here, {}, {}, section.space, 1.0, 1.0}, false, false);
-    const auto stress = [&](const auto& cut, double y, double z) {
-      double sum = 0.0;
-      const double forces[] = {cut[cut_force::N], cut[cut_force::M_y], cut[cut_force::M_z]};
-      for (std::size_t k = 0; k < 3; ++k)
-        sum += forces[k] * (plane.of[k][0] + plane.of[k][1] * y + plane.of[k][2] * z);
-      return sum;
-    };
-    for (const double side : {1.0, -1.0}) {
-      const double t = side > 0.0 ? left : right;
-      const double ratio = h_w / t, e = eps(t);
-      if (ratio <= 42.0 * e) continue;
-      const double y = side * 0.5 * (W - t);
-      double largest = 0.0;
-      for (const Cuts& run : cuts_) {
-        for (const auto& cut : run.rowwise())
-          largest = std::max({largest, std::abs(stress(cut, y, 0.5 * H - top)),
-                              std::abs(stress(cut, y, -0.5 * H + bottom))});
-      }
-      for (std::size_t r = 0; r < cuts_.size(); ++r) {
-        const double design = project_.strength.required * project_.strength.gamma_M0 *
-                              sampled_[r].load_factor / rules_.yield_strength(t);
-        for (const auto& cut : cuts_[r].rowwise()) {
-          const double up = -stress(cut, y, 0.5 * H - top), low = -stress(cut, y, bottom - 0.5 * H);
-          const double most = std::max(up, low);
-          if (most <= 0.01 * largest) continue;  // compression that does not matter
-          const double psi = std::min(up, low) / most;
-          // The branches miss each other by 0.4 % at -1, where rounding does not decide.
-          const double limit = psi > -1.0 + 1e-9 ? 42.0 * e / (0.67 + 0.33 * psi)
-                                                 : 62.0 * e * (1.0 - psi) * std::sqrt(-psi);
-          // 5.5.2(9): of a part with less than its yield strength eps is larger.
-          if (ratio * std::sqrt(std::min(1.0, design * most)) > limit) gate("web of class 4");
-        }
-      }
-    }
-  }
-
   const Project& project_;
   const std::deque<SituationRun>& runs_;
   Density density_;
   Rules rules_;
   std::vector<Run> sampled_;
   std::vector<BendingZone> zones_;
+  std::vector<Combination> combined_;
+  std::vector<double> load_factors_;  ///< of all cuts
+  std::size_t segment_ = 0;           ///< looked at
   double all_cycles_ = 0.0;
   Station station_;
   struct Known {
@@ -683,39 +555,9 @@ bool Findings::fails() const {
                      [](const auto& each) { return each.second.utilisation > 1.0; });
 }
 
-namespace {
-
-/// A stiffened box with a web that may buckle in shear: judged by effective widths, of which the
-/// oracle knows nothing.
-bool has_slender_webs_and_bars(const Project& project, const Section& section) {
-  const auto* box = std::get_if<Box>(&section.outer);
-  if (box == nullptr || box->stiffeners.empty()) return false;
-  const Length depth = box->height - box->top_flange - box->bottom_flange;
-  const Length thinnest = std::min(box->left_web, box->right_web);
-  const auto yield = yield_strength_of(project.material, thinnest);
-  return !yield || depth / thinnest > 72.0 / 1.2 * std::sqrt(235e6 / yield->value());
-}
-
-}  // namespace
-
-bool covers(const Project& project) {
-  if (!project.given_stresses.empty() || !project.points.empty()) return false;
-  if (!project.welds.empty()) return false;
-  if (project.dynamics == Dynamics::newton_chain) return false;
-  for (const BeamHole& at : project.holes) {
-    const Section section = section_at(project.beam, {at.s, Side::both});
-    if (std::holds_alternative<Plate>(section.outer)) return false;
-  }
-  return std::all_of(
-      project.beam.segments.begin(), project.beam.segments.end(), [&](const Segment& s) {
-        return covers(s.from) && covers(s.to) && !has_slender_webs_and_bars(project, s.from) &&
-               !has_slender_webs_and_bars(project, s.to);
-      });
-}
-
 Findings look_everywhere(const Project& project, const std::deque<SituationRun>& runs,
-                         const Density& density) {
-  return Search(project, runs, density).findings();
+                         const Density& density, const Combining& combining) {
+  return Search(project, runs, density, combining).findings();
 }
 
 }  // namespace oracle

@@ -7,14 +7,16 @@
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/check.hpp"
 #include "boxbeam/verification/situation_run.hpp"
+#include "random_case.hpp"
 
 /// The largest utilisation of every criterion by looking everywhere: slow, without any search.
 ///
 /// It has of its own: which stations (a dense grid and, on both sides, every place where anything
 /// jumps or bends), which instants, which places of the section; the stresses there
 /// (section_stress.hpp); which detail, plate and weld hold where; how the cycles of the situations
-/// come together; the formulas of yield, throats, ranges, pins, rods, deflection, section class and
-/// need of a shear buckling check.
+/// come together; which load cases act together by EN 1990; the plates of other steels; the
+/// formulas of yield, throats, ranges, pins, rods, deflection, section class and need of a shear
+/// buckling check.
 ///
 /// It shares with the program: reading the case, the motion, the loads on the beam at an instant
 /// and their integration to cut forces; the section between two others; counting of cycles, S-N
@@ -65,6 +67,7 @@ struct Findings {
 bool covers(const boxbeam::Project& project);
 
 Findings look_everywhere(const boxbeam::Project& project,
-                         const std::deque<boxbeam::SituationRun>& runs, const Density& density);
+                         const std::deque<boxbeam::SituationRun>& runs, const Density& density,
+                         const Combining& combining = {});
 
 }  // namespace oracle

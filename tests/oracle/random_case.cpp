@@ -2,321 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <numbers>
-#include <random>
+
+#include "random_text.hpp"
 
 namespace oracle {
 namespace {
-
-/// Random numbers, alike on every machine.
-class Draw {
- public:
-  explicit Draw(std::uint64_t seed) : engine_(seed * 0x9E3779B97F4A7C15ULL + 1049) {
-    engine_.discard(8);
-  }
-
-  double real(double low, double high) {
-    return low + (high - low) * (static_cast<double>(engine_() >> 11U) * 0x1p-53);
-  }
-  /// Small and large ones alike.
-  double logarithmic(double low, double high) { return low * std::pow(high / low, real(0, 1)); }
-  int whole(int low, int high) {
-    return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
-  }
-  bool chance(double part) { return real(0, 1) < part; }
-  template <class T>
-  T one_of(std::initializer_list<T> of) {
-    return *(of.begin() + whole(0, static_cast<int>(of.size()) - 1));
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
-
-/// A length in millimetres, whole ones.
-std::string mm(double metres) { return fmt::format("\"{:.0f} mm\"", metres * 1e3); }
-double round_mm(double metres) { return std::round(metres * 1e3) * 1e-3; }
-std::string m(double metres) { return fmt::format("\"{:.4g} m\"", metres); }
-std::string kN(double newtons) { return fmt::format("\"{:.4g} kN\"", newtons * 1e-3); }
-
-enum class Family { box, tube, round, plate, nested };
-
-/// Writes the sections and the beam of a case.
-class BeamWriter {
- public:
-  BeamWriter(Draw& draw, double length, double size, bool space)
-      : draw_(draw), length_(length), space_(space) {
-    const double which = draw.real(0, 1);
-    family_ = which < 0.5    ? Family::box
-              : which < 0.65 ? Family::tube
-              : which < 0.75 ? Family::round
-              : which < 0.85 ? Family::plate
-                             : Family::nested;
-    width_ = round_mm(size * draw.real(0.5, 1.2));
-    size_ = size;
-    const double slender = draw.real(10.0, 30.0);
-    top_ = round_mm(std::max(0.005, width_ / slender));
-    bottom_ = draw.chance(0.4) ? round_mm(top_ * draw.real(0.7, 1.6)) : top_;
-    left_ = round_mm(std::max(0.004, size * draw.real(0.03, 0.07)));
-    right_ = draw.chance(0.25) ? round_mm(left_ * draw.real(0.7, 1.8)) : left_;
-    if (draw.chance(0.1)) top_ = bottom_ = round_mm(draw.real(0.026, 0.045));
-    bars_ = family_ == Family::box && draw.chance(0.25) ? draw.whole(1, 2) : 0;
-    bar_on_web_ = draw.chance(0.3);
-    throat_ =
-        family_ == Family::box && draw.chance(0.4) ? round_mm(left_ * draw.real(0.4, 0.9)) : 0;
-    write_segments();
-  }
-
-  std::string sections, segments;
-  double modulus() const { return modulus_; }
-  const std::vector<double>& borders() const { return borders_; }
-  bool has_webs() const { return family_ != Family::round && family_ != Family::plate; }
-
-  /// Holes in boxes and tubes, away from the ends.
-  std::string holes() {
-    if (family_ != Family::box && family_ != Family::tube) return "";
-    if (bars_ > 0 || !draw_.chance(0.3)) return "";
-    const double at = draw_.chance(0.3) && borders_.size() > 2
-                          ? borders_[1]
-                          : round_mm(length_ * draw_.real(0.1, 0.9));
-    const bool webs = space_ ? draw_.chance(0.6) : draw_.chance(0.75);
-    const double clear = webs ? least_height_ - top_ - bottom_ : width_ - left_ - right_;
-    const double diameter = round_mm(clear * draw_.real(0.15, 0.4));
-    if (diameter < 0.005) return "";
-    const double level = webs && draw_.chance(0.3) ? round_mm(0.15 * clear) : 0.0;
-    return fmt::format(
-        "\n[[beam.holes]]\nname = \"access\"\ndiameter = {}\nstation = {}\nthrough = \"{}\"\n"
-        "{} = [{}]\nconcentration = \"{}\"\n",
-        mm(diameter), m(at), webs ? "webs" : "flanges", webs ? "levels" : "offsets", mm(level),
-        webs ? "in-plane bending" : "membrane tension");
-  }
-
- private:
-  struct Profile {
-    double height, width, top, bottom, left, right;
-  };
-
-  Profile profile() {
-    Profile of{round_mm(size_ * draw_.real(0.6, 1.7)), width_, top_, bottom_, left_, right_};
-    if (draw_.chance(0.2)) of.width = round_mm(width_ * draw_.real(0.8, 1.2));
-    // Plates of a growing thickness pass the steps of the yield strength.
-    if (draw_.chance(0.1)) of.top = round_mm(top_ * draw_.real(0.8, 1.3));
-    if (draw_.chance(0.1)) of.left = round_mm(left_ * draw_.real(0.8, 1.3));
-    if (family_ == Family::plate) of.width = round_mm(std::max(0.012, size_ * 0.3));
-    // Clear height between the flanges.
-    of.height = std::max(of.height, 2.0 * (of.top + of.bottom));
-    least_height_ = std::min(least_height_, of.height);
-    return of;
-  }
-
-  std::string written(const std::string& name, const Profile& p) {
-    std::string text = fmt::format("\n[sections.{}]\n", name);
-    const double wall = std::max(p.left, 0.004);
-    switch (family_) {
-      case Family::box: {
-        text += fmt::format(
-            "kind = \"box\"\nwidth = {}\nheight = {}\ntop_flange = {}\nbottom_flange = {}\n"
-            "left_web = {}\nright_web = {}\n",
-            mm(p.width), mm(p.height), mm(p.top), mm(p.bottom), mm(p.left), mm(p.right));
-        if (throat_ > 0.0) text += fmt::format("seam_throat = {}\n", mm(throat_));
-        for (int i = 0; i < bars_; ++i) {
-          const bool web = bar_on_web_ && i == 0;
-          // No bar reaches another.
-          const double room = std::min({0.2 * size_, 0.4 * (p.width - p.left - p.right) - left_,
-                                        0.4 * (p.height - p.top - p.bottom)});
-          const double depth = round_mm(std::min(std::max(0.012, 6.0 * left_), room));
-          text += fmt::format(
-              "[[sections.{}.stiffeners]]\non = \"{}\"\nat = {}\ndepth = {}\nthickness = {}\n",
-              name, web ? "left web" : (i == 0 ? "top flange" : "bottom flange"),
-              mm(web ? 0.1 * least_possible() : 0.0), mm(depth), mm(left_));
-        }
-        break;
-      }
-      case Family::tube:
-        text += fmt::format("kind = \"rectangular tube\"\nwidth = {}\nheight = {}\nwall = {}\n",
-                            mm(p.width), mm(p.height), mm(wall));
-        break;
-      case Family::round:
-        text += fmt::format("kind = \"round tube\"\ndiameter = {}\nwall = {}\n", mm(p.height),
-                            mm(wall));
-        break;
-      case Family::plate:
-        text +=
-            fmt::format("kind = \"plate\"\nwidth = {}\nheight = {}\n", mm(p.width), mm(p.height));
-        break;
-      case Family::nested: {
-        text +=
-            fmt::format("kind = \"nested\"\nouter = \"{0}_outer\"\ninner = \"{0}_inner\"\n", name);
-        text += fmt::format(
-            "\n[sections.{}_outer]\nkind = \"box\"\nwidth = {}\nheight = {}\ntop_flange = {}\n"
-            "bottom_flange = {}\nleft_web = {}\nright_web = {}\n",
-            name, mm(p.width), mm(p.height), mm(p.top), mm(p.bottom), mm(p.left), mm(p.right));
-        const double room =
-            std::min(p.width - p.left - p.right, p.height - p.top - p.bottom) - 0.012;
-        text += fmt::format("\n[sections.{}_inner]\n", name);
-        if (inner_round_) {
-          text += fmt::format("kind = \"round tube\"\ndiameter = {}\nwall = {}\n", mm(0.8 * room),
-                              mm(std::max(0.004, 0.06 * room)));
-        } else {
-          text += fmt::format("kind = \"box\"\nwidth = {}\nheight = {}\nflange = {}\nweb = {}\n",
-                              mm(0.8 * room), mm(0.7 * room), mm(std::max(0.004, 0.06 * room)),
-                              mm(std::max(0.004, 0.05 * room)));
-        }
-        break;
-      }
-    }
-    return text;
-  }
-
-  double least_possible() const { return 0.6 * size_; }
-
-  void write_segments() {
-    inner_round_ = draw_.chance(0.5);
-    const int count = draw_.whole(1, 4);
-    borders_ = {0.0};
-    for (int i = 1; i < count; ++i)
-      borders_.push_back(round_mm(length_ * (i + draw_.real(-0.3, 0.3)) / count));
-    borders_.push_back(length_);
-    int number = 0;
-    const auto add = [&](const Profile& p) {
-      const std::string name = fmt::format("A{}", ++number);
-      sections += written(name, p);
-      return name;
-    };
-    Profile at = profile();
-    std::string name = add(at);
-    for (int i = 0; i < count; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      if (i > 0 && draw_.chance(0.25)) {
-        at = profile();
-        name = add(at);
-      }
-      const Profile first = at;
-      std::string end = name;
-      if (draw_.chance(0.65)) {
-        at = profile();
-        end = add(at);
-      }
-      segments += fmt::format("\n[[beam.segments]]\nname = \"part {}\"\nlength = {}\n", i + 1,
-                              mm(borders_[k + 1] - borders_[k]));
-      segments += name == end ? fmt::format("section = \"{}\"\n", name)
-                              : fmt::format("from = \"{}\"\nto = \"{}\"\n", name, end);
-      name = end;
-      for (const Profile& p : {first, at}) {
-        const double W =
-            family_ == Family::plate   ? p.width * p.height * p.height / 6.0
-            : family_ == Family::round ? 0.78 * p.height * p.height * std::max(p.left, 0.004)
-            : family_ == Family::tube
-                ? p.height * std::max(p.left, 0.004) * (p.width + 0.33 * p.height)
-                : p.height *
-                      (0.5 * (p.top + p.bottom) * p.width + 0.17 * (p.left + p.right) * p.height);
-        modulus_ = modulus_ == 0.0 ? W : 0.5 * (modulus_ + W);
-      }
-    }
-  }
-
-  Draw& draw_;
-  double length_, size_ = 0.0, width_ = 0.0;
-  bool space_;
-  Family family_ = Family::box;
-  double top_ = 0.0, bottom_ = 0.0, left_ = 0.0, right_ = 0.0, throat_ = 0.0;
-  int bars_ = 0;
-  bool bar_on_web_ = false, inner_round_ = false;
-  double least_height_ = 1e9, modulus_ = 0.0;
-  std::vector<double> borders_;
-};
-
-/// Material, strength and fatigue with its details.
-std::string demands(Draw& draw, const BeamWriter& beam, double length, bool situations) {
-  const auto category = [&] {
-    return draw.one_of({160, 140, 125, 112, 100, 90, 80, 71, 63, 56, 50, 45, 40, 36});
-  };
-  const auto as_detail = [&](bool row) {
-    return row ? std::string("row = \"8.3/5\"\n") : fmt::format("category = {}\n", category());
-  };
-  std::string text = fmt::format("\n[material]\nsteel = \"{}\"\n\n[strength]\nrequired = {:.3g}\n",
-                                 draw.chance(0.7) ? "S355" : "S235", draw.real(1.0, 1.6));
-  if (draw.chance(0.5)) text += "shear_lag = false\n";
-  text += "\n[fatigue]\n" + as_detail(draw.chance(0.08));
-  if (draw.chance(0.15)) text += "stress_relieved = true\n";
-  if (!situations) text += fmt::format("cycles = {:.3g}\n", draw.logarithmic(1e4, 1e8));
-  text += fmt::format("loading = \"{}\"\ngamma_Ff = 1.0\ngamma_Mf = {}\nrequired = 1.0\n",
-                      draw.chance(0.7) ? "spectrum" : "constant amplitude",
-                      draw.one_of({"1.0", "1.15", "1.35"}));
-  const int count = draw.whole(0, 4);
-  for (int i = 0; i < count; ++i) {
-    double from = length * draw.real(0, 1), to = length * draw.real(0, 1);
-    if (draw.chance(0.3)) from = 0.0;
-    if (draw.chance(0.25)) to = from + 0.05;
-    if (draw.chance(0.25)) {
-      from = beam.borders()[static_cast<std::size_t>(
-          draw.whole(0, static_cast<int>(beam.borders().size()) - 1))];
-    }
-    if (from > to) std::swap(from, to);
-    to = std::min(to, length);
-    text += fmt::format("\n[[fatigue.details]]\nname = \"detail {}\"\nfrom = {}\nto = {}\n", i + 1,
-                        m(round_mm(from)), m(round_mm(to)));
-    text += as_detail(draw.chance(0.15));
-    if (draw.chance(0.25)) {
-      const char* const on = draw.chance(0.5) ? "seams" : (draw.chance(0.6) ? "fibres" : "webs");
-      text += fmt::format("on = \"{}\"\n", beam.has_webs() ? on : "fibres");
-    }
-    if (draw.chance(0.1)) text += fmt::format("stress_factor = {:.2f}\n", draw.real(1.0, 1.6));
-    if (draw.chance(0.1)) text += "stress_relieved = true\n";
-  }
-  return text;
-}
-
-/// A function of time for a force of a size [N], of a period [s]: constant, harmonic or a table.
-std::string law(Draw& draw, RandomCase& of, double size, double period, bool must_change) {
-  const double which = must_change ? draw.real(0.3, 1.0) : draw.real(0, 1);
-  if (which < 0.3) return fmt::format("size = {}\n", kN(size));
-  if (which < 0.75) {
-    return fmt::format(
-        "law = {{ kind = \"harmonic\", mean = {}, amplitude = {}, frequency = \"{:.6g} Hz\", phase "
-        "= \"{:.0f} deg\" }}\n",
-        kN(size * draw.real(-0.6, 1.0)), kN(size * draw.real(0.3, 1.0)), 1.0 / period,
-        draw.real(0, 360));
-  }
-  const int rows = draw.whole(8, 24);
-  std::string table = "time [s], force [kN]\n";
-  std::vector<double> values;
-  // A few harmonics, so that no curve through the points swings far beyond them.
-  const double a = draw.real(0, 1), b = draw.real(-0.5, 0.5), c = draw.real(-0.3, 0.3);
-  for (int i = 0; i < rows; ++i) {
-    const double x = 2.0 * std::numbers::pi * i / rows;
-    values.push_back(
-        size * (0.3 * a + 0.6 * std::sin(x) + b * std::sin(2.0 * x + 1.0) + c * std::cos(3.0 * x)));
-  }
-  values.push_back(values.front());
-  for (int i = 0; i <= rows; ++i)
-    table += fmt::format("{:.9g}, {:.6g}\n", period * i / rows,
-                         1e-3 * values[static_cast<std::size_t>(i)]);
-  const std::string file = fmt::format("{}-{}.csv", of.name, of.tables.size() + 1);
-  of.tables.emplace_back(file, table);
-  return fmt::format("law = {{ kind = \"table\", file = \"{}\", periodic = true }}\n", file);
-}
-
-/// Situations that change some key, and changes between and sequences of them.
-std::string situations(Draw& draw, const std::string& key, const std::vector<std::string>& values) {
-  std::string text;
-  int number = 0;
-  for (const std::string& value : values) {
-    text += fmt::format("\n[[situations]]\nname = \"S{}\"\ncycles = {:.3g}\nload_factor = {:.3g}\n",
-                        ++number, draw.logarithmic(1e3, 2e7), draw.real(1.0, 1.5));
-    if (!value.empty()) text += fmt::format("set = {{ \"{}\" = {} }}\n", key, value);
-  }
-  if (draw.chance(0.5)) {
-    text +=
-        fmt::format("\n[[situations]]\nname = \"change\"\ncycles = {:.3g}\n{} = [\"S1\", \"S2\"]\n",
-                    draw.logarithmic(1e3, 1e6), draw.chance(0.6) ? "between" : "sequence");
-  }
-  return text;
-}
 
 /// Of a chord, or as the supports say.
 std::string deflection(Draw& draw, double from, double to, bool chord) {
@@ -329,7 +21,7 @@ std::string deflection(Draw& draw, double from, double to, bool chord) {
 }
 
 /// A lever that a crank swings, as in the template.
-void write_lever(Draw& draw, RandomCase& of) {
+BeamWriter write_lever(Draw& draw, RandomCase& of) {
   const double length = round_mm(draw.real(2.0, 3.0));
   const double pin = round_mm(draw.real(1.35, 1.6));
   BeamWriter beam(draw, length, draw.real(0.12, 0.3), false);
@@ -392,10 +84,11 @@ void write_lever(Draw& draw, RandomCase& of) {
         draw.one_of({"A", "B", "C"}), mm(draw.real(0.02, 0.07)));
   }
   text += deflection(draw, 0.0, draw.chance(0.5) ? pin : length, true);
+  return beam;
 }
 
 /// A lever that a crank swings by a pin in its slot: the load slides along the beam.
-void write_quick_return(Draw& draw, RandomCase& of) {
+BeamWriter write_quick_return(Draw& draw, RandomCase& of) {
   const double length = round_mm(draw.real(1.9, 2.6));
   BeamWriter beam(draw, length, draw.real(0.12, 0.3), false);
   const double radius = round_mm(draw.real(0.2, 0.5));
@@ -427,10 +120,11 @@ void write_quick_return(Draw& draw, RandomCase& of) {
     text += situations(draw, "drivers.motor.rate",
                        {"", fmt::format("\"{:.4g} rpm\"", draw.real(10, 50))});
   }
+  return beam;
 }
 
 /// A beam that stands still under forces that change: clamped, or on two supports.
-void write_standing(Draw& draw, RandomCase& of) {
+BeamWriter write_standing(Draw& draw, RandomCase& of) {
   const double length = round_mm(draw.real(1.5, 5.0));
   BeamWriter beam(draw, length, draw.real(0.12, 0.4), false);
   const bool clamped = draw.chance(0.5);
@@ -474,10 +168,11 @@ void write_standing(Draw& draw, RandomCase& of) {
   text += demands(draw, beam, length, several);
   if (several) text += situations(draw, "mechanism.gravity", {"", "[\"0 m/s^2\", \"0 m/s^2\"]"});
   text += deflection(draw, 0.0, clamped ? length : support, !clamped && draw.chance(0.5));
+  return beam;
 }
 
 /// The jib of a slewing crane.
-void write_jib(Draw& draw, RandomCase& of) {
+BeamWriter write_jib(Draw& draw, RandomCase& of) {
   const double length = round_mm(draw.real(2.0, 6.0));
   BeamWriter beam(draw, length, draw.real(0.12, 0.35), true);
   const double frequency = draw.one_of({0.04, 0.05, 0.08, 0.1, 0.125, 0.2});
@@ -528,10 +223,11 @@ void write_jib(Draw& draw, RandomCase& of) {
     text += situations(draw, "drivers.slewing.amplitude",
                        {"", fmt::format("\"{:.0f} deg\"", draw.real(10, 170))});
   }
+  return beam;
 }
 
 /// A boom of elastic links on a jack.
-void write_boom(Draw& draw, RandomCase& of) {
+BeamWriter write_boom(Draw& draw, RandomCase& of) {
   const double length = 3.5;
   BeamWriter beam(draw, length, draw.real(0.14, 0.3), false);
   const double frequency = std::round(draw.real(3, 30));
@@ -565,6 +261,7 @@ void write_boom(Draw& draw, RandomCase& of) {
     text += situations(draw, "motion.frequency",
                        {"", fmt::format("\"{:.0f} Hz\"", std::round(draw.real(3, 30)))});
   }
+  return beam;
 }
 
 }  // namespace
@@ -573,17 +270,25 @@ RandomCase random_case(std::uint64_t number) {
   Draw draw(number);
   RandomCase of;
   of.name = fmt::format("random-{}", number);
+  // Numbers of their own, so that the beams stay what they are when a part is added.
+  Draw of_parts(number + 0x5bd1e995ULL);
+  if (of_parts.chance(0.05)) {
+    write_strut(draw, of);
+    return of;
+  }
+  if (of_parts.chance(0.15)) {
+    const BeamWriter beam =
+        of_parts.chance(0.6) ? write_given_loads(draw, of) : write_frame(draw, of);
+    add_parts(of_parts, beam, of);
+    return of;
+  }
   const double which = draw.real(0, 1);
-  if (which < 0.28)
-    write_standing(draw, of);
-  else if (which < 0.5)
-    write_lever(draw, of);
-  else if (which < 0.6)
-    write_quick_return(draw, of);
-  else if (which < 0.92)
-    write_jib(draw, of);
-  else
-    write_boom(draw, of);
+  const BeamWriter beam = which < 0.28   ? write_standing(draw, of)
+                          : which < 0.5  ? write_lever(draw, of)
+                          : which < 0.6  ? write_quick_return(draw, of)
+                          : which < 0.92 ? write_jib(draw, of)
+                                         : write_boom(draw, of);
+  add_parts(of_parts, beam, of);
   return of;
 }
 

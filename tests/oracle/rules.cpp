@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace oracle {
@@ -11,9 +12,12 @@ using namespace boxbeam;
 Rules::Rules(const Project& project) : project_(&project) {
   const BeamDetail& beam = project.fatigue.beam;
   along_flat_.detail.curve = en_1993_1_9_direct(100.0);
+  thin_diaphragm_.detail.curve = en_1993_1_9_direct(80.0);
+  thick_diaphragm_.detail.curve = en_1993_1_9_direct(71.0);
   const bool nominal =
       beam.detail.where == StressPlace::gross || beam.detail.where == StressPlace::net;
-  if (nominal) along_flat_.stress_factor = std::max(1.0, beam.stress_factor);
+  for (BeamDetail* const of : {&along_flat_, &thin_diaphragm_, &thick_diaphragm_})
+    if (nominal) of->stress_factor = std::max(1.0, beam.stress_factor);
 }
 
 Resisting Rules::detail_at(const Station& station, PlaceKind kind, double plate, bool at_flat) {
@@ -45,6 +49,12 @@ Resisting Rules::detail_at(const Station& station, PlaceKind kind, double plate,
   }
   if (beside) look_at(fatigue.beam);
   if (at_flat) look_at(along_flat_);
+  for (const Diaphragm& of : project_->beam.diaphragms) {
+    if (of.s != station.s) continue;
+    const double t = of.thickness.value(), a = of.throat.value();
+    const double between_toes = t + 2.0 * (a > 0.0 ? std::numbers::sqrt2 * a : t);
+    look_at(between_toes > 50e-3 ? thick_diaphragm_ : thin_diaphragm_);
+  }
   weakest.compression_reduced = reduced;
   weakest.range_factor = largest;
   return weakest;
@@ -68,34 +78,55 @@ double Rules::strength_at(const Detail& detail, double plate, double cycles) {
   return strengths_.emplace(key, strength).first->second;
 }
 
-double Rules::yield_strength(double plate) const {
-  return yield_strength_of(project_->material, si<Length>(plate))->value();
+const Material& Rules::material_of(std::size_t segment, PlateKind wall) const {
+  for (auto part = project_->part_materials.rbegin(); part != project_->part_materials.rend();
+       ++part)
+    if (part->segments[segment] && part->plates[static_cast<std::size_t>(wall)])
+      return part->material;
+  return project_->material;
 }
 
-double Rules::tensile_strength(double plate) const {
-  return tensile_strength_of(project_->material, si<Length>(plate))->value();
+double Rules::yield_strength(std::size_t segment, PlateKind wall, double plate) const {
+  return yield_strength_of(material_of(segment, wall), si<Length>(plate))->value();
 }
 
-double pin_utilisation(double force, const PinInput& pin) {
+double Rules::yield_strength(std::size_t segment, const Place& place) const {
+  const double own = yield_strength(segment, place.wall, place.plate);
+  if (!place.beside || &material_of(segment, *place.beside) == &material_of(segment, place.wall))
+    return own;
+  return std::min(own, yield_strength(segment, *place.beside, place.beside_plate));
+}
+
+double Rules::weld_strength(std::size_t segment, const Place& throat) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const PlateKind wall : {throat.wall, throat.beside.value_or(throat.wall)}) {
+    const Material& of = material_of(segment, wall);
+    least =
+        std::min(least, tensile_strength_of(of, si<Length>(throat.joined))->value() / of.beta_w);
+  }
+  return least;
+}
+
+double pin_utilisation(double force, const PinInput& pin, const StrengthDemand& factors) {
   const PinJoint& of = pin.geometry;
   const PinStrength& strength = pin.strength;
   const double d = of.diameter.value(), a = of.outer_plate.value(), b = of.inner_plate.value();
   const double f_yp = strength.pin_yield.value();
   const double shear =
       0.5 * force /
-      (0.6 * std::numbers::pi / 4.0 * d * d * strength.pin_tensile.value() / strength.gamma_M2);
+      (0.6 * std::numbers::pi / 4.0 * d * d * strength.pin_tensile.value() / factors.gamma_M2);
   const double moment = force / 8.0 * (b + 4.0 * of.gap.value() + 2.0 * a);
   const double bending =
-      moment / (1.5 * std::numbers::pi / 32.0 * d * d * d * f_yp / strength.gamma_M0);
+      moment / (1.5 * std::numbers::pi / 32.0 * d * d * d * f_yp / factors.gamma_M0);
   const auto bearing = [&](double on, double t, Stress yield) {
-    return on / (1.5 * t * d * std::min(f_yp, yield.value()) / strength.gamma_M0);
+    return on / (1.5 * t * d * std::min(f_yp, yield.value()) / factors.gamma_M0);
   };
   const double inner = bearing(force, b, strength.inner_yield);
   const double outer = bearing(0.5 * force, a, strength.outer_yield);
   return pin.required * std::max({shear, bending, inner, outer, std::hypot(shear, bending)});
 }
 
-double rod_utilisation(double compression, const RodInput& rod) {
+double rod_utilisation(double compression, const RodInput& rod, const StrengthDemand& factors) {
   const LocalSection section{rod.section, {}, {}, false, 1.0, 1.0};
   const Plane plane = plane_of(section, false, false);
   // Of a symmetric section sigma_N = 1/A, dsigma/dz of M_y = 1/I_y, dsigma/dy of M_z = -1/I_z.
@@ -105,8 +136,8 @@ double rod_utilisation(double compression, const RodInput& rod) {
   if (compression <= 0.0) {
     // 6.2.3: the gross section yields, or the net one breaks.
     const double net = rod.net_area ? rod.net_area->value() : A;
-    const double resistance =
-        std::min(A * f_y / rod.gamma_M0, 0.9 * net * rod.tensile_strength.value() / rod.gamma_M2);
+    const double resistance = std::min(A * f_y / factors.gamma_M0,
+                                       0.9 * net * rod.tensile_strength.value() / factors.gamma_M2);
     return rod.required * -compression / resistance;
   }
   const double critical = std::numbers::pi * std::numbers::pi * 210e9 * I / (L * L);
@@ -115,7 +146,7 @@ double rod_utilisation(double compression, const RodInput& rod) {
   const double alpha = imperfection[static_cast<std::size_t>(rod.curve)];
   const double phi = 0.5 * (1.0 + alpha * (slenderness - 0.2) + slenderness * slenderness);
   const double chi = std::min(1.0, 1.0 / (phi + std::sqrt(phi * phi - slenderness * slenderness)));
-  return rod.required * compression / (chi * A * f_y / rod.gamma_M1);
+  return rod.required * compression / (chi * A * f_y / factors.gamma_M1);
 }
 
 }  // namespace oracle

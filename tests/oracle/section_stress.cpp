@@ -23,7 +23,19 @@ using boxbeam::RoundTube;
 using boxbeam::Section;
 namespace cut_force = boxbeam::cut_force;
 
+using boxbeam::PlateKind;
+
 constexpr double pi = std::numbers::pi;
+
+/// The plate of a welded box that a piece of its ring is.
+PlateKind kind_of(const std::string& piece, bool inner, bool welded) {
+  if (inner) return PlateKind::inner;
+  if (!welded) return PlateKind::wall;
+  return piece == "top"      ? PlateKind::top_flange
+         : piece == "bottom" ? PlateKind::bottom_flange
+         : piece == "left"   ? PlateKind::left_web
+                             : PlateKind::right_web;
+}
 
 /// The places of a section's walls.
 class Gathering {
@@ -71,8 +83,15 @@ class Gathering {
  private:
   Place& add(const std::string& name, PlaceKind kind, double y, double z, double plate,
              const Factors& shear) {
-    places.push_back({name, kind, y, z, plate, normal_at(normal_, y, z), shear, "", 0.0});
-    return places.back();
+    Place& place = places.emplace_back();
+    place.name = name;
+    place.kind = kind;
+    place.y = y;
+    place.z = z;
+    place.plate = plate;
+    place.normal = normal_at(normal_, y, z);
+    place.shear = shear;
+    return place;
   }
 
   /// What is left for twist. Forces that do not flow along walls are carried across them.
@@ -104,7 +123,8 @@ class Gathering {
         const double f = static_cast<double>(i) / around_, angle = 2.0 * pi * f;
         add(fmt::format("{}wall at {:.1f} deg", before, 360.0 * f), PlaceKind::fibre,
             radius * std::cos(angle), radius * std::sin(angle), round->wall.value(),
-            shear_at(inner, 0, f));
+            shear_at(inner, 0, f))
+            .wall = inner ? PlateKind::inner : PlateKind::wall;
       }
       return;
     }
@@ -117,8 +137,10 @@ class Gathering {
     const auto* welded = std::get_if<Box>(&profile);
     for (const double side : {1.0, -1.0}) {
       for (const double up : {1.0, -1.0}) {
-        add(fmt::format("{}corner {:+.0f} {:+.0f}", before, side, up), PlaceKind::fibre,
-            side * 0.5 * s.W, up * 0.5 * s.H, up > 0.0 ? s.top : s.bottom, {});
+        Place& corner =
+            add(fmt::format("{}corner {:+.0f} {:+.0f}", before, side, up), PlaceKind::fibre,
+                side * 0.5 * s.W, up * 0.5 * s.H, up > 0.0 ? s.top : s.bottom, {});
+        corner.wall = kind_of(up > 0.0 ? "top" : "bottom", inner, welded != nullptr);
       }
     }
     double perimeter = 2.0 * (s.W + s.H);
@@ -144,18 +166,29 @@ class Gathering {
         if (web && (section_.space || (on_face && !end)))
           y = piece.name == "left" ? 0.5 * s.W : -0.5 * s.W;
         const PlaceKind kind = !web ? PlaceKind::fibre : (end ? PlaceKind::seam : PlaceKind::web);
-        add(fmt::format("{}{} {:.3f} m", before, piece.name, web ? z : y), kind, y, z,
-            piece.thickness, shear_at(inner, i, f))
-            .at_flat = piece.bar && k == steps;
+        const PlateKind wall = kind_of(piece.name, inner, welded != nullptr);
+        const bool up = (k == 0) == (piece.name == "left");
+        const double flange = up ? s.top : s.bottom;
+        const PlateKind flange_kind = kind_of(up ? "top" : "bottom", inner, welded != nullptr);
+        const auto join = [&](Place& of) {
+          of.beside = flange_kind;
+          of.beside_plate = flange;
+        };
+        Place& here = add(fmt::format("{}{} {:.3f} m", before, piece.name, web ? z : y), kind, y, z,
+                          piece.thickness, shear_at(inner, i, f));
+        here.at_flat = piece.bar && k == steps;
+        here.wall = wall;
+        if (end) join(here);
         if (!end || welded == nullptr) continue;
         const double a = box.seam_throat.value() > 0.0 ? box.seam_throat.value() : piece.thickness;
         Factors tau = flow_at(inner, i, f);
         for (double& each : tau) each /= a;
-        const double flange = (k == 0) == (piece.name == "left") ? s.top : s.bottom;
         Place& throat = add(fmt::format("{}{} throat {:.3f} m", before, piece.name, z),
                             PlaceKind::throat, y, z, piece.thickness, tau);
         throat.normal.fill(0.0);
         throat.joined = std::max(piece.thickness, flange);
+        throat.wall = wall;
+        join(throat);
       }
     }
     add_branches(inner, before);
@@ -175,7 +208,8 @@ class Gathering {
                      face * branch.thickness * flow.per_whole_I_T() * torque_[k];
           }
           add(fmt::format("{}stiffener {:.3f} {:.3f}", before, at.x(), at.y()), PlaceKind::fibre,
-              at.x(), at.y(), branch.thickness, tau);
+              at.x(), at.y(), branch.thickness, tau)
+              .wall = PlateKind::stiffener;
         }
       }
     }
@@ -290,8 +324,11 @@ std::vector<HoleCentre> centres_of(const LocalSection& section, const Hole& hole
       const double f = ((web ? z : y) - from) / (to - from);
       if (f < 0.0 || f > 1.0) continue;
       HoleCentre centre{
-          wall, y,  z, piece.thickness, web, web ? s.in_top - s.in_bottom : s.in_left - s.in_right,
-          {},   {}, {}};
+          wall, y,
+          z,    piece.thickness,
+          web,  web ? s.in_top - s.in_bottom : s.in_left - s.in_right,
+          {},   {},
+          {},   kind_of(wall, false, std::holds_alternative<Box>(section.here.outer))};
       centre.normal = normal_at(gross_plane, y, z);
       centre.shear = gathering.shear_at(false, i, f);
       const Eigen::Index row = web ? 2 : 1;

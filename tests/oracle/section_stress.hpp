@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "boxbeam/section/cut_forces.hpp"
+#include "boxbeam/section/plate_kind.hpp"
 #include "boxbeam/section/section.hpp"
 
 /// Stresses of boxes, tubes and plates by formulas of its own, for the oracle: rectangles summed
@@ -35,6 +37,10 @@ struct Place {
   std::string hole;      ///< on the edge of this one
   double joined = 0.0;   ///< of a throat: the thicker of the plates that it joins
   bool at_flat = false;  ///< a stiffener is welded on there
+  /// The plate it is in, and what that is welded to where the place is an end of it.
+  boxbeam::PlateKind wall = boxbeam::PlateKind::wall;
+  std::optional<boxbeam::PlateKind> beside = {};
+  double beside_plate = 0.0;  ///< its thickness [m]
 };
 
 /// A section seen from one side of a station, with two more of its segment for derivatives.
@@ -64,6 +70,7 @@ struct HoleCentre {
   bool along_z = true;  ///< the wall runs along z (a web)
   double clear = 0.0;   ///< clear width of the wall [m]
   Factors normal{}, shear{}, gradient{};
+  boxbeam::PlateKind kind = boxbeam::PlateKind::wall;
 };
 
 /// The walls that a hole goes through.

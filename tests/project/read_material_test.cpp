@@ -58,4 +58,53 @@ TEST_CASE("[material] a plate of 100 mm is beyond EN 1993-1-1, not beyond both s
   }
 }
 
+namespace {
+
+/// What is said of the small case with other words instead of `part`, "" where it is read.
+std::string refusal(const std::string& part, const std::string& words) {
+  try {
+    parse_project("small.toml", with(part, words));
+  } catch (const InputError& error) {
+    CHECK(error.problems().size() == 1);
+    return error.problems().front().message + "; " + error.problems().front().hint;
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE(
+    "[material] the modulus of a material of one's own is said where the density is no steel's") {
+  const std::string own =
+      "name = \"EN AW-6082\"\nfy = \"250 MPa\"\nfu = \"290 MPa\"\nup_to = \"50 mm\"\n"
+      "source = \"EN 1999-1-1\"\n";
+  const std::string beam = "density = \"7850 kg/m^3\"\n";
+  const auto said = [&](const std::string& density, const std::string& more) {
+    std::string text = with("steel = \"S355\"\n", own + more);
+    text.replace(text.find(beam), beam.size(), "density = \"" + density + "\"\n");
+    try {
+      const Project project = parse_project("small.toml", text);
+      return std::string();
+    } catch (const InputError& error) {
+      return error.problems().front().message + "; " + error.problems().front().hint;
+    }
+  };
+  CHECK(said("7850 kg/m^3", "").empty());
+  CHECK(said("8000 kg/m^3", "").empty());  // stainless
+  CHECK(said("2700 kg/m^3", "")
+            .find("2700 kg/m^3, is not that of steel, and Young's modulus of "
+                  "EN AW-6082 is not said; write youngs_modulus") != std::string::npos);
+  CHECK_FALSE(said("8900 kg/m^3", "").empty());
+  CHECK(said("2700 kg/m^3", "youngs_modulus = \"70 GPa\"\n").empty());
+  CHECK(said("1e-3 kg/m^3", "[model]\nyoungs_modulus = \"210 GPa\"\n").empty());
+}
+
+TEST_CASE("[[part_materials]] that name no plate or no segment are refused") {
+  const std::string end = "[strength]\n";
+  const std::string part = "[[part_materials]]\nsteel = \"S235\"\n";
+  CHECK(refusal(end, part + "plates = [\"walls\"]\n" + end).empty());
+  CHECK(refusal(end, part + "plates = []\n" + end).find("no plate is of this material") == 0);
+  CHECK(refusal(end, part + "segments = []\n" + end).find("no segment is of this material") == 0);
+}
+
 }  // namespace read_material_test

@@ -91,6 +91,17 @@ TEST_CASE("fillets of a diaphragm: category 80 where it stands, 71 where it is t
   CHECK(use_at(16.0, 160) == Approx(range / 80.0).epsilon(1e-6));
   CHECK(use_at(17.0, 160) == Approx(range / 71.0).epsilon(1e-6));
   CHECK(use_at(40.0, 160) == Approx(range / 71.0).epsilon(1e-6));
+  // Of a throat of 16 mm the legs are 22.6 mm: 55 mm between the toes of 10 mm, 35 mm of a
+  // throat of 5 mm beside 21 mm.
+  const auto use_with = [&](double thickness, double throat) {
+    const std::string plate =
+        diaphragms({2.0}, thickness) + fmt::format("throat = \"{} mm\"\n", throat);
+    const Verification of =
+        verified(lifted(plain_box("a"), segment(length, "a") + plate, force, 160));
+    return worst_at(of, 2.0)->check.utilisation();
+  };
+  CHECK(use_with(10.0, 16.0) == Approx(range / 71.0).epsilon(1e-6));
+  CHECK(use_with(21.0, 5.0) == Approx(range / 80.0).epsilon(1e-6));
   // The weaker of it and of what the case has there.
   CHECK(use_at(10.0, 63) == Approx(range / 63.0).epsilon(1e-6));
   const auto own = [](int category) {

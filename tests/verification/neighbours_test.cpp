@@ -114,6 +114,49 @@ TEST_CASE("a pin bears the largest reaction of its joint, by EN 1993-1-8 table 3
   CHECK_FALSE(check.on_beam);
 }
 
+TEST_CASE("a pin that says no partial factors has those of [strength]") {
+  std::string text = with(pin_lines);
+  const std::string strength = "[strength]\n";
+  text.replace(text.find(strength), strength.size(),
+               strength + "gamma_M0 = 1.1\ngamma_M1 = 1.2\ngamma_M2 = 2.5\n");
+  const Project project = parse_project("rig.toml", text);
+  const Check check = check_pins(project, run_situations(project)).results.front().check;
+  // Shear in two planes and bending together, as above by hand: EN 1993-1-8, table 3.10.
+  const double d = 0.08, F = check.acting.value();
+  const double shear = 0.5 * F / (0.6 * std::numbers::pi * d * d / 4.0 * 470e6 / 2.5);
+  const double bending = F * (0.06 + 4.0 * 0.002 + 2.0 * 0.03) / 8.0 /
+                         (1.5 * std::numbers::pi * d * d * d / 32.0 * 325e6 / 1.1);
+  const double bearing = F / (1.5 * 0.06 * d * 325e6 / 1.1);
+  CHECK(check.safety_factor ==
+        Approx(1.0 / std::max({std::hypot(shear, bending), shear, bearing})).epsilon(1e-9));
+  // Its own ones hold before these.
+  std::string said = text;
+  const std::string required = "gap = \"2 mm\"\n";
+  said.replace(said.find(required), required.size(), required + "gamma_M2 = 1.25\n");
+  CHECK(parse_project("rig.toml", said).pins[0].strength.gamma_M2 == 1.25);
+}
+
+TEST_CASE("plates of a pin that are not given stand in the verdict line") {
+  const auto said = [](const std::string& lugs) {
+    const Project project = read(pin_lines + lugs);
+    std::string all;
+    for (const NotJudged& of : check_pins(project, run_situations(project)).not_judged)
+      all += of.what + ": " + of.reason + "\n";
+    return all;
+  };
+  const std::string inner =
+      "[[pins.lugs]]\nplate = \"inner\"\nwidth = \"200 mm\"\nend = \"80 mm\"\n";
+  const std::string outer =
+      "[[pins.lugs]]\nplate = \"outer\"\nwidth = \"200 mm\"\nend = \"80 mm\"\n";
+  const std::string where =
+      " of pin hub pin beside and before its hole (EN 1993-1-8, table 3.9): [[pins.lugs]] are not "
+      "given\n";
+  CHECK(said("") == "plates" + where);
+  CHECK(said(inner) == "outer plates" + where);
+  CHECK(said(outer) == "inner plate" + where);
+  CHECK(said(inner + outer).empty());
+}
+
 TEST_CASE("the factor of a pin is one on the force: with it the joint is just used up") {
   const Project project = read(pin_lines);
   const std::deque<SituationRun> runs = run_situations(project);

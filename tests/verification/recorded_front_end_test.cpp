@@ -213,6 +213,10 @@ TEST_CASE("what is wrong in a case of given loads is said with what to write", "
       contains(complaint(folder, "[files.measured]\npath = \"bare.csv\"\n" + push + root), "unit"));
   CHECK(complaint(folder, "[files.measured]\npath = \"bare.csv\"\nforce_unit = \"1 kN\"\n" + push +
                               root) == "");
+  // The file has its force in kN: as much a unit is without effect, another one is a contradiction.
+  CHECK(complaint(folder, file + "force_unit = \"1000 N\"\n" + push + root) == "");
+  CHECK(contains(complaint(folder, file + "force_unit = \"1 N\"\n" + push + root),
+                 "\"force\" has another, kN"));
   CHECK(contains(complaint(folder, file +
                                        "[files.late]\npath = \"late.csv\"\n"
                                        "[loads.push]\nstation = \"1 m\"\nfile = \"measured\"\n"

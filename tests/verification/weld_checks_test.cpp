@@ -324,6 +324,13 @@ TEST_CASE("a throat below 3 mm, and a toe whose length nobody gave, are said") {
   // EN 1993-1-8, 4.5.2(2).
   CHECK(said("2.9 mm", "", "below 3 mm"));
   CHECK_FALSE(said("3 mm", "", "below 3 mm"));
+  const auto diaphragm = [](const std::string& throat) {
+    return "[[beam.diaphragms]]\nstation = \"0 m\"\nthickness = \"8 mm\"\nthroat = \"" + throat +
+           "\"\n";
+  };
+  const std::string of_diaphragm = "the weld of the diaphragm at s = 0 m has a throat of";
+  CHECK(said("6 mm", diaphragm("2 mm"), of_diaphragm));
+  CHECK_FALSE(said("6 mm", diaphragm("3 mm"), of_diaphragm));
   const std::string unknown = "to know: attachment_length";
   CHECK(said("6 mm", "", unknown));
   CHECK_FALSE(said("6 mm", "attachment_length = \"40 mm\"\n", unknown));

@@ -168,6 +168,8 @@ TEST_CASE("what can hardly be meant is remarked, what is usual is not", "[extrem
   CHECK(has(remarks({"beam.density=78500 kg/m^3"}), "the density of the beam"));
   CHECK(has(remarks({"bodies.load.inertia=3e12 kg m^2", "model.demand=rigid"}),
             "more than any solid bears"));
+  CHECK(has(remarks({"strength.gamma_M1=0.1"}), "odd: gamma_M1 = 0.1 of [strength] is below 1"));
+  CHECK(has(remarks({"fatigue.required=0.5"}), "odd: required = 0.5 of [fatigue] is below 1"));
 }
 
 TEST_CASE("a pipe or a device in the place of a table is refused at once", "[extreme]") {
