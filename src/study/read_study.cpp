@@ -253,7 +253,7 @@ Variable read_variable(const std::string& name, TableReader& table,
   Variable variable;
   variable.name = name;
   static const std::set<std::string> reserved{"design", "status", "verdict", "governing",
-                                              "utilisation"};
+                                              "utilisation", "_pi", "_e"};
   constexpr std::array ways{"values", "grid", "column", "distribution", "expression"};
   if (!is_identifier(name) || reserved.count(name) > 0)
     table.problem("", fmt::format("\"{}\" cannot be the name of a variable", name),

@@ -84,6 +84,59 @@ TEST_CASE("among words a number is a word, and is set as one", "[study]") {
   CHECK(space.overrides(space.at(1)) == std::vector<std::string>{"load_cases.rule=6.10a/b"});
 }
 
+// Before, "t = 3" made t 3 and was fulfilled, and of two limits with a comma the last counted.
+TEST_CASE("an expression has one value, and changes no variable", "[study]") {
+  const auto limit = [](const std::string& text) {
+    return problem_of("[study]\nsamples = 8\n" +
+                      variable("t", "distribution = \"normal\"\nmean = 1\nsd = 0.1") +
+                      "[limit_state]\nexpression = \"" + text + "\"\n")
+        .message;
+  };
+  for (const char* good : {"t - 3", "(t == 3) - 0.5", "(t <= 3) + (t >= 4) - (t != 5)",
+                           "min(t, 3) - max(t, 2)", "t < 3 ? 1 : 2"})
+    CHECK(limit(good).empty());
+  for (const char* bad : {"t = 3", "t - 3, t - 4", "(t = 3)", "t =3 + t", "min(t = 3, 2)"})
+    CHECK_FALSE(limit(bad).empty());
+  const auto keep = [](const std::string& text) {
+    return problem_of("[study]\n" + variable("t", "values = [1, 2]") +
+                      "[results]\ncolumns = [\"f = 2*t\"]\nkeep = \"" + text + "\"\n")
+        .message;
+  };
+  CHECK(keep("f == 2").empty());
+  CHECK(keep("f = 2").find("\"==\"") != std::string::npos);
+  CHECK_FALSE(problem_of("[study]\n" + variable("t", "values = [1, 2]") +
+                         "[results]\ncolumns = [\"f = t = 3\"]\n")
+                  .message.empty());
+  CHECK_FALSE(problem_of(head + variable("_pi", "values = [1, 2]")).message.empty());
+}
+
+// A limit is what is not below zero: a condition, which is 0 where it does not hold, would always be.
+TEST_CASE("a condition is no limit", "[study]") {
+  const auto limit = [](const std::string& text) {
+    return problem_of("[study]\n" + variable("t", "grid = { from = 1, to = 2, count = 2 }") +
+                      "[optimise]\nminimise = \"t\"\nsubject_to = [\"" + text + "\"]\n")
+        .message;
+  };
+  const auto state = [](const std::string& text) {
+    return problem_of("[study]\nsamples = 8\n" +
+                      variable("t", "distribution = \"normal\"\nmean = 1\nsd = 0.1") +
+                      "[limit_state]\nexpression = \"" + text + "\"\n")
+        .message;
+  };
+  for (const char* bad : {"t >= 2", "t > 2", "(t > 2)", " ((t <= 2)) ", "t == 2", "t > 1 && t < 2",
+                          "(t > 1) || (t < 0)", "2*t != 1"}) {
+    CAPTURE(bad);
+    CHECK(limit(bad).find("never below zero") != std::string::npos);
+    CHECK(state(bad).find("never below zero") != std::string::npos);
+  }
+  for (const char* good : {"t - 2", "(t > 2) - 0.5", "(t > 2) * (t - 2)", "t > 2 ? 1 : -1",
+                           "min(t > 1, t < 2) - 1", "-(t - 2)"}) {
+    CAPTURE(good);
+    CHECK(limit(good).empty());
+    CHECK(state(good).empty());
+  }
+}
+
 TEST_CASE("a table of which no variable takes a column is refused", "[study]") {
   const test::TemporaryFolder folder;
   folder.write("designs.csv", "t [mm],w\n8,1\n");
