@@ -26,7 +26,7 @@ std::string cell_of(const std::string& column, const std::vector<VerifiedBeam>& 
   const Verification& worst = worst_of(beams).verification;
   const bool checked = !worst.checks.empty();
   if (column == "verdict") return to_text(worst.verdict);
-  if (column == "governing") return checked ? worst.checks.front().check.id : "";
+  if (column == "governing") return checked ? report::csv_cell(worst.checks.front().check.id) : "";
   if (column == "utilisation")
     return checked ? report::csv_cell(worst.checks.front().check.utilisation()) : "";
   const ResultValue* const value = book->find(column);

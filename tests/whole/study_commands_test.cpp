@@ -157,6 +157,22 @@ TEST_CASE("stresses that cannot be believed keep no limit of an optimum", "[stud
   CHECK(json::parse(ran.out).at("variables").at("t") == 5.0);
 }
 
+// The place that governs has a name that somebody gave it.
+TEST_CASE("a comma in the name of what governs ends no cell of a row", "[study]") {
+  const test::TemporaryFolder folder;
+  const std::string study = folder.write(
+      "study.toml", "[study]\ncase = \"" +
+                        test::project_file("sections/sledge-rig/rig-detailed.toml") +
+                        "\"\n[variables.a]\nkey = \"fatigue.gamma_Ff\"\nvalues = [1.0, 1.1]\n"
+                        "[results]\ncolumns = [\"governing\", \"verdict\"]\n");
+  const std::string out = folder.path() / "out";
+  REQUIRE(run_program({"sweep", study, "--out", out, "--quiet"}).exit_code == 0);
+  const std::string rows = test::read_file(out + "/rows.csv");
+  CHECK(
+      rows.find("1,1,\"fatigue/5.2/weld-around-the-tube-at-the-box-end,-top-flange\",fail,ok\n") !=
+      std::string::npos);
+}
+
 // Chunks of 200 designs are of 3, the last of 2: the second half of the chunks has 33 of 3.
 TEST_CASE("as many designs as are missing are said to be", "[study]") {
   const test::TemporaryFolder folder;
