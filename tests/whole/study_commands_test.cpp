@@ -173,6 +173,22 @@ TEST_CASE("a comma in the name of what governs ends no cell of a row", "[study]"
       std::string::npos);
 }
 
+TEST_CASE("numbers that have not the dimension of their key are refused before any design",
+          "[study]") {
+  const test::TemporaryFolder folder;
+  folder.write("beam.toml", cantilever(box));
+  for (const char* values : {"[8, 10]", "[\"8 kg\", \"10 kg\"]"}) {
+    const std::string study = folder.write("study.toml",
+                                           "[study]\ncase = \"beam.toml\"\n[variables.t]\nkey = "
+                                           "\"sections.of.flange\"\nvalues = " +
+                                               std::string(values) + "\n");
+    const auto ran = run_program({"sweep", study, "--out", folder.path() / "out"});
+    CHECK(ran.exit_code == 2);
+    CHECK(ran.err.find("sections.of.flange") != std::string::npos);
+    CHECK(ran.err.find("the case has \"10 mm\"") != std::string::npos);
+  }
+}
+
 // Chunks of 200 designs are of 3, the last of 2: the second half of the chunks has 33 of 3.
 TEST_CASE("as many designs as are missing are said to be", "[study]") {
   const test::TemporaryFolder folder;
