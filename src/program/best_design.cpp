@@ -27,20 +27,13 @@ double margin_of(double use) {
   return std::isfinite(use) ? std::max(farthest, -std::log(use)) : farthest;
 }
 
-AnalysisError not_judged(const Verification& of) {
-  const auto blocking =
-      std::find_if(of.gates.begin(), of.gates.end(), [](const Gate& gate) { return gate.blocks; });
-  return AnalysisError(
-      {blocking == of.gates.end() ? "not applicable" : blocking->finding, "not judged"});
-}
-
 /// The worst use of each criterion; one that judges nothing keeps its limit.
 void add_margins_of_checks(const std::vector<VerifiedBeam>& beams, Judged& judged) {
   std::array<double, criteria.size()> margins;
   margins.fill(1.0);
   for (const VerifiedBeam& beam : beams) {
     const Verification& of = beam.verification;
-    if (of.verdict == Verdict::not_applicable) throw not_judged(of);
+    if (of.verdict == Verdict::not_applicable) throw *not_judged(of);
     for (std::size_t i = 0; i < criteria.size(); ++i)
       if (const CheckResult* const worst = of.governing(criteria[i]))
         margins[i] = std::min(margins[i], margin_of(worst->check.utilisation()));
@@ -64,7 +57,30 @@ BestDesign::BestDesign(const Study& study)
   for (const std::string& limit : demand_->subject_to) limits_.push_back(limit);
   if (!numbers_.asks_results()) return;
   numbers_.require_case();
-  result_units_ = numbers_.units_in(trials_.verify({}).beams);
+  find_units();
+}
+
+/// Of the case as it is or, where it cannot be verified, of a design in the middle or at an end.
+void BestDesign::find_units() {
+  const auto known_by = [&](const std::vector<std::string>& set) {
+    VerifiedDesign of;
+    const std::string trouble = trouble_of([&] { of = trials_.verify(set); });
+    if (trouble.empty()) result_units_ = numbers_.units_in(of.beams);
+    return trouble.empty();
+  };
+  if (known_by({})) return;
+  for (const double share : {0.5, 0.0, 1.0}) {
+    std::vector<double> chosen;
+    for (const Choice& of : choices_)
+      chosen.push_back(of.values.empty() ? of.from + share * (of.to - of.from)
+                                         : of.values[static_cast<std::size_t>(
+                                               share * static_cast<double>(of.values.size() - 1))]);
+    std::vector<std::string> set;
+    if (trouble_of([&] { set = overrides_of(*study_, settings_of(chosen)); }).empty() &&
+        known_by(set))
+      return;
+  }
+  trials_.verify({});  // says why not
 }
 
 std::string BestDesign::goal_unit(const std::string& goal) const {

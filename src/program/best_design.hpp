@@ -31,6 +31,7 @@ class BestDesign {
 
  private:
   void add_choice(std::size_t i);
+  void find_units();
 
   const Study* study_;
   const OptimiseDemand* demand_;

@@ -23,7 +23,23 @@ std::optional<std::size_t> variable_of(const Study& study, const std::string& na
   return std::nullopt;
 }
 
+/// Whether a result would be another one under other stresses; masses and seams would not.
+bool rests_on_stresses(const std::string& key) {
+  return !key.starts_with("beam.") || key.starts_with("beam.stations");
+}
+
+void require_judged(const std::vector<VerifiedBeam>& beams) {
+  for (const VerifiedBeam& beam : beams)
+    if (const std::optional<AnalysisError> why = not_judged(beam.verification)) throw *why;
+}
+
 }  // namespace
+
+std::optional<AnalysisError> not_judged(const Verification& of) {
+  for (const Gate& gate : of.gates)
+    if (gate.blocks) return AnalysisError({gate.finding, "not judged"});
+  return std::nullopt;
+}
 
 DesignNumbers::DesignNumbers(const Study& study, const std::vector<std::string>& expressions)
     : study_(&study) {
@@ -74,10 +90,12 @@ std::vector<double> DesignNumbers::of(const std::vector<Setting>& design,
     if (const auto place = variable_of(*study_, name)) {
       numbers.push_back(design[*place].number);
     } else if (name == use) {
+      require_judged(beams);
       numbers.push_back(largest_use_of(beams));
     } else {
       const ResultValue* const value = book->find(name);
       if (value == nullptr) throw AnalysisError({fmt::format("there is no {}", name), ""});
+      if (rests_on_stresses(value->key)) require_judged(beams);
       numbers.push_back(value->value);
     }
   }

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "boxbeam/core/error.hpp"
 #include "boxbeam/study/design_space.hpp"
 #include "boxbeam/verification/verify.hpp"
 
@@ -27,7 +29,7 @@ class DesignNumbers {
   void require_case() const;
 
   /// Of a design and, where results are asked, its beams. Throws AnalysisError where a result is
-  /// missing.
+  /// missing, or rests on stresses that cannot be believed.
   std::vector<double> of(const std::vector<Setting>& design,
                          const std::vector<VerifiedBeam>& beams) const;
 
@@ -36,6 +38,9 @@ class DesignNumbers {
   std::vector<std::string> names_;
   std::vector<std::string> results_;  ///< of the names those that are no variables
 };
+
+/// Why the stresses of a beam cannot be believed; nothing where they can.
+std::optional<AnalysisError> not_judged(const Verification& of);
 
 /// Use of the check that is used most, of all beams.
 double largest_use_of(const std::vector<VerifiedBeam>& beams);

@@ -20,8 +20,9 @@ struct VerifiedDesign {
 };
 
 /// Of all its beams, without figures and remedies. The case is read from its file once; of designs
-/// that differ in what resists alone one runs, for each thread. May be asked by several threads at
-/// once.
+/// that differ in what resists alone one runs, for each thread. Where no two in a row of designs
+/// were such, nothing is kept until two are again: keeping costs a fifth of a small design. May be
+/// asked by several threads at once.
 class DesignTrials {
  public:
   explicit DesignTrials(CaseOptions options) : options_(std::move(options)) {}
@@ -38,11 +39,14 @@ class DesignTrials {
     std::string looked_at;
     std::unique_ptr<KeptRuns> runs;
   };
-  Kept take(std::string looked_at) const;
+  std::optional<Kept> take(std::string looked_at) const;
   void put_back(Kept kept) const;
+  bool is_worth_keeping(const std::string& looked_at) const;
 
   mutable std::mutex mutex_;
-  mutable std::deque<Kept> idle_;  ///< the last first
+  mutable std::deque<Kept> idle_;         ///< the last first
+  mutable std::deque<std::string> seen_;  ///< what the last designs set of it, the last first
+  mutable std::size_t unlike_ = 0;        ///< designs in a row that were like none of these
 };
 
 /// Does what may not be possible for a design: "", or the first thing that is wrong.

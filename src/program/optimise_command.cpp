@@ -186,6 +186,9 @@ OptimumReport report_of(const BestDesign& problem, Optimum optimum, std::vector<
   const VerifiedDesign found = problem.verified(design);
   const Verification& worst = worst_of(found.beams).verification;
   report.verdict = to_text(worst.verdict);
+  for (const VerifiedBeam& beam : found.beams)
+    for (const NotJudged& missing : beam.verification.not_judged)
+      report.not_judged.push_back(fmt::format("{}: {}", missing.what, missing.reason));
   if (!worst.checks.empty()) {
     report.governing = worst.checks.front().check.id;
     report.utilisation = worst.checks.front().check.utilisation();

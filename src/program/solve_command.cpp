@@ -140,25 +140,35 @@ class Search {
   }
 
  private:
-  VerifiedDesign verified_at(double value) const {
-    return trials_.verify({fmt::format("{}={}", options_->key,
-                                       to_text(WrittenQuantity{value, solution_.from.unit}))});
+  std::vector<std::string> set_to(double value) const {
+    return {
+        fmt::format("{}={}", options_->key, to_text(WrittenQuantity{value, solution_.from.unit}))};
   }
+  VerifiedDesign verified_at(double value) const { return trials_.verify(set_to(value)); }
 
-  /// What is asked for must be there somewhere: in the case as it is, else at a bound.
+  /// What is asked for must be there somewhere: in the case as it is, else in the middle or at a
+  /// bound.
   void look_at_case() {
-    const ResultBook book =
-        solution_.own
-            ? results_of(trials_.verify({}).beams)
-            : results_of(verified_at(0.5 * (solution_.from.value + solution_.to.value)).beams);
-    const ResultValue* const result = book.find(wanted_.result);
+    std::optional<ResultBook> book;
+    const auto look_at = [&](const std::vector<std::string>& set) {
+      if (!book) trouble_of([&] { book = results_of(trials_.verify(set).beams); });
+      return book.has_value();
+    };
+    const bool is_own = solution_.own && look_at({});
+    const double from = solution_.from.value, to = solution_.to.value;
+    for (const double value : {0.5 * (from + to), from, to}) look_at(set_to(value));
+    if (!book)  // says why not
+      book = results_of(
+          trials_.verify(solution_.own ? std::vector<std::string>{} : set_to(0.5 * (from + to)))
+              .beams);
+    const ResultValue* const result = book->find(wanted_.result);
     if (result == nullptr)
       throw InputError(fmt::format("there is no result \"{}\"", wanted_.result),
-                       book.hint_for(wanted_.result));
+                       book->hint_for(wanted_.result));
     solution_.result = result->key;
     solution_.result_unit = result->unit;
     solution_.wanted = value_of(wanted_, *result);
-    if (solution_.own) solution_.own_result = result->value;
+    if (is_own) solution_.own_result = result->value;
   }
 
   Trial trial_at(double value) const {

@@ -10,6 +10,7 @@
 #include "boxbeam/project/case_document.hpp"
 #include "boxbeam/report/result_book.hpp"
 #include "boxbeam/study/named_expression.hpp"
+#include "boxbeam/study/written_quantity.hpp"
 #include "program/case_keys.hpp"
 #include "report/csv_cells.hpp"
 
@@ -26,11 +27,18 @@ std::string cell_of(const std::string& column, const std::vector<VerifiedBeam>& 
   const Verification& worst = worst_of(beams).verification;
   const bool checked = !worst.checks.empty();
   if (column == "verdict") return to_text(worst.verdict);
-  if (column == "governing") return checked ? worst.checks.front().check.id : "";
+  if (column == "governing") return checked ? report::csv_cell(worst.checks.front().check.id) : "";
   if (column == "utilisation")
     return checked ? report::csv_cell(worst.checks.front().check.utilisation()) : "";
   const ResultValue* const value = book->find(column);
   return value != nullptr ? report::csv_cell(value->value) : "";
+}
+
+/// Whether a variable's numbers have the dimension of what a case has; words have what they have.
+bool has_dimension_of(const Variable& variable, const Node& own) {
+  const std::optional<WrittenQuantity> written = quantity_written_in(own);
+  return !variable.words.empty() || !written ||
+         ratio_of_units(written->unit, variable.unit).has_value();
 }
 
 }  // namespace
@@ -73,17 +81,30 @@ void StudyDesigns::require_no_keys() const {
                        "write case = \"rig.toml\" in [study]");
 }
 
-/// A key that the case has not is wrong where the case cannot be read with it.
+/// A key that the case has not, or has in another dimension, is wrong where the case cannot be read
+/// with it.
 void StudyDesigns::require_keys() const {
   const CaseDocument document = read_document(study_->case_file, {});
-  for (const Variable& variable : study_->variables) {
+  for (std::size_t place = 0; place < study_->variables.size(); ++place) {
+    const Variable& variable = study_->variables[place];
     for (const std::string& key : variable.keys) {
-      if (value_at(document.root, key) != nullptr) continue;
+      const Node* const own = value_at(document.root, key);
+      const bool is_alike = own != nullptr && has_dimension_of(variable, *own);
+      if (is_alike) continue;
+      const std::string first = to_text(WrittenQuantity{space_.at(0)[place].number, variable.unit});
       CaseOptions with = case_of(*study_);
       try {
-        with.set = space_.overrides(space_.at(0));
+        if (own == nullptr)
+          with.set = space_.overrides(space_.at(0));
+        else
+          with.set = {fmt::format("{}={}", key, first)};
         read_beams_of(with);
       } catch (const InputError& error) {
+        if (own != nullptr)
+          throw InputError(
+              fmt::format("{}: variable {}: {} of {} cannot be \"{}\": {}", study_->path,
+                          variable.name, key, study_->case_file, first, in_short(error)),
+              fmt::format("the case has \"{}\"", to_text(*quantity_written_in(*own))));
         const std::string near = nearest_number_key(document.root, key);
         throw InputError(fmt::format("{}: variable {}: {} is no key of {}: {}", study_->path,
                                      variable.name, key, study_->case_file, in_short(error)),

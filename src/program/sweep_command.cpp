@@ -279,15 +279,14 @@ int run_merge(const MergeOptions& options) {
       if (std::optional<std::string> rows = store.read(chunk)) return rows;
     return std::nullopt;
   };
-  std::size_t missing = 0, first = 0;
+  std::size_t missing = 0, first = 0;  // designs, and their first chunk
   for (std::size_t chunk = manifest.chunks(); chunk-- > 0;) {
     if (rows_of(chunk)) continue;
-    ++missing;
+    missing += manifest.rows_in(chunk);
     first = chunk;
   }
   if (missing > 0)
-    throw InputError(fmt::format("{} of {} designs are missing, the first is design {}",
-                                 std::min(missing * manifest.chunk, manifest.designs),
+    throw InputError(fmt::format("{} of {} designs are missing, the first is design {}", missing,
                                  manifest.designs, first * manifest.chunk + 1),
                      "run boxbeam sweep for the other parts, and give all folders");
   const PublishedStudy published = publish_study(

@@ -44,6 +44,30 @@ std::size_t find_overlong_key(const std::string& text) {
   return std::string::npos;
 }
 
+/// Where the part of a key ends that begins here: at this character outside quotes, or at the end.
+std::size_t end_of_part(std::string_view text, char at) {
+  char fence = '\0';
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (fence != '\0')
+      fence = c == fence ? '\0' : fence;
+    else if (c == at)
+      return i;
+    else if (c == '"' || c == '\'')
+      fence = text.find(c, i + 1) == std::string_view::npos ? '\0' : c;
+  }
+  return text.size();
+}
+
+/// A part of a key without blanks around it and without its quotes.
+std::string part_in(std::string_view text) {
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  const bool quoted = text.size() > 1 && (text.front() == '"' || text.front() == '\'') &&
+                      text.find(text.front(), 1) == text.size() - 1;
+  return std::string(quoted ? text.substr(1, text.size() - 2) : text);
+}
+
 class TreeBuilder {
  public:
   explicit TreeBuilder(std::string_view file) : file_(file) {}
@@ -172,12 +196,12 @@ Node override_value(const std::string& source, const std::string& value) {
 
 void apply_override(CaseDocument& document, const std::string& override_text) {
   const std::string source = "--set " + override_text;
-  const std::size_t equals = override_text.find('=');
+  const std::size_t equals = end_of_part(override_text, '=');
   if (find_not_utf8(override_text) != std::string::npos) {
     throw InputError("the text behind --set is not UTF-8", "write it with UTF-8 encoding");
   }
   const std::vector<std::string> parts =
-      key_parts(equals == std::string::npos ? "" : override_text.substr(0, equals));
+      key_parts(equals == override_text.size() ? "" : override_text.substr(0, equals));
   const bool empty_part = std::find(parts.begin(), parts.end(), "") != parts.end();
   if (parts.empty() || empty_part || parts.size() > most_key_parts) {
     throw InputError(fmt::format("--set wants KEY=VALUE, not \"{}\"", override_text),
@@ -204,10 +228,13 @@ std::string sha256_of(const std::string& bytes) {
 
 std::vector<std::string> key_parts(const std::string& key) {
   std::vector<std::string> parts;
-  std::istringstream stream(key);
-  for (std::string part; std::getline(stream, part, '.');) parts.push_back(part);
-  if (key.ends_with('.')) parts.emplace_back();
-  return parts;
+  std::string_view rest = key;
+  while (true) {
+    const std::size_t end = end_of_part(rest, '.');
+    parts.push_back(part_in(rest.substr(0, end)));
+    if (end == rest.size()) return parts;
+    rest.remove_prefix(end + 1);
+  }
 }
 
 std::optional<std::string> set_value(Node& root, const std::vector<std::string>& parts,

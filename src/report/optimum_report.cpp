@@ -129,6 +129,8 @@ std::vector<std::pair<std::string, std::string>> report::optimum_facts(const Opt
                                       ? of.verdict
                                       : fmt::format("{}, {} used {:.1f} %", of.verdict,
                                                     of.governing, 100.0 * of.utilisation));
+  if (!of.not_judged.empty())
+    facts.emplace_back("not judged", fmt::format("{}", fmt::join(of.not_judged, "; ")));
   facts.emplace_back("searched", effort(optimum));
   facts.emplace_back("check", confirmation(optimum));
   return facts;
@@ -218,6 +220,7 @@ void report::put_optimum(Fields& to, const OptimumReport& of) {
   to.text({"verdict", "of the case there; empty without a case"}, of.verdict);
   to.text({"governing", "id of the check that is used most"}, of.governing);
   to.number({"utilisation", "of it"}, "1", of.utilisation);
+  to.texts({"not_judged", "what the case asks for there without an answer"}, of.not_judged);
   to.list({"front", "of two goals: neither can be less but for more of the other"}, "", of.front,
           [&](Fields& fields, const FrontPoint& point) {
             fields.named_numbers("variables", named_values(of, point.values));

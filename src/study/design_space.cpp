@@ -203,13 +203,23 @@ std::vector<Setting> DesignSpace::at(std::size_t index) const {
   return design;
 }
 
+namespace {
+
+/// A word as --set has it: "6.10" is one, not the number.
+std::string set_as_text(const std::string& word) {
+  const bool is_number = quantity_written_in(word) && word.find('"') == std::string::npos;
+  return is_number ? '"' + word + '"' : word;
+}
+
+}  // namespace
+
 std::vector<std::string> overrides_of(const Study& study, const std::vector<Setting>& design) {
   std::vector<std::string> set;
   for (std::size_t i = 0; i < design.size(); ++i) {
     const Variable& variable = study.variables[i];
     const std::string value = variable.words.empty()
                                   ? to_text(WrittenQuantity{design[i].number, variable.unit})
-                                  : design[i].word;
+                                  : set_as_text(design[i].word);
     for (const std::string& key : variable.keys) set.push_back(fmt::format("{}={}", key, value));
   }
   return set;

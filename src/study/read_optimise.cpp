@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "boxbeam/study/named_expression.hpp"
+
 namespace boxbeam {
 
 void read_optimise(TableReader& root, Study& study) {
@@ -17,6 +19,10 @@ void read_optimise(TableReader& root, Study& study) {
     table.problem("minimise", "more than two goals", "write one, or two for a front of both");
   for (const std::string& limit :
        table.texts({"subject_to", "\"checks\", and expressions that are not below zero"}, false)) {
+    if (is_condition(limit))
+      table.problem("subject_to",
+                    fmt::format("\"{}\" is 1 or 0, which is never below zero", limit),
+                    "write what must not fall below zero: \"fatigue.safety_factor - 2\"");
     if (limit == "checks")
       demand.checks = true;
     else

@@ -23,6 +23,9 @@ std::vector<std::string> one_or_several(TableReader& table, const Key& one, cons
 /// What an expression names must be there, and be a number.
 void require_names(TableReader& table, const std::string& key, const std::string& expression,
                    const Study& study) {
+  if (is_condition(expression))
+    table.problem(key, fmt::format("\"{}\" is 1 or 0, which is never below zero", expression),
+                  "write what is below zero where it fails: \"r - s\"");
   std::vector<std::string> names;
   try {
     names = names_in(expression);

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -13,6 +13,7 @@
 #include "boxbeam/study/study.hpp"
 #include "boxbeam/study/written_quantity.hpp"
 #include "design_table.hpp"
+#include "read_correlation.hpp"
 #include "read_optimise.hpp"
 #include "read_reliability.hpp"
 #include "read_results.hpp"
@@ -78,7 +79,13 @@ void read_values(TableReader& table, Variable& variable) {
   const auto is_word = [](const Node& item) {
     return item.kind == Node::Kind::text && !quantity_written_in(item);
   };
-  if (std::all_of(node.items.begin(), node.items.end(), is_word)) {
+  // Among words "6.10" is one of them.
+  const auto may_be_word = [](const Node& item) {
+    return item.kind == Node::Kind::text &&
+           quantity_written_in(item).value_or(WrittenQuantity{}).unit.empty();
+  };
+  if (std::all_of(node.items.begin(), node.items.end(), may_be_word) &&
+      std::any_of(node.items.begin(), node.items.end(), is_word)) {
     for (const Node& item : node.items) {
       variable.words.push_back(item.text);
       if (item.text.find('\n') != std::string::npos)
@@ -87,7 +94,15 @@ void read_values(TableReader& table, Variable& variable) {
     return;
   }
   OneUnit unit(table, variable);
-  for (const Node& item : node.items) variable.values.push_back(unit.number("values", item));
+  for (const Node& item : node.items) {
+    if (is_word(item)) {
+      table.problem(
+          "values", fmt::format("\"{}\" in \"values\" is no number or quantity", item.text),
+          "write a number, or a text with its unit, \"8 mm\"; words have a list of theirs");
+      return;
+    }
+    variable.values.push_back(unit.number("values", item));
+  }
 }
 
 /// The values that the designs of a table have, row by row.
@@ -201,13 +216,45 @@ void require_known(TableReader& table, const std::string& expression,
   }
 }
 
+/// The parts of a key, items of arrays by their number however it is written.
+std::vector<std::string> parts_of_key(const std::string& key) {
+  std::vector<std::string> parts = key_parts(key);
+  for (std::string& part : parts)
+    if (!part.empty() && part.find_first_not_of("0123456789") == std::string::npos)
+      part.erase(0, std::min(part.find_first_not_of('0'), part.size() - 1));
+  return parts;
+}
+
+/// No key is set twice, nor with what stands below it.
+void take_keys(TableReader& table, const Variable& variable,
+               std::set<std::vector<std::string>>& taken) {
+  for (const std::string& key : variable.keys) {
+    const std::vector<std::string> parts = parts_of_key(key);
+    const auto other = std::find_if(taken.begin(), taken.end(), [&](const auto& of) {
+      return std::equal(of.begin(), of.begin() + std::min(of.size(), parts.size()), parts.begin());
+    });
+    if (other == taken.end())
+      taken.insert(parts);
+    else if (*other == parts)
+      table.problem("key", fmt::format("{} is set by two variables", key),
+                    "tie one to the other: expression = \"...\"");
+    else
+      table.problem("key",
+                    fmt::format("{} and {} are set, one of which is a part of the other", key,
+                                fmt::join(*other, ".")),
+                    "set what stands in it by itself");
+  }
+}
+
 Variable read_variable(const std::string& name, TableReader& table,
                        const std::optional<TableOfDesigns>& designs,
-                       const std::vector<Variable>& before, std::set<std::string>& keys_taken) {
+                       const std::vector<Variable>& before,
+                       std::set<std::vector<std::string>>& keys_taken) {
   Variable variable;
   variable.name = name;
   static const std::set<std::string> reserved{"design", "status", "verdict", "governing",
-                                              "utilisation"};
+                                              "utilisation", "_pi", "_e"};
+  constexpr std::array ways{"values", "grid", "column", "distribution", "expression"};
   if (!is_identifier(name) || reserved.count(name) > 0)
     table.problem("", fmt::format("\"{}\" cannot be the name of a variable", name),
                   "letters, digits and \"_\", a letter first; not that of a column");
@@ -215,14 +262,16 @@ Variable read_variable(const std::string& name, TableReader& table,
     variable.keys.push_back(table.text("key"));
   if (table.has({"keys", "several that take it together"}))
     for (const std::string& key : table.texts("keys", true)) variable.keys.push_back(key);
-  for (const std::string& key : variable.keys)
-    if (!keys_taken.insert(key).second)
-      table.problem("key", fmt::format("{} is set by two variables", key),
-                    "tie one to the other: expression = \"...\"");
+  take_keys(table, variable, keys_taken);
   if (!table.says_one_of(
-          {{{"values"}}, {{"grid"}}, {{"column"}}, {{"distribution"}}, {{"expression"}}}))
-    table.problem("", fmt::format("variable \"{}\" does not say which values it takes", name),
+          {{{"values"}}, {{"grid"}}, {{"column"}}, {{"distribution"}}, {{"expression"}}})) {
+    const bool says_any =
+        std::any_of(ways.begin(), ways.end(), [&](const char* way) { return table.is_there(way); });
+    table.problem("",
+                  fmt::format("variable \"{}\" {} which values it takes", name,
+                              says_any ? "says twice" : "does not say"),
                   "write one of values, grid, column, distribution, expression");
+  }
   if (table.is_there("values")) {
     read_values(table, variable);
   } else if (table.is_there("grid")) {
@@ -241,56 +290,6 @@ Variable read_variable(const std::string& name, TableReader& table,
   }
   table.finish();
   return variable;
-}
-
-/// "A,B" = 0.3 for pairs of variables that scatter.
-void read_correlation(TableReader& root, Study& study) {
-  if (!root.has({"correlation", "of variables that scatter: \"A,B\" = 0.3"})) return;
-  TableReader table = root.table("correlation");
-  std::vector<const Variable*> scattering;
-  for (const Variable& variable : study.variables)
-    if (variable.distribution) scattering.push_back(&variable);
-  const auto count = static_cast<Eigen::Index>(scattering.size());
-  const auto index_of = [&](std::string name) -> Eigen::Index {
-    name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
-    for (Eigen::Index i = 0; i < count; ++i)
-      if (scattering[static_cast<std::size_t>(i)]->name == name) return i;
-    return -1;
-  };
-  table.accept_all();
-  study.correlation = Eigen::MatrixXd::Identity(count, count);
-  for (const Node::Member& member : table.members("correlation of the two")) {
-    const std::size_t comma = member.key.find(',');
-    const Eigen::Index a = comma == std::string::npos ? -1 : index_of(member.key.substr(0, comma));
-    const Eigen::Index b = comma == std::string::npos ? -1 : index_of(member.key.substr(comma + 1));
-    if (a < 0 || b < 0 || a == b) {
-      table.problem(member.key,
-                    fmt::format("\"{}\" are not two variables that scatter", member.key),
-                    "write \"A,B\" = 0.3 with names of variables that have a distribution");
-      continue;
-    }
-    const double rho = member.value.number;
-    if (member.value.kind != Node::Kind::number || !(std::abs(rho) < 1.0)) {
-      table.problem(member.key, "a correlation is a number between -1 and 1", "write 0.3");
-      continue;
-    }
-    try {
-      study.correlation(a, b) = study.correlation(b, a) =
-          normal_correlation(*scattering[static_cast<std::size_t>(a)]->distribution,
-                             *scattering[static_cast<std::size_t>(b)]->distribution, rho);
-    } catch (const std::domain_error&) {
-      table.problem(member.key,
-                    fmt::format("two such distributions cannot have the correlation {}", rho),
-                    "write one nearer to zero");
-    }
-  }
-  if (count > 0 && table.problems().empty()) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(study.correlation,
-                                                               Eigen::EigenvaluesOnly);
-    if (eigen.eigenvalues().minCoeff() <= 1e-12)
-      root.problem("correlation", "no variables have all these correlations at once",
-                   "their matrix is not positive definite: write smaller ones");
-  }
 }
 
 std::string beside_study(const Study& study, const std::string& file) {
@@ -336,10 +335,16 @@ Study read(const CaseDocument& document, std::string text) {
       of.choice({"sampling", "how they are drawn"}, {"random", "latin hypercube", "sobol"}, 0));
   const std::optional<TableOfDesigns> designs = read_table(of, study);
   of.finish();
-  std::set<std::string> keys_taken;
+  std::set<std::vector<std::string>> keys_taken;
   TableReader variables = root.table({"variables", "what changes from design to design"});
   for (auto& [name, table] : variables.named_tables("a variable"))
     study.variables.push_back(read_variable(name, table, designs, study.variables, keys_taken));
+  if (problems.empty() && designs &&
+      std::none_of(study.variables.begin(), study.variables.end(),
+                   [](const Variable& one) { return one.is_of_table; }))
+    of.problem(
+        "table", "no variable takes a column of the table",
+        fmt::format("write column = \"{}\" in [variables.NAME]", designs->columns.front().name));
   if (problems.empty() && study.variables.empty())
     variables.problem("", "the study has no variables",
                       "write [variables.t] with key = \"sections.A1.flange\" and values = [...]");

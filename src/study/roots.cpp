@@ -23,12 +23,14 @@ class RootSearch {
 
   Roots run() {
     for (const double value : scanned()) tried_.push_back({value, above_at(value)});
-    for (std::size_t i = 0; i + 1 < tried_.size(); ++i) {
+    for (std::size_t i = 0; i < tried_.size(); ++i) {
       if (tried_[i].above == 0.0) add_root(tried_[i].value, 0.0);
-      close_in(tried_[i], tried_[i + 1]);
-      if (i > 0) look_for_touch(tried_[i - 1], tried_[i], tried_[i + 1]);
+      if (i + 1 < tried_.size()) close_in(tried_[i], tried_[i + 1]);
+      if (i + 1 < tried_.size() && tried_[i].above.has_value() != tried_[i + 1].above.has_value())
+        look_at_border(tried_[i], tried_[i + 1]);
+      look_for_touch(i > 0 ? tried_[i - 1] : Tried{}, tried_[i],
+                     i + 1 < tried_.size() ? tried_[i + 1] : Tried{});
     }
-    if (tried_.back().above == 0.0) add_root(tried_.back().value, 0.0);
     std::sort(found_.roots.begin(), found_.roots.end(),
               [](const Root& a, const Root& b) { return a.value < b.value; });
     return found_;
@@ -61,6 +63,7 @@ class RootSearch {
       return std::nullopt;
     }
     const double above = *trial.result - question_->wanted;
+    found_.changes = found_.changes || (found_.nearest && found_.nearest->result != *trial.result);
     if (!found_.nearest || std::abs(above) < std::abs(found_.nearest->result - question_->wanted))
       found_.nearest = Root{value, *trial.result};
     return above;
@@ -79,9 +82,11 @@ class RootSearch {
   void close_in(const Tried& a, const Tried& b) {
     if (!a.above || !b.above || *a.above * *b.above >= 0.0) return;
     // A result that fails on the way has its sign by the end that it is nearer to.
+    std::optional<double> without;
     const auto above = [&](double value) {
       const std::optional<double> at = above_at(value);
       if (at) return *at;
+      without = value;
       return value - a.value < b.value - value ? *a.above : *b.above;
     };
     std::uintmax_t most = 200;
@@ -91,23 +96,62 @@ class RootSearch {
     };
     const auto [low, high] = boost::math::tools::toms748_solve(above, a.value, b.value, *a.above,
                                                                *b.above, adjacent, most);
-    const double at_low = above(low), at_high = above(high);
-    const bool lower = std::abs(at_low) <= std::abs(at_high);
-    if (std::min(std::abs(at_low), std::abs(at_high)) <= tolerance(std::abs(*a.above)))
-      add_root(lower ? low : high, lower ? at_low : at_high);
-    else
+    const std::optional<double> at_low = above_at(low), at_high = above_at(high);
+    const bool lower = at_low && (!at_high || std::abs(*at_low) <= std::abs(*at_high));
+    const std::optional<double> nearer = lower ? at_low : at_high;
+    if (without) {
+      // Where results end on the way, each side of that has its own.
+      const std::size_t before = found_.roots.size();
+      look_at_border(a, {*without, {}});
+      look_at_border({*without, {}}, b);
+      if (found_.roots.size() > before) return;
+    }
+    if (nearer && std::abs(*nearer) <= tolerance(std::abs(*a.above)))
+      add_root(lower ? low : high, *nearer);
+    else if (!without)
       found_.jumps.push_back(
-          {0.5 * (low + high), question_->wanted + at_low, question_->wanted + at_high});
+          {0.5 * (low + high), question_->wanted + *at_low, question_->wanted + *at_high});
   }
 
-  /// Of three neighbours on one side of the wanted result, the middle one the nearest to it.
+  /// Between a value that has a result and one that has none: up to where results end.
+  void look_at_border(const Tried& a, const Tried& b) {
+    constexpr int most_borders = 8, halvings = 12;
+    if (borders_++ >= most_borders) return;
+    const Tried first = a.above ? a : b;
+    Tried last = first;
+    double without = a.above ? b.value : a.value;
+    for (int i = 0; i < halvings; ++i) {
+      const double middle = 0.5 * (last.value + without);
+      const std::optional<double> above = above_at(middle);
+      if (above)
+        last = {middle, above};
+      else
+        without = middle;
+    }
+    if (last.value == first.value) return;
+    if (last.above == 0.0) add_root(last.value, 0.0);
+    if (first.value < last.value)
+      close_in(first, last);
+    else
+      close_in(last, first);
+  }
+
+  /// Of three neighbours on one side of the wanted result, the middle one the nearest to it. Where
+  /// there is no neighbour, or none with a result, the one on the other side.
   void look_for_touch(const Tried& a, const Tried& b, const Tried& c) {
-    if (!a.above || !b.above || !c.above) return;
+    if (!b.above || *b.above == 0.0 || (!a.above && !c.above)) return;
     const double sign = *b.above > 0.0 ? 1.0 : -1.0;
-    if (*b.above == 0.0 || sign * *a.above <= 0.0 || sign * *c.above <= 0.0) return;
-    const double before = sign * (*a.above - *b.above), behind = sign * (*c.above - *b.above);
+    const bool at_end = !a.above || !c.above;
+    double most_fallen = 0.0;
+    for (const Tried& beside : {a, c}) {
+      if (!beside.above) continue;
+      const double fallen = sign * (*beside.above - *b.above);
+      if (fallen < 0.0 || (at_end && fallen == 0.0) || sign * *beside.above <= 0.0) return;
+      most_fallen = std::max(most_fallen, fallen);
+    }
     // Nor does it fall more beside the middle one than it has fallen towards it.
-    if (before < 0.0 || behind < 0.0 || sign * *b.above > std::max(before, behind)) return;
+    if (sign * *b.above > most_fallen) return;
+    const Tried from = a.above ? a : b, to = c.above ? c : b;
     constexpr int bits = 26;
     std::uintmax_t most = 60;
     const auto height = [&](double value) {
@@ -115,18 +159,19 @@ class RootSearch {
       return above ? sign * *above : std::numeric_limits<double>::max();
     };
     const auto [value, least] =
-        boost::math::tools::brent_find_minima(height, a.value, c.value, bits, most);
-    if (std::abs(least) <= tolerance(std::abs(*a.above))) {
+        boost::math::tools::brent_find_minima(height, from.value, to.value, bits, most);
+    if (std::abs(least) <= tolerance(std::abs(*from.above))) {
       add_root(value, sign * least);
     } else if (least < 0.0) {
-      close_in(a, {value, sign * least});
-      close_in({value, sign * least}, c);
+      close_in(from, {value, sign * least});
+      close_in({value, sign * least}, to);
     }
   }
 
   const RootQuestion* question_;
   Roots found_;
   std::vector<Tried> tried_;
+  int borders_ = 0;  ///< of values without a result that were looked at
 };
 
 }  // namespace

@@ -15,6 +15,9 @@ std::string reason_of(const Solution& solution) {
     const JumpOver& jump = search.jumps.front();
     reason = fmt::format("at {} the result jumps from {:.6g} to {:.6g}, past {:.6g}",
                          value(jump.value), jump.before, jump.behind, solution.wanted);
+  } else if (search.nearest && !search.changes) {
+    reason = fmt::format("the result is {:.6g} wherever it was verified: {} does not change it",
+                         search.nearest->result, solution.key);
   } else if (search.nearest) {
     reason = fmt::format("the result comes nearest at {}, where it is {:.6g}",
                          value(search.nearest->value), search.nearest->result);

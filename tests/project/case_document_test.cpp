@@ -150,6 +150,16 @@ TEST_CASE("the value of an override may hold an equals sign, and be empty") {
   CHECK(at(document, {"case", "name"}).text.empty());
 }
 
+TEST_CASE("a part of a key with dots or an equals sign of its own stands in quotes") {
+  const CaseDocument document =
+      parse("[a.'b.c']\nd = 1\n[a.\"e = f\"]\nd = 1\n",
+            {"a.\"b.c\".d=2", "a.'e = f'.d=3", " a . \"new one\" .d = 4", "a.6\" pipe.d=5"});
+  CHECK(at(document, {"a", "b.c", "d"}).number == 2.0);
+  CHECK(at(document, {"a", "e = f", "d"}).number == 3.0);
+  CHECK(at(document, {"a", "new one", "d"}).number == 4.0);
+  CHECK(at(document, {"a", "6\" pipe", "d"}).number == 5.0);
+}
+
 TEST_CASE("a problem with an overridden value points into the override") {
   const CaseDocument document = parse(small, {"beam.density=heavy"});
   const Problem problem = document.problem_at(at(document, {"beam", "density"}).place, "wrong");

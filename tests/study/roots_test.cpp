@@ -97,6 +97,63 @@ TEST_CASE("where nothing can be calculated that is said, and roots beside it are
   CHECK(none.nearest->result == Approx(std::sqrt(3.0)));
 }
 
+namespace {
+
+Roots roots_where(double wanted, const std::function<double(double)>& result,
+                  const std::function<bool(double)>& is_there) {
+  RootQuestion question;
+  question.from = 0.0;
+  question.to = 1.0;
+  question.wanted = wanted;
+  question.at = [&](double x) {
+    return is_there(x) ? Trial{result(x), ""} : Trial{std::nullopt, "no assembly"};
+  };
+  return roots_of(question);
+}
+
+}  // namespace
+
+// By hand: the scan has places at k/48; 0.5 is one, the next 0.5208.
+TEST_CASE("a value just before results end is found, from either side", "[study]") {
+  const auto line = [](double x) { return x; };
+  const Roots below = roots_where(0.515, line, [](double x) { return x < 0.518; });
+  REQUIRE(below.roots.size() == 1);
+  CHECK(below.roots[0].value == Approx(0.515).epsilon(1e-14));
+  const Roots above = roots_where(0.515, line, [](double x) { return x > 0.511; });
+  REQUIRE(above.roots.size() == 1);
+  CHECK(above.roots[0].value == Approx(0.515).epsilon(1e-14));
+  const Roots none = roots_where(0.519, line, [](double x) { return x < 0.518; });
+  CHECK(none.roots.empty());
+  REQUIRE(none.nearest);
+  CHECK(none.nearest->value == Approx(0.518).margin(1.0 / 48.0 / 4096.0));
+}
+
+// A gap in which nothing can be calculated has no result that could jump.
+TEST_CASE("where results end between two sides of the wanted one there is no jump", "[study]") {
+  const auto gap = [](double x) { return x < 0.508 || x > 0.515; };
+  const Roots none = roots_where(
+      0.5115, [](double x) { return x; }, gap);
+  CHECK(none.roots.empty());
+  CHECK(none.jumps.empty());
+  CHECK(none.failed > 0);
+  // One on each side of the gap, across which it falls back.
+  const Roots two = roots_where(
+      0.505, [](double x) { return x < 0.51 ? x : x - 0.012; }, gap);
+  REQUIRE(two.roots.size() == 2);
+  CHECK(two.roots[0].value == Approx(0.505).epsilon(1e-13));
+  CHECK(two.roots[1].value == Approx(0.517).epsilon(1e-13));
+}
+
+TEST_CASE("a dip between the first two places of the scan is found, and between the last",
+          "[study]") {
+  for (const double at : {0.004, 0.996}) {
+    const Roots dip = roots(0.0, 1.0, 0.0, [&](double x) { return (x - at) * (x - at) - 1e-6; });
+    REQUIRE(dip.roots.size() == 2);
+    CHECK(dip.roots[0].value == Approx(at - 1e-3).epsilon(1e-9));
+    CHECK(dip.roots[1].value == Approx(at + 1e-3).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("an end of the interval may be the root", "[study]") {
   const auto line = [](double x) { return x; };
   CHECK(roots(2.0, 3.0, 2.0, line).roots.size() == 1);

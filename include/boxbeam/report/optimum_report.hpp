@@ -33,7 +33,8 @@ struct OptimumReport {
   std::string verdict;            ///< of the case there; "" without a case
   std::string governing;          ///< id of the check that is used most
   double utilisation = 0.0;       ///< of it
-  DesignRows judged;              ///< all designs that were looked at, or some of very many
+  std::vector<std::string> not_judged;  ///< what the case asks for there without an answer
+  DesignRows judged;                    ///< all designs that were looked at, or some of very many
 };
 
 /// What `boxbeam optimise` says to people.

@@ -42,6 +42,7 @@ struct Roots {
   std::string first_trouble;    ///< of the first one that failed
   double failed_at = 0.0;       ///< its value
   std::optional<Root> nearest;  ///< of all trials, where there is no root
+  bool changes = false;         ///< the result is not everywhere the same
 };
 
 /// Looks for all values. The interval is scanned in equal parts (in equal ratios where it spans
@@ -49,8 +50,10 @@ struct Roots {
 /// two neighbours it is closed in on to the last digits (Alefeld, Potra, Shi, ACM TOMS 748, 1995),
 /// and where it comes near among three without passing, its extremum is searched for, in case it
 /// touches (Brent, 1973). Two values between neighbours of the scan are missed where the result
-/// falls more between these than from either side towards them. A value counts where the result is
-/// the wanted one to 1e-9 of it; what passes it otherwise is a jump.
+/// falls more between these than from either side towards them. Where one of two neighbours has no
+/// result it is looked up to where results end, to a 4096th of the way, at no more than eight such
+/// places. A value counts where the result is the wanted one to 1e-9 of it; what passes it
+/// otherwise is a jump.
 Roots roots_of(const RootQuestion& question);
 
 }  // namespace boxbeam

@@ -1,0 +1,205 @@
+// Studies of a case as a user runs them: what cannot be judged counts for nothing, and a case that
+// cannot be verified as it is may have designs that can.
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "catch.hpp"
+#include "support/program.hpp"
+
+namespace study_commands_test {
+
+using nlohmann::json;
+using test::run_program;
+
+namespace {
+
+const std::string box = R"(kind = "box"
+width = "200 mm"
+height = "300 mm"
+flange = "10 mm"
+web = "8 mm"
+)";
+const std::string tube = R"(kind = "round tube"
+diameter = "300 mm"
+wall = "10 mm"
+)";
+
+/// A cantilever of 2 m without weight under 10 kN at its end. The name of the load has a dot.
+std::string cantilever(const std::string& section) {
+  return R"([case]
+name = "cantilever"
+kind = "static"
+[frame]
+gravity = ["0 m/s^2", "0 m/s^2"]
+[beam]
+density = "7850 kg/m^3"
+[[beam.segments]]
+length = "2 m"
+section = "of"
+[sections.of]
+)" + section +
+         R"([supports.wall]
+at = "0 m"
+kind = "fixed"
+[loads."tip.1"]
+kind = "force"
+at = "2 m"
+force = ["0 kN", "-10 kN"]
+[material]
+steel = "S355"
+[strength]
+required = 1
+)";
+}
+
+/// The same with another flange, in metres.
+double mass_of_box(double flange) {
+  return 7850.0 * (0.2 * 0.3 - (0.2 - 0.016) * (0.3 - 2.0 * flange)) * 2.0;
+}
+
+std::string study_of(const std::string& variable, const std::string& optimise) {
+  return "[study]\ncase = \"beam.toml\"\n[variables.t]\n" + variable + "\n[optimise]\n" + optimise +
+         "\n";
+}
+
+}  // namespace
+
+// Yield by bending: the factor falls as the force grows, whatever the name of the force.
+TEST_CASE("what changes the factors is found of names with dots, too", "[study]") {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.write("beam.toml", cantilever(box));
+  const auto ran = run_program({"verify", file, "--sensitivities", "--no-plots", "--no-html",
+                                "--no-pdf", "--out", folder.path() / "out", "--json", "-"});
+  REQUIRE(ran.exit_code == 0);
+  bool found = false;
+  const json results = json::parse(ran.out);
+  for (const json& of : results.at("sensitivities")) {
+    if (of.at("input") != "loads.\"tip.1\".force.1") continue;
+    found = true;
+    CHECK(of.at("slopes").at(0).at("slope").get<double>() == Approx(-1.0).epsilon(1e-6));
+  }
+  CHECK(found);
+}
+
+TEST_CASE("a value is solved for in a case that cannot be verified as it is", "[study]") {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.write("beam.toml", cantilever(box));
+  const std::string wanted = "beam.mass = " + std::to_string(mass_of_box(0.012)) + " kg";
+  // Flanges of 160 mm do not fit into 300 mm.
+  const auto ran = run_program({"solve", file, "--set", "sections.of.flange=160 mm", "--for",
+                                "sections.of.flange", "--such-that", wanted, "--between", "5 mm",
+                                "170 mm", "--json", "-"});
+  REQUIRE(ran.exit_code == 0);
+  const json solved = json::parse(ran.out);
+  REQUIRE(solved.at("roots").size() == 1);
+  CHECK(solved.at("roots").at(0).at("value").get<double>() == Approx(12.0).epsilon(1e-6));
+  // Where nothing can be verified the case's own trouble is said.
+  const auto none =
+      run_program({"solve", file, "--set", "sections.of.flange=160 mm", "--for",
+                   "sections.of.flange", "--such-that", wanted, "--between", "155 mm", "170 mm"});
+  CHECK(none.exit_code == 2);
+  CHECK(none.err.find("sections.of") != std::string::npos);
+}
+
+TEST_CASE("that a key does not change a result is said", "[study]") {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.write("beam.toml", cantilever(box));
+  const auto ran = run_program(
+      {"solve", file, "--for", "loads.\"tip.1\".force.1", "--such-that", "beam.mass = 1 t"});
+  CHECK(ran.exit_code == 1);
+  CHECK(ran.out.find("does not change it") != std::string::npos);
+}
+
+TEST_CASE("the best of a list is found where the case as it is cannot be verified", "[study]") {
+  const test::TemporaryFolder folder;
+  std::string section = box;
+  section.replace(section.find("10 mm"), 5, "160 mm");
+  folder.write("beam.toml", cantilever(section));
+  const std::string study = folder.write(
+      "study.toml",
+      study_of("key = \"sections.of.flange\"\nvalues = [\"155 mm\", \"12 mm\", \"14 mm\"]",
+               "minimise = \"beam.mass\"\nsubject_to = [\"beam.mass - 150\"]"));
+  const auto ran = run_program({"optimise", study, "--json", "-"});
+  REQUIRE(ran.exit_code == 0);
+  const json best = json::parse(ran.out);
+  REQUIRE(mass_of_box(0.012) < 150.0);
+  CHECK(best.at("variables").at("t") == 14.0);
+  CHECK(best.at("objective").get<double>() == Approx(mass_of_box(0.014)).epsilon(1e-12));
+}
+
+// Round tubes are of class 4 above d/t = 90 235/355 = 59.6 (EN 1993-1-1, table 5.2): their use is
+// no measure of them.
+TEST_CASE("stresses that cannot be believed keep no limit of an optimum", "[study]") {
+  REQUIRE(300.0 / 5.0 > 90.0 * 235.0 / 355.0);
+  REQUIRE(300.0 / 6.0 < 90.0 * 235.0 / 355.0);
+  const test::TemporaryFolder folder;
+  folder.write("beam.toml", cantilever(tube));
+  const std::string list =
+      "key = \"sections.of.wall\"\nvalues = [\"3 mm\", \"5 mm\", \"6 mm\", \"10 mm\"]";
+  for (const char* limit : {"1 - utilisation", "checks", "yield.safety_factor - 1"}) {
+    CAPTURE(limit);
+    const std::string study = folder.write(
+        "study.toml",
+        study_of(list, std::string("minimise = \"beam.mass\"\nsubject_to = [\"") + limit + "\"]"));
+    const auto ran = run_program({"optimise", study, "--json", "-"});
+    REQUIRE(ran.exit_code == 0);
+    const json best = json::parse(ran.out);
+    CHECK(best.at("variables").at("t") == 6.0);
+    CHECK(best.at("verdict") == "pass");
+  }
+  // What is no stress is what it is.
+  const std::string study = folder.write(
+      "study.toml", study_of(list, "minimise = \"beam.mass\"\nsubject_to = [\"t - 4\"]"));
+  const auto ran = run_program({"optimise", study, "--json", "-"});
+  REQUIRE(ran.exit_code == 0);
+  CHECK(json::parse(ran.out).at("variables").at("t") == 5.0);
+}
+
+// The place that governs has a name that somebody gave it.
+TEST_CASE("a comma in the name of what governs ends no cell of a row", "[study]") {
+  const test::TemporaryFolder folder;
+  const std::string study = folder.write(
+      "study.toml", "[study]\ncase = \"" +
+                        test::project_file("sections/sledge-rig/rig-detailed.toml") +
+                        "\"\n[variables.a]\nkey = \"fatigue.gamma_Ff\"\nvalues = [1.0, 1.1]\n"
+                        "[results]\ncolumns = [\"governing\", \"verdict\"]\n");
+  const std::string out = folder.path() / "out";
+  REQUIRE(run_program({"sweep", study, "--out", out, "--quiet"}).exit_code == 0);
+  const std::string rows = test::read_file(out + "/rows.csv");
+  CHECK(
+      rows.find("1,1,\"fatigue/5.2/weld-around-the-tube-at-the-box-end,-top-flange\",fail,ok\n") !=
+      std::string::npos);
+}
+
+TEST_CASE("numbers that have not the dimension of their key are refused before any design",
+          "[study]") {
+  const test::TemporaryFolder folder;
+  folder.write("beam.toml", cantilever(box));
+  for (const char* values : {"[8, 10]", "[\"8 kg\", \"10 kg\"]"}) {
+    const std::string study = folder.write("study.toml",
+                                           "[study]\ncase = \"beam.toml\"\n[variables.t]\nkey = "
+                                           "\"sections.of.flange\"\nvalues = " +
+                                               std::string(values) + "\n");
+    const auto ran = run_program({"sweep", study, "--out", folder.path() / "out"});
+    CHECK(ran.exit_code == 2);
+    CHECK(ran.err.find("sections.of.flange") != std::string::npos);
+    CHECK(ran.err.find("the case has \"10 mm\"") != std::string::npos);
+  }
+}
+
+// Chunks of 200 designs are of 3, the last of 2: the second half of the chunks has 33 of 3.
+TEST_CASE("as many designs as are missing are said to be", "[study]") {
+  const test::TemporaryFolder folder;
+  const std::string study = folder.write("study.toml",
+                                         "[variables.a]\ngrid = { from = 1, to = 200, count = 200 "
+                                         "}\n[results]\ncolumns = [\"f = a\"]\n");
+  const std::string half = folder.path() / "half";
+  REQUIRE(run_program({"sweep", study, "--shard", "2/2", "--out", half, "--quiet"}).exit_code == 0);
+  const auto merged = run_program({"merge", half});
+  CHECK(merged.exit_code == 2);
+  CHECK(merged.err.find("101 of 200 designs are missing") != std::string::npos);
+}
+
+}  // namespace study_commands_test
