@@ -1,6 +1,7 @@
 #include "boxbeam/verification/verify.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -43,12 +44,21 @@ std::vector<CheckResult> all_checks(std::vector<CheckResult> of_beam,
   return checks;
 }
 
+/// To nine digits: what is used as much as another but for round-off stands behind it as along the
+/// beam, on every computer.
+double without_round_off(double use) {
+  constexpr int bits = 30;
+  int exponent = 0;
+  const double mantissa = std::frexp(use, &exponent);
+  return std::ldexp(std::nearbyint(std::ldexp(mantissa, bits)), exponent - bits);
+}
+
 void sort_worst_first(std::vector<CheckResult>& checks) {
   // Results are large: their order is found first, then each is moved once.
   std::vector<std::pair<double, std::size_t>> order;
   order.reserve(checks.size());
   for (const CheckResult& result : checks)
-    order.emplace_back(result.check.utilisation(), order.size());
+    order.emplace_back(without_round_off(result.check.utilisation()), order.size());
   std::stable_sort(order.begin(), order.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<CheckResult> sorted;
