@@ -144,7 +144,8 @@ void DesignJudge::judge(const std::vector<double>& chosen, Judged& judged) {
     found = problem_->verified(design);
   const std::vector<VerifiedBeam>& beams = found.beams;
   if (problem_->demand().checks) add_margins_of_checks(beams, judged);
-  const std::vector<double> numbers = problem_->numbers().of(design, beams);
+  const std::vector<double> numbers =
+      problem_->numbers().of(design, beams, problem_->demand().checks);
   for (NamedExpression& goal : goals_) judged.goals.push_back(goal.at(numbers));
   for (NamedExpression& limit : limits_) judged.margins.push_back(limit.at(numbers));
 }

@@ -82,7 +82,8 @@ std::map<std::string, std::string> DesignNumbers::units_in(
 }
 
 std::vector<double> DesignNumbers::of(const std::vector<Setting>& design,
-                                      const std::vector<VerifiedBeam>& beams) const {
+                                      const std::vector<VerifiedBeam>& beams,
+                                      bool beside_verdict) const {
   std::optional<ResultBook> book;
   if (!results_.empty()) book = results_of(beams, results_);
   std::vector<double> numbers;
@@ -90,12 +91,12 @@ std::vector<double> DesignNumbers::of(const std::vector<Setting>& design,
     if (const auto place = variable_of(*study_, name)) {
       numbers.push_back(design[*place].number);
     } else if (name == use) {
-      require_judged(beams);
+      if (!beside_verdict) require_judged(beams);
       numbers.push_back(largest_use_of(beams));
     } else {
       const ResultValue* const value = book->find(name);
       if (value == nullptr) throw AnalysisError({fmt::format("there is no {}", name), ""});
-      if (rests_on_stresses(value->key)) require_judged(beams);
+      if (!beside_verdict && rests_on_stresses(value->key)) require_judged(beams);
       numbers.push_back(value->value);
     }
   }

@@ -29,9 +29,10 @@ class DesignNumbers {
   void require_case() const;
 
   /// Of a design and, where results are asked, its beams. Throws AnalysisError where a result is
-  /// missing, or rests on stresses that cannot be believed.
-  std::vector<double> of(const std::vector<Setting>& design,
-                         const std::vector<VerifiedBeam>& beams) const;
+  /// missing or, where the verdict is not asked beside it, rests on stresses that cannot be
+  /// believed.
+  std::vector<double> of(const std::vector<Setting>& design, const std::vector<VerifiedBeam>& beams,
+                         bool beside_verdict = false) const;
 
  private:
   const Study* study_;

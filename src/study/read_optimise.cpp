@@ -20,8 +20,7 @@ void read_optimise(TableReader& root, Study& study) {
   for (const std::string& limit :
        table.texts({"subject_to", "\"checks\", and expressions that are not below zero"}, false)) {
     if (is_condition(limit))
-      table.problem("subject_to",
-                    fmt::format("\"{}\" is 1 or 0, which is never below zero", limit),
+      table.problem("subject_to", fmt::format("\"{}\" is 1 or 0, which is never below zero", limit),
                     "write what must not fall below zero: \"fatigue.safety_factor - 2\"");
     if (limit == "checks")
       demand.checks = true;

@@ -252,8 +252,8 @@ Variable read_variable(const std::string& name, TableReader& table,
                        std::set<std::vector<std::string>>& keys_taken) {
   Variable variable;
   variable.name = name;
-  static const std::set<std::string> reserved{"design", "status", "verdict", "governing",
-                                              "utilisation", "_pi", "_e"};
+  static const std::set<std::string> reserved{"design",      "status", "verdict", "governing",
+                                              "utilisation", "_pi",    "_e"};
   constexpr std::array ways{"values", "grid", "column", "distribution", "expression"};
   if (!is_identifier(name) || reserved.count(name) > 0)
     table.problem("", fmt::format("\"{}\" cannot be the name of a variable", name),

@@ -110,7 +110,8 @@ TEST_CASE("an expression has one value, and changes no variable", "[study]") {
   CHECK_FALSE(problem_of(head + variable("_pi", "values = [1, 2]")).message.empty());
 }
 
-// A limit is what is not below zero: a condition, which is 0 where it does not hold, would always be.
+// A limit is what is not below zero: a condition, which is 0 where it does not hold, would always
+// be.
 TEST_CASE("a condition is no limit", "[study]") {
   const auto limit = [](const std::string& text) {
     return problem_of("[study]\n" + variable("t", "grid = { from = 1, to = 2, count = 2 }") +

@@ -76,7 +76,7 @@ struct CaseDocument {
 };
 
 /// The parts of a dotted key, "beam.segments.0.length"; an empty one where a dot has none beside
-/// it.
+/// it. A part with dots of its own stands in quotes: situations.1.set."drivers.crank.speed".
 std::vector<std::string> key_parts(const std::string& key);
 
 /// Puts a value under a key of a tree; tables on the way that are missing are made, and the item
