@@ -46,8 +46,10 @@ class Search {
     found.mean_fails = middle < 0.0;
     sign_ = found.mean_fails ? -1.0 : 1.0;
     if (!std::isfinite(middle)) {
-      found.reason = fmt::format("the design of all medians cannot be judged: {}",
-                                 limit_state_->first_trouble());
+      const std::string trouble = limit_state_->first_trouble();
+      found.reason =
+          "the design of all medians cannot be judged: " +
+          (trouble.empty() ? "its margin is no finite number, as where nothing is used" : trouble);
       return found;
     }
     look_from(VectorXd::Zero(n_));

@@ -354,6 +354,9 @@ Study read(const CaseDocument& document, std::string text) {
   if (problems.empty() && scatters && study.samples == 0 && !asks_elsewhere)
     of.problem("samples", "variables scatter, but \"samples\" says not how many designs are drawn",
                "write samples = 1000 in [study]");
+  if (problems.empty() && !scatters && study.samples > 0)
+    of.problem("samples", "no variable scatters: nothing is drawn",
+               "give one a distribution, or leave out samples");
   read_correlation(root, study);
   read_optimise(root, study);
   read_results(root, study);

@@ -210,6 +210,7 @@ TEST_CASE("broken studies say what is wrong and what to write", "[study]") {
       {head + x + "grid = { to = 2.0, count = 3 }\n", "from"},
       {head + x + "distribution = \"beta\"\nmean = 1.0\nsd = 0.1\n", "distribution"},
       {head + x + "distribution = \"normal\"\nmean = 1.0\nsd = 0.1\n", "samples"},
+      {"[study]\ncase = \"rig.toml\"\nsamples = 3\n" + x + "values = [1.0, 2.0]\n", "samples"},
       {head + x + "distribution = \"normal\"\nmean = 1.0\n", "sd"},
       {head + x + "distribution = \"normal\"\nmean = 1.0\nsd = -0.1\n", "above zero"},
       {head + x + "distribution = \"lognormal\"\nmean = -1.0\nsd = 0.1\n", "above zero"},
