@@ -59,6 +59,8 @@ class GatheredPoints {
  private:
   /// On the plate, outside of it, in the section on either side of where it ends.
   void add_flat(const AttachmentWeld& weld);
+  /// Where flats of a weaker steel than their plates stand on these, and bear as much stress.
+  void add_feet();
   void add_throat(SectionPoint place);
   void add_stretches();
   /// The points at a level, whose direct stress is not judged yet.

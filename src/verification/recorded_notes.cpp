@@ -95,16 +95,16 @@ struct Step {
 };
 
 /// What steps a record has.
-struct Steps {
+struct RecordSteps {
   Step longest;         ///< over which a value changes
   double median = 0.0;  ///< half of all are at most that
   bool even = false;    ///< nearly all are that
 };
 
 template <class TimeOf, class Changes>
-Steps steps_of(std::size_t instants, TimeOf time_of, Changes changes) {
+RecordSteps record_steps_of(std::size_t instants, TimeOf time_of, Changes changes) {
   std::vector<double> steps;
-  Steps of;
+  RecordSteps of;
   Step& longest = of.longest;
   for (std::size_t i = 1; i < instants; ++i) {
     const double length = time_of(i) - time_of(i - 1);
@@ -149,7 +149,7 @@ void add_gaps(const recorded::Channels& channels, std::vector<NotJudged>& found)
   const auto time_of = [&](std::size_t i) {
     return record != nullptr ? record->time_of(i) : channels.times[i];
   };
-  const Steps steps = steps_of(instants, time_of, changes);
+  const RecordSteps steps = record_steps_of(instants, time_of, changes);
   const Step& gap = steps.longest;
   const double median = steps.median;
   if (gap.length < (steps.even ? far_of_even : far) * median) return;

@@ -1,5 +1,7 @@
 #include "boxbeam/verification/stress_points.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -76,8 +78,40 @@ void GatheredPoints::add_section() {
     if (place.throat) add_throat(place);
   }
   add_stretches();
+  add_feet();
   for (const AttachmentWeld& weld : fatigue.attachments) {
     if (weld.flat && lies_in(weld.detail, station_.s)) add_flat(weld);
+  }
+}
+
+void GatheredPoints::add_feet() {
+  const auto* const box = std::get_if<Box>(&field_.section.outer);
+  if (box == nullptr || project_->part_materials.empty()) return;
+  int number = 0;
+  for (const Stiffener& bar : box->stiffeners) {
+    ++number;
+    const PlateOf flat{&materials_.of(PlateKind::stiffener), bar.thickness};
+    const bool left = bar.plate == BoxPlate::left_web;
+    const std::string name = fmt::format("stiffener {} foot", number);
+    // On the outer face of its plate, on the safe side.
+    std::vector<SectionPoint> places;
+    if (!left && bar.plate != BoxPlate::right_web) {
+      places = {
+          point_on_flange(field_, name, bar.place, bar.plate == BoxPlate::top_flange ? 1.0 : -1.0)};
+    } else {
+      places = points_at_level(field_, name, bar.place, PointSet::in_space);
+      if (places.size() == 2) places.erase(left ? places.begin() + 1 : places.begin());
+    }
+    for (SectionPoint& place : places) {
+      place.name = name;
+      const PlateOf plate = first_to_yield(plates_here(place.y, place.z));
+      if (yield_strength_of(*flat.material, flat.thickness) >=
+          yield_strength_of(*plate.material, plate.thickness))
+        continue;
+      StressPoint& point = add(place);
+      resist(point);
+      set_yield(point, flat);
+    }
   }
 }
 

@@ -151,6 +151,22 @@ TEST_CASE("part materials: a hole through both flanges is as strong as the weake
   }
 }
 
+TEST_CASE("part materials: a flat of a weaker steel yields where it stands on its plate") {
+  const std::string flats =
+      "[[sections.root.stiffeners]]\non = \"bottom flange\"\nat = \"0 mm\"\ndepth = \"40 mm\"\n"
+      "thickness = \"8 mm\"\n";
+  const auto verification = [&](const std::string& of_flats) {
+    return verified(cantilever("[material]\nsteel = \"S355\"\n" + of_flats, flats));
+  };
+  // As stressed there as the flange at the same place.
+  const double flange = factor_at(verification(""), 0.0, Side::behind, "fibre -z");
+  REQUIRE(flange > 0.0);
+  CHECK(factor_at(verification(part("S235", "plates = [\"stiffeners\"]")), 0.0, Side::behind,
+                  "stiffener 1 foot") == Approx(235.0 / 355.0 * flange).epsilon(0.02));
+  CHECK(factor_at(verification(part("S420N", "plates = [\"stiffeners\"]")), 0.0, Side::behind,
+                  "stiffener 1 foot") == 0.0);
+}
+
 TEST_CASE("part materials: of all plates of all segments they are the beam's material") {
   const auto one = verified(cantilever("[material]\nsteel = \"S355\"\n"));
   const auto parts = verified(cantilever(s235 + part("S355", "")));
