@@ -139,7 +139,7 @@ TEST_CASE("a condition is no limit", "[study]") {
 }
 
 TEST_CASE("a table of which no variable takes a column is refused", "[study]") {
-  const test::TemporaryFolder folder;
+  const ::test::TemporaryFolder folder;
   folder.write("designs.csv", "t [mm],w\n8,1\n");
   const Problem unused = problem_of(
       "[study]\ncase = \"rig.toml\"\ntable = \"designs.csv\"\n" + variable("a", "values = [1, 2]"),

@@ -10,6 +10,7 @@
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/torques_in.hpp"
 #include "catch.hpp"
+#include "support/program.hpp"
 
 namespace distortion_search_test {
 
@@ -20,7 +21,7 @@ namespace {
 /// A shipped case whose beam is one stretch of boxes, with the loads of rigid bodies.
 struct Shipped {
   explicit Shipped(const std::string& file)
-      : project(read_project(std::string(BOXBEAM_SOURCE_DIR) + "/sections/" + file)),
+      : project(read_project(test::project_file("sections/" + file))),
         runs(run_situations(project)),
         zones(bending_zones_of(project, runs)),
         torques(torques_in(project, runs)),
