@@ -121,7 +121,7 @@ void add_unknown_plates(const PinInput& pin, NeighbourChecks& checks) {
   };
   if (said(true) && said(false)) return;
   checks.not_judged.push_back({Criterion::pin,
-                               fmt::format("{} of pin {} beside and before its hole (EN 1993-1-8, "
+                               fmt::format("{} of {} beside and before its hole (EN 1993-1-8, "
                                            "table 3.9)",
                                            said(true)    ? "outer plates"
                                            : said(false) ? "inner plate"

@@ -149,7 +149,7 @@ TEST_CASE("plates of a pin that are not given stand in the verdict line") {
   const std::string outer =
       "[[pins.lugs]]\nplate = \"outer\"\nwidth = \"200 mm\"\nend = \"80 mm\"\n";
   const std::string where =
-      " of pin hub pin beside and before its hole (EN 1993-1-8, table 3.9): [[pins.lugs]] are not "
+      " of hub pin beside and before its hole (EN 1993-1-8, table 3.9): [[pins.lugs]] are not "
       "given\n";
   CHECK(said("") == "plates" + where);
   CHECK(said(inner) == "outer plates" + where);
