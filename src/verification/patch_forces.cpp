@@ -4,6 +4,7 @@
 #include <map>
 
 #include "boxbeam/verification/slender_path.hpp"
+#include "lines_along.hpp"
 #include "patch_search.hpp"
 #include "patched_path.hpp"
 

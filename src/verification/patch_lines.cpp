@@ -2,179 +2,101 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "lines_along.hpp"
 #include "patch_search.hpp"
 #include "patched_path.hpp"
 
 namespace boxbeam {
 namespace {
 
-/// Of a load along the beam at a place: what pushes along the axis and what pushes against it,
-/// each with its size, and the couple about the beam's axis [N/m, N].
-struct PerLength {
-  std::array<double, 2> pushes{};
-  double couple = 0.0;
-};
-
-PerLength per_length_of(const LineLoad& line, bool along_z, double x) {
-  PerLength of;
-  const std::size_t axis = along_z ? 2 : 1;
-  const auto& outside = line.outside[axis - 1];
-  const double along = outside[0](x), against = outside[1](x);
-  // Weight and inertia act within the plates, which is on the safe side here.
-  const double own = line.force[axis](x) - (along - against);
-  of.pushes = {along + std::max(0.0, own), against + std::max(0.0, -own)};
-  of.couple = line.couple[0](x);
-  return of;
+/// Of patches the forces and torques by themselves that no diaphragm takes.
+std::vector<Patch> alone_in(const std::vector<Patch>& patches, bool along_z) {
+  std::vector<Patch> alone;
+  for (const Patch& of : patches) {
+    // A torque stands for either of its two senses once.
+    const bool counts = !of.is_torque() || of.force > Force{};
+    if (of.along_z == along_z && !of.together && counts && of.diaphragm == nullptr)
+      alone.push_back(of);
+  }
+  return alone;
 }
 
-/// Whether it is the same everywhere, but for weight and inertia.
-bool is_steady(const LineLoad& line, bool along_z) {
-  const auto& outside = line.outside[along_z ? 1 : 0];
-  return outside[0].c[1] == 0.0 && outside[1].c[1] == 0.0;
+/// Whether plates feel a force across.
+bool presses(const PressedPlates& near, bool along_z, Force force) {
+  return force > near.none &&
+         near.meet(along_z, {along_z ? force : Force{}, along_z ? Force{} : force, {}, false});
+}
+
+/// A load along the beam with the forces of its sense that stand on that length, of kinks those at
+/// one end of the section.
+Patch with_forces_of(const std::vector<Patch>& others, const OnLength& of, std::optional<bool> high,
+                     const Patch& line) {
+  Patch sum = line;
+  for (const Patch& other : others) {
+    if (other.s < of.begin || other.s > of.end || other.is_torque() ||
+        (other.force > Force{}) != (line.force > Force{}) ||
+        (high && other.at_high && *other.at_high != *high))
+      continue;
+    sum.name += " and " + other.name;
+    sum.force += other.force;
+    sum.couple += other.couple;
+    if (other.at_high) sum.at_high = other.at_high;
+    const Length from = std::min({Length(line.s - 0.5 * line.stiff_length), other.s}),
+                 to = std::max({Length(line.s + 0.5 * line.stiff_length), other.s});
+    sum.s = 0.5 * (from + to);
+    sum.stiff_length = std::max(sum.stiff_length, Length(to - from));
+    sum.standing.clear();
+    sum.together = true;
+  }
+  return sum;
 }
 
 }  // namespace
 
-Force across_on(const std::vector<LineLoad>& lines, bool along_z, bool pushing, Length from,
-                Length to) {
-  double sum = 0.0;
-  constexpr int pieces = 4;
-  for (const LineLoad& line : lines) {
-    const Length low = std::max(from, line.start),
-                 high = std::min(to, Length(line.start + line.length));
-    if (!(high > low)) continue;
-    for (int i = 0; i < pieces; ++i) {
-      const double x = ((low - line.start) + (i + 0.5) / pieces * (high - low)).value();
-      sum +=
-          per_length_of(line, along_z, x).pushes[pushing ? 0 : 1] * (high - low).value() / pieces;
-    }
-  }
-  return si<Force>(sum);
-}
-
-/// What stands on a length of the beam.
-struct PatchSearch::OnLength {
-  Length from, to;                   ///< of what is loaded
-  std::array<double, 2> forces{};    ///< along the axis and against it, sizes [N]
-  double turns = 0.0;                ///< the couple alone [N m]
-  const std::vector<Patch>* others;  ///< forces and torques by themselves
-  Length begin, end;                 ///< the length itself
-};
-
-void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
+void PatchSearch::add_lines(const std::vector<LineLoad>& loads, bool along_z,
                             std::vector<Patch>& patches) {
-  constexpr std::array parts{0.0, 0.25, 0.5, 0.75, 1.0};
+  const LinesAlong lines(loads, along_z, project_->beam.length());
   // Most beams bear their weight alone.
   PressedPlates all;
   for (const PressedPlates& of : plates_.of_segments()) all.add(of);
-  double most = 0.0, most_couple = 0.0;
-  for (const LineLoad& line : lines) {
-    for (const double part : parts) {
-      const PerLength at = per_length_of(line, along_z, part * line.length.value());
-      most = std::max({most, at.pushes[0], at.pushes[1]});
-      most_couple = std::max(most_couple, std::abs(at.couple));
-    }
-  }
+  const auto [most, most_couple] = lines.largest();
   ForcesAcross largest{along_z ? si<Force>(most * all.depth.value()) : Force{},
                        along_z ? Force{} : si<Force>(most * all.depth.value()),
                        si<Moment>(most_couple * all.depth.value()), false};
   const Force size = along_z ? largest.along_z : largest.along_y;
   const bool turns = project_->in_space && most_couple > 0.0;
   if (!(size > all.none) && !turns) return;
-  const std::vector<Patch> others = [&] {
-    std::vector<Patch> of;
-    for (const Patch& patch : patches) {
-      // A torque stands for either of its two senses once.
-      const bool counts = !patch.is_torque() || patch.force > Force{};
-      if (patch.along_z == along_z && !patch.together && counts && patch.diaphragm == nullptr)
-        of.push_back(patch);
-    }
-    return of;
-  }();
+  const std::vector<Patch> others = alone_in(patches, along_z);
   // What they hardly feel of it counts beside the forces there.
   for (const Patch& of : others) (along_z ? largest.along_z : largest.along_y) += abs(of.force);
   if (!all.meet(along_z, largest)) return;
   // The largest on a length of the webs' depth begins or ends where a load does, or is about its
   // middle where it is steady or grows.
-  std::vector<Length> edges, middles;
-  for (const LineLoad& line : lines) {
-    const PerLength middle = per_length_of(line, along_z, 0.5 * line.length.value());
-    if (middle.pushes[0] == 0.0 && middle.pushes[1] == 0.0 && middle.couple == 0.0) continue;
-    edges.insert(edges.end(), {line.start, Length(line.start + line.length)});
-    for (const double part : parts) middles.push_back(line.start + part * line.length);
-  }
+  std::vector<Length> edges = lines.ends(), middles = lines.inside();
   for (const Patch& of : others) {
     edges.push_back(of.s);
     middles.push_back(of.s);
   }
   for (const Segment& of : project_->beam.segments) edges.push_back(of.end());
   const Length end = project_->beam.length();
-  const auto stands_on = [&](Length begin, Length depth) {
-    begin = std::clamp(begin, Length{}, std::max(Length{}, Length(end - depth)));
-    OnLength of;
-    of.begin = begin;
-    of.end = std::min(end, Length(begin + depth));
-    of.from = of.end;
-    of.to = of.begin;
-    of.others = &others;
-    for (const LineLoad& line : lines) {
-      const Length from = std::max(of.begin, line.start),
-                   to = std::min(of.end, Length(line.start + line.length));
-      if (!(to > from)) continue;
-      // By Gauss with three places.
-      const double half = 0.5 * (to - from).value(),
-                   centre = 0.5 * (from + to - 2.0 * line.start).value();
-      bool any = false;
-      for (const auto& [at, weight] : {std::pair{-0.7745966692414834, 5.0 / 9.0},
-                                       {0.0, 8.0 / 9.0},
-                                       {0.7745966692414834, 5.0 / 9.0}}) {
-        const PerLength here = per_length_of(line, along_z, centre + half * at);
-        for (const std::size_t k : {0U, 1U}) of.forces[k] += weight * half * here.pushes[k];
-        of.turns += weight * half * here.couple;
-        any = any || here.pushes[0] > 0.0 || here.pushes[1] > 0.0 || here.couple != 0.0;
-      }
-      if (!any) continue;
-      of.from = std::min(of.from, from);
-      of.to = std::max(of.to, to);
-    }
-    return of;
-  };
-  const auto look = [&](Length begin, Length depth) {
-    add_length(stands_on(begin, depth), along_z, patches);
-  };
+  const auto add = [&](const OnLength& of) { add_length(of, others, along_z, patches); };
+  const auto look = [&](Length begin, Length depth) { add(lines.on(begin, depth)); };
   const auto depth_near = [&](Length s) {
     Patch at;
     at.s = std::clamp(s, Length{}, end);
     at.along_z = along_z;
     return depth_at(at);
   };
-  const auto drawn_to_heavier_end = [&](OnLength of) {
-    const Length middle = 0.5 * (of.from + of.to), length = of.to - of.from;
-    std::array<double, 2> at_ends{};
-    const std::size_t sense = of.forces[1] > of.forces[0] ? 1 : 0;
-    for (const LineLoad& line : lines) {
-      if (!(middle > line.start && middle < line.start + line.length)) continue;
-      at_ends[0] += per_length_of(line, along_z, (of.from - line.start).value()).pushes[sense];
-      at_ends[1] += per_length_of(line, along_z, (of.to - line.start).value()).pushes[sense];
-    }
-    const bool at_start = at_ends[0] > at_ends[1];
-    const double peak = at_ends[at_start ? 0 : 1];
-    if (!(of.forces[sense] < peak * length.value())) return of;
-    const Length drawn = si<Length>(of.forces[sense] / peak);
-    if (at_start)
-      of.to = of.from + drawn;
-    else
-      of.from = of.to - drawn;
-    return of;
-  };
   // Of what is heavier than the loads beside it a shorter length is pressed more: from every edge,
   // and where loads grow from every quarter of them, to every other.
   std::vector<Length> ends = edges;
-  for (const LineLoad& line : lines) {
+  for (const LineLoad& line : loads) {
     constexpr double short_one = 0.1;  // of the depth
-    if (is_steady(line, along_z) || line.length < short_one * depth_near(line.start)) continue;
-    for (const double part : parts) ends.push_back(line.start + part * line.length);
+    if (line.length < short_one * depth_near(line.start)) continue;
+    const std::vector<Length> inside = lines.inside_if_uneven(line);
+    ends.insert(ends.end(), inside.begin(), inside.end());
   }
   for (std::vector<Length>* const of : {&edges, &ends}) {
     std::sort(of->begin(), of->end());
@@ -193,11 +115,11 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
     for (std::size_t j = i + 1; j < ends.size() && ends[j] - ends[i] < depth;) {
       const std::size_t next = j + std::max<std::size_t>(1, (j - i) / exact);
       const std::size_t last = std::min(next, ends.size()) - 1;
-      OnLength of = stands_on(ends[i], ends[last] - ends[i]);
+      OnLength of = lines.on(ends[i], ends[last] - ends[i]);
       of.to = std::min(of.to, Length(of.from + (ends[j] - ends[i])));
-      add_length(of, along_z, patches);
+      add(of);
       // The seam bears what stands on each piece of it: as much as at the heavier end.
-      if (j == i + 1 && of.to > of.from) add_length(drawn_to_heavier_end(of), along_z, patches);
+      if (j == i + 1 && of.to > of.from) add(lines.drawn_to_heavier_end(of));
       j = next;
     }
   }
@@ -205,7 +127,7 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
     const Length strip = strip_beside(of, along_z);
     if (!(strip > Length{}) || !holds(of, along_z)) continue;
     const Length from = std::max(Length{}, Length(of.s - strip));
-    add_onto_diaphragm(stands_on(from, std::min(end, Length(of.s + strip)) - from), of, along_z,
+    add_onto_diaphragm(lines.on(from, std::min(end, Length(of.s + strip)) - from), of, along_z,
                        patches);
   }
   for (const Length& middle : middles) {
@@ -270,7 +192,8 @@ void PatchSearch::add_onto_diaphragm(const OnLength& of, const Diaphragm& diaphr
   patches.insert(patches.end(), found.begin(), found.end());
 }
 
-void PatchSearch::add_length(const OnLength& of, bool along_z, std::vector<Patch>& patches) {
+void PatchSearch::add_length(const OnLength& of, const std::vector<Patch>& others, bool along_z,
+                             std::vector<Patch>& patches) {
   if (!(of.to > of.from)) return;
   Patch line;
   line.name = "a load along the beam";
@@ -285,28 +208,24 @@ void PatchSearch::add_length(const OnLength& of, bool along_z, std::vector<Patch
     used_.insert(by);
   }
   const PressedPlates& near = plates_.near(line.s);
-  const auto presses = [&](Force force) {
-    return force > near.none &&
-           near.meet(along_z, {along_z ? force : Force{}, along_z ? Force{} : force, {}, false});
-  };
   bool any = false;
   // With the torques of each sense there, and without.
   Moment torques;
   std::array<Moment, 2> turning{};
-  for (const Patch& other : *of.others) {
+  for (const Patch& other : others) {
     if (other.s < of.begin || other.s > of.end || !other.is_torque()) continue;
     turning[other.torque > Moment{} ? 0 : 1] += other.torque;
     if (other.torque.value() * of.turns > 0.0) torques += other.torque;
   }
   // With what kinks turn off from one flange, and from the other.
   using Ends = std::vector<std::optional<bool>>;
-  const bool kinked = std::any_of(of.others->begin(), of.others->end(), [&](const Patch& other) {
+  const bool kinked = std::any_of(others.begin(), others.end(), [&](const Patch& other) {
     return other.s >= of.begin && other.s <= of.end && other.at_high;
   });
   for (const std::size_t k : {0U, 1U}) {
     const Force force = si<Force>(of.forces[k]);
     Force against = si<Force>(of.forces[1 - k]);
-    for (const Patch& other : *of.others) {
+    for (const Patch& other : others) {
       const bool here = other.s >= of.begin && other.s <= of.end && !other.is_torque();
       if (here && (other.force.value() > 0.0) != (k == 0)) against += abs(other.force);
     }
@@ -315,30 +234,14 @@ void PatchSearch::add_length(const OnLength& of, bool along_z, std::vector<Patch
     line.couple = si<Moment>(of.turns);
     line.standing = {{line.force, {line.stands_at(), line.stands_at()}}};
     if (!(force > 1e-6 * near.none)) continue;
-    if (presses(force)) {
+    if (presses(near, along_z, force)) {
       patches.push_back(line);
       any = true;
     }
     for (const std::optional<bool>& high : kinked ? Ends{true, false} : Ends{std::nullopt}) {
-      Patch sum = line;
-      for (const Patch& other : *of.others) {
-        if (other.s < of.begin || other.s > of.end || other.is_torque() ||
-            (other.force.value() > 0.0) != (k == 0) ||
-            (high && other.at_high && *other.at_high != *high))
-          continue;
-        sum.name += " and " + other.name;
-        sum.force += other.force;
-        sum.couple += other.couple;
-        if (other.at_high) sum.at_high = other.at_high;
-        const Length from = std::min({Length(line.s - 0.5 * line.stiff_length), other.s}),
-                     to = std::max({Length(line.s + 0.5 * line.stiff_length), other.s});
-        sum.s = 0.5 * (from + to);
-        sum.stiff_length = std::max(sum.stiff_length, Length(to - from));
-        sum.standing.clear();
-        sum.together = true;
-      }
+      const Patch sum = with_forces_of(others, of, high, line);
       // Without a kink it is the same at either end of the section.
-      if ((high && !sum.at_high && !*high) || !presses(abs(sum.force))) continue;
+      if ((high && !sum.at_high && !*high) || !presses(near, along_z, abs(sum.force))) continue;
       if (sum.together) patches.push_back(sum);
       for (const Moment& torque : turning) {
         if (torque == Moment{}) continue;
@@ -350,21 +253,26 @@ void PatchSearch::add_length(const OnLength& of, bool along_z, std::vector<Patch
     }
   }
   if (any || of.turns == 0.0 || !project_->in_space) return;
-  // Torque along the beam, as couples at one place are.
+  add_torque_along(std::move(line), si<Moment>(of.turns) + torques, patches);
+}
+
+void PatchSearch::add_torque_along(Patch line, Moment torque, std::vector<Patch>& patches) {
+  const bool along_z = line.along_z;
   const auto apart = webs_apart_at(line.s, along_z);
   if (!apart) return;
+  const LoadIntroduction* const by = introduction_at(line.s);
   if (by != nullptr && by->torque_by &&
       *by->torque_by != (along_z ? TorqueBy::webs : TorqueBy::flanges))
     return;
-  const Moment torque = si<Moment>(of.turns) + torques;
-  if (!presses(abs(torque) / *apart)) return;
+  const Force force = abs(torque) / *apart;
+  if (!presses(plates_.near(line.s), along_z, force)) return;
   line.name = "a torque along the beam";
   line.opposed = true;
   line.couple = {};
   line.standing.clear();
   line.torque = torque;
   for (const double sense : {1.0, -1.0}) {
-    line.force = sense * abs(torque) / *apart;
+    line.force = sense * force;
     patches.push_back(line);
   }
 }

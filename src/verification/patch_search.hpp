@@ -112,13 +112,9 @@ struct PressedWeb {
   StiffenerWeld weld = {};
 };
 
+struct OnLength;
 struct PathWeb;
 struct PathWebs;
-
-/// What loads along the beam push across it, along an axis or against that, from one place to
-/// another.
-Force across_on(const std::vector<LineLoad>& lines, bool along_z, bool pushing, Length from,
-                Length to);
 
 /// A diaphragm beside a web as what bears forces there; `inside`: from web to web.
 BearingStiffener stiffener_of(const Project& project, const PatchedWeb& web, Length inside,
@@ -269,12 +265,15 @@ class PatchSearch {
   /// Loads along the beam: of each sense what stands on any length of the depth of the webs, with
   /// the forces there; and torques along it.
   void add_lines(const std::vector<LineLoad>& lines, bool along_z, std::vector<Patch>& patches);
-  struct OnLength;
   /// How much of the webs on either side of a diaphragm works with it.
   Length strip_beside(const Diaphragm& of, bool along_z);
   void add_onto_diaphragm(const OnLength& of, const Diaphragm& diaphragm, bool along_z,
                           std::vector<Patch>& patches);
-  void add_length(const OnLength& of, bool along_z, std::vector<Patch>& patches);
+  /// `others`: forces and torques by themselves.
+  void add_length(const OnLength& of, const std::vector<Patch>& others, bool along_z,
+                  std::vector<Patch>& patches);
+  /// The torque along it, as couples at one place are.
+  void add_torque_along(Patch line, Moment torque, std::vector<Patch>& patches);
   const Diaphragm* diaphragm_at(Length s) const;
   /// `is_firm`, once each.
   bool holds(const Diaphragm& of, bool along_z) const;
