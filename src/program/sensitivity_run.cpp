@@ -60,7 +60,7 @@ Sensitivities sensitivities_of(const CaseOptions& options, const std::vector<Ver
     if (value.value != 0.0) inputs.push_back({key, value, {}});
   }
   const DesignTrials trials(options);
-  std::atomic<std::size_t> next{0}, done{0}, verified{0};
+  std::atomic<std::size_t> next{0}, done{0};
   const auto work = [&] {
     for (std::size_t i = next++; i < inputs.size(); i = next++) {
       Sensitivity& input = inputs[i];
@@ -71,7 +71,6 @@ Sensitivities sensitivities_of(const CaseOptions& options, const std::vector<Ver
           factors =
               factors_of(trials.verify({fmt::format("{}={}", input.key, to_text(changed))}).beams);
         });
-        ++verified;
         return factors;
       });
       ++done;
@@ -88,7 +87,6 @@ Sensitivities sensitivities_of(const CaseOptions& options, const std::vector<Ver
   }
   Sensitivities of;
   of.criteria = criteria_of(beams);
-  of.verifications = verified;
   for (Sensitivity& input : inputs) {
     if (input.slopes.empty())
       of.not_verified.push_back(input.key);

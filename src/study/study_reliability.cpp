@@ -56,7 +56,6 @@ StudyReliability study_reliability(const Study& study, ReliabilityResult result)
   for (const std::string& expression : study.reliability->expressions)
     of.limit_state.push_back(expression + " < 0");
   of.correlated = study.correlation.size() > 0;
-  of.wanted_variation = study.reliability->variation;
   of.years = study.reliability->years;
   of.result = std::move(result);
   const StudyTransformation transformation(study);

@@ -55,8 +55,7 @@ class PressedPlatesAlong {
  public:
   explicit PressedPlatesAlong(const Project& project);
 
-  /// Of both ends of a segment.
-  const PressedPlates& of_segment(std::size_t segment) const { return of_segments_[segment]; }
+  /// Of both ends of each segment.
   const std::vector<PressedPlates>& of_segments() const { return of_segments_; }
   /// Anywhere within the depth of the plates on either side of a place, as far as a patch reaches.
   const PressedPlates& near(Length s);

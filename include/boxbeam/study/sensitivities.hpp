@@ -50,7 +50,6 @@ struct Sensitivities {
   std::vector<Sensitivity> inputs;        ///< those that change something
   std::size_t without_effect = 0;         ///< the others
   std::vector<std::string> not_verified;  ///< keys of which neither side can be verified
-  std::size_t verifications = 0;
 };
 
 /// Below this a slope is none: the search for the governing place is as exact.

@@ -26,7 +26,6 @@ struct StudyReliability {
   std::uint64_t seed = 0;
   std::vector<std::string> limit_state;  ///< "check fatigue", "r - s < 0"
   bool correlated = false;
-  double wanted_variation = 0.0;
   std::optional<double> years;
   ReliabilityResult result;
   std::vector<std::vector<VariableAtPoint>> points;  ///< of each design point
