@@ -17,8 +17,6 @@ namespace {
 
 using spatial::ClosingJoint;
 using spatial::ClosingKind;
-using spatial::Joint;
-using spatial::JointKind;
 using spatial::Mechanism;
 
 /// Kinds as they are written: those of closing joints in their order, and one that closes nothing.

@@ -33,8 +33,7 @@ std::vector<VariableAtPoint> StudyTransformation::at(const DesignPoint& point) c
   // d g/d z = (d g/d u) L^-1, which does not hang on the order of the variables.
   Eigen::VectorXd alpha = point.alpha;
   if (factor_.size() > 0) {
-    factor_.triangularView<Eigen::Lower>().transpose().solveInPlace(alpha);
-    alpha.normalize();
+    alpha = factor_.transpose().triangularView<Eigen::Upper>().solve(point.alpha).normalized();
   }
   const std::vector<double> values = values_at(point.u);
   std::vector<VariableAtPoint> all;

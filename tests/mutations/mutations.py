@@ -714,7 +714,7 @@ MUTATIONS = [
          ("violation", "beyond += std::max(0.0, -margin);", "beyond += std::max(0.0, margin);",
           "which designs keep their limits", "optimum_test")),
     *_in("src/study", "study_reliability.cpp",
-         ("alpha-correlated", "factor_.triangularView<Eigen::Lower>().transpose().solveInPlace(alpha);", "",
+         ("alpha-correlated", "factor_.transpose().triangularView<Eigen::Upper>().solve(point.alpha).normalized();", "point.alpha;",
           "importance of correlated variables", "read_reliability_test")),
     *_in("src/verification", "patched_paths.cpp",
          ("path-share", "std::abs(&web == &first ? by_first : 1.0 - by_first)", "0.5",
