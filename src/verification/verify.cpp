@@ -1,12 +1,12 @@
 #include "boxbeam/verification/verify.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
 
 #include "axial_forces.hpp"
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/numerics/nine_digits.hpp"
 #include "boxbeam/verification/deflection.hpp"
 #include "boxbeam/verification/distortion_checks.hpp"
 #include "boxbeam/verification/drawn_histories.hpp"
@@ -44,21 +44,14 @@ std::vector<CheckResult> all_checks(std::vector<CheckResult> of_beam,
   return checks;
 }
 
-/// To nine digits: what is used as much as another but for round-off stands behind it as along the
-/// beam, on every computer.
-double without_round_off(double use) {
-  constexpr int bits = 30;
-  int exponent = 0;
-  const double mantissa = std::frexp(use, &exponent);
-  return std::ldexp(std::nearbyint(std::ldexp(mantissa, bits)), exponent - bits);
-}
-
+/// What is used as much as another but for round-off stands behind it as along the beam, on every
+/// computer.
 void sort_worst_first(std::vector<CheckResult>& checks) {
   // Results are large: their order is found first, then each is moved once.
   std::vector<std::pair<double, std::size_t>> order;
   order.reserve(checks.size());
   for (const CheckResult& result : checks)
-    order.emplace_back(without_round_off(result.check.utilisation()), order.size());
+    order.emplace_back(nine_digits(result.check.utilisation()), order.size());
   std::stable_sort(order.begin(), order.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<CheckResult> sorted;
