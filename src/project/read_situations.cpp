@@ -296,12 +296,6 @@ bool read_sudden_start(TableReader& table, const FrontEndReader& front_end,
   }
   const auto* links = std::get_if<flexible::Mechanism>(&project.mechanism);
   if (links != nullptr) {
-    if (links->element == flexible::Element::exact) {
-      table.problem("sudden_start",
-                    "a sudden start is the sum of the modes of divided links, which the exact "
-                    "form has not",
-                    "write element = \"corrected\" in [model]");
-    }
     for (const flexible::Link& link : links->links) {
       if (link.parts <= limits::most_parts_at_start) continue;
       table.problem("sudden_start",

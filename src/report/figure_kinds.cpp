@@ -262,9 +262,7 @@ std::string joint_forces_caption(const Source& source) {
 }
 
 std::string sudden_start_caption(const Source& source) {
-  const bool exact = flexible_of(source.project).element == flexible::Element::exact;
-  return fmt::format("Forces of the joints after the loads are switched on at once{}: {}.",
-                     exact ? ", by corrected rigid elements" : "",
+  return fmt::format("Forces of the joints after the loads are switched on at once: {}.",
                      largest_force(source.verification.pictures.elastic->after_start));
 }
 

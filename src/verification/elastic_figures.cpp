@@ -58,17 +58,6 @@ std::vector<double> swept_frequencies(double drive, const std::vector<flexible::
   return frequencies;
 }
 
-/// Those that are drawn, and all below a frequency.
-std::vector<flexible::Mode> exact_modes_beyond(const flexible::Structure& structure,
-                                               double frequency) {
-  constexpr std::size_t most = 192;
-  for (std::size_t count = modes_drawn;; count *= 2) {
-    std::vector<flexible::Mode> modes = flexible::modes_of(structure, count);
-    const bool all = modes.size() < count || modes.back().frequency > frequency;
-    if (all || count >= most) return modes;
-  }
-}
-
 /// By the exact form at every frequency.
 JointLines exact_lines_over_frequency(const flexible::Structure& structure,
                                       const std::vector<flexible::Mode>& modes) {
@@ -144,22 +133,13 @@ ElasticFigures elastic_figures_of(const Project& project, const SituationRun& ru
   figures.motion = flexible_motion_of(as_solved);
   figures.rest =
       posture_figure(project, {&structure, {flexible::no_loads<double>(structure), {}}, 1.0}, "");
-  const double drive = motion.response.frequency;
-  if (motion.mechanism->element == flexible::Element::exact) {
-    const std::vector<flexible::Mode> modes = exact_modes_beyond(structure, 1.8 * drive);
-    figures.modes = mode_figures(project, structure, modes);
-    if (drive == 0.0) return figures;
-    figures.over_frequency = exact_lines_over_frequency(structure, modes);
-    const flexible::Mechanism divided = with_modes_of_division(*motion.mechanism);
-    const flexible::Structure parts = flexible::structure_of(divided);
-    figures.after_start = lines_after_start(modal_model_beyond(parts, drive));
-  } else {
-    const flexible::ModalModel modes = modal_model_beyond(structure, drive);
-    figures.modes = mode_figures(project, structure, modes.modes);
-    if (drive == 0.0) return figures;
-    figures.over_frequency = lines_over_frequency(modes);
-    figures.after_start = lines_after_start(modes);
-  }
+  const VibratingModes of = modes_beyond_drive(*motion.mechanism);
+  figures.modes = mode_figures(project, *of.structure, of.modal.modes);
+  if (motion.response.frequency == 0.0) return figures;
+  figures.over_frequency = motion.mechanism->element == flexible::Element::exact
+                               ? exact_lines_over_frequency(structure, of.modal.modes)
+                               : lines_over_frequency(of.modal);
+  figures.after_start = lines_after_start(of.modal);
   figures.over_period = lines_over_period(motion);
   return figures;
 }

@@ -6,15 +6,17 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/flexible/beam_loads.hpp"
 #include "boxbeam/verification/elastic_model.hpp"
-#include "boxbeam/verification/sudden_start.hpp"
 
 namespace boxbeam {
 namespace {
 
-/// The links as they are divided at the case's word, in a form that bears axial forces.
+/// The links as they are divided at the case's word, in a form that bears axial forces: corrected
+/// elements in the place of the exact form.
 flexible::Mechanism divided(const Project& project, const SituationRun& run) {
   constexpr int least_parts = 8;
-  flexible::Mechanism mechanism = with_modes_of_division(flexible_in(project, *run.situation));
+  flexible::Mechanism mechanism = flexible_in(project, *run.situation);
+  if (mechanism.element == flexible::Element::exact)
+    mechanism.element = flexible::Element::corrected;
   for (flexible::Link& link : mechanism.links) link.parts = std::max(link.parts, least_parts);
   return mechanism;
 }

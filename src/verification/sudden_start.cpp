@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 
+#include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/flexible/start_loads.hpp"
 #include "boxbeam/verification/elastic_model.hpp"
@@ -17,16 +19,40 @@ namespace {
 /// A start is resolved by so many modes at most.
 constexpr std::size_t most_modes_of_start = 192;
 
+/// By so many at least, and up to so many times the frequency of the drive.
+constexpr std::size_t fewest_modes = 24;
+constexpr double beyond_drive = 3.0;
+
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-}  // namespace
-
-flexible::Mechanism with_modes_of_division(flexible::Mechanism mechanism) {
-  if (mechanism.element == flexible::Element::exact) {
-    mechanism.element = flexible::Element::corrected;
+void add_modes(VibratingModes& of) {
+  of.structure = std::make_shared<const flexible::Structure>(flexible::structure_of(*of.mechanism));
+  for (std::size_t count = fewest_modes;; count *= 2) {
+    of.modal = flexible::modal_model_of(*of.structure, count);
+    const std::vector<flexible::Mode>& modes = of.modal.modes;
+    const bool all = modes.size() < count;
+    if (all || count >= most_modes_of_start ||
+        modes.back().frequency >= beyond_drive * of.mechanism->frequency)
+      return;
   }
-  return mechanism;
 }
+
+/// Of the exact form: the structure must be resolved at the last of them, so they are counted
+/// before they are looked for.
+void add_exact_modes(VibratingModes& of) {
+  const flexible::Structure coarse = flexible::structure_of(*of.mechanism);
+  const auto below = [&](double square) { return flexible::frequencies_below(coarse, square); };
+  const double least = std::pow(full_turn * beyond_drive * of.mechanism->frequency, 2);
+  double square = std::max(least, 1.0);
+  std::size_t count = below(square);
+  // Links without mass have no more modes, however far one looks.
+  for (int step = 0; count < fewest_modes && step < 20; ++step) count = below(square *= 4.0);
+  of.structure =
+      std::make_shared<const flexible::Structure>(flexible::structure_of(*of.mechanism, square));
+  of.modal = flexible::modal_model_of(*of.structure, std::min(count, most_modes_of_start));
+}
+
+}  // namespace
 
 flexible::Mechanism with_all_elements(const flexible::Mechanism& of, const ElasticModel& model) {
   flexible::Mechanism mechanism =
@@ -35,14 +61,15 @@ flexible::Mechanism with_all_elements(const flexible::Mechanism& of, const Elast
   return mechanism;
 }
 
-flexible::ModalModel modal_model_beyond(const flexible::Structure& structure, double drive) {
-  constexpr std::size_t fewest = 24;
-  for (std::size_t count = fewest;; count *= 2) {
-    flexible::ModalModel model = flexible::modal_model_of(structure, count);
-    const bool all = model.modes.size() < count;
-    if (all || count >= most_modes_of_start || model.modes.back().frequency >= 3.0 * drive)
-      return model;
+VibratingModes modes_beyond_drive(flexible::Mechanism mechanism) {
+  VibratingModes of;
+  of.mechanism = std::make_shared<const flexible::Mechanism>(std::move(mechanism));
+  if (of.mechanism->element == flexible::Element::exact) {
+    add_exact_modes(of);
+  } else {
+    add_modes(of);
   }
+  return of;
 }
 
 StartSpan start_span_of(const flexible::ModalModel& model) {
@@ -72,30 +99,23 @@ StartSpan start_span_of(const flexible::ModalModel& model) {
 
 LoadHistory loads_after_start(const Project& project, const Situation& situation,
                               const ElasticModel& model) {
-  const flexible::Mechanism mechanism = with_all_elements(flexible_in(project, situation), model);
-  if (mechanism.element == flexible::Element::exact) {
-    throw AnalysisError(
-        {"a sudden start is the sum of the modes of divided links, which the exact "
-         "form has not; write element = \"corrected\"",
-         "mechanism"});
-  }
+  flexible::Mechanism mechanism = with_all_elements(flexible_in(project, situation), model);
   if (mechanism.frequency == 0.0) {
     throw AnalysisError({"no load vibrates: there is nothing to start", "mechanism"});
   }
-  // The structure looks at its mechanism, and both stay as long as the loads are asked for.
-  auto of = std::make_shared<const flexible::Mechanism>(mechanism);
-  auto structure = std::make_shared<const flexible::Structure>(flexible::structure_of(*of));
-  const flexible::ModalModel modal = modal_model_beyond(*structure, of->frequency);
+  const VibratingModes of = modes_beyond_drive(std::move(mechanism));
+  const flexible::ModalModel& modal = of.modal;
+  const double drive = of.mechanism->frequency;
   if (modal.modes.size() >= most_modes_of_start &&
-      modal.modes.back().frequency < 3.0 * of->frequency) {
+      modal.modes.back().frequency < beyond_drive * drive) {
     throw AnalysisError(
         {fmt::format("{} modes of the structure lie below three times the frequency of the loads, "
                      "{:.6g} Hz: its sudden start is not resolved",
-                     modal.modes.size(), of->frequency),
+                     modal.modes.size(), drive),
          "mechanism"});
   }
   auto loads = std::make_shared<const flexible::StartLoads>(
-      *structure, project.beam_body, project.beam, flexible::SuddenStartModes(modal));
+      *of.structure, project.beam_body, project.beam, flexible::SuddenStartModes(modal));
   const StartSpan start = start_span_of(modal);
   if (!start.is_resolved) {
     throw AnalysisError(
@@ -103,11 +123,14 @@ LoadHistory loads_after_start(const Project& project, const Situation& situation
              "a sudden start at {:.6g} Hz has its peak after as long as {:.4g} s, which takes "
              "more steps than can be looked at where modes up to {:.4g} Hz vibrate: more "
              "damping, or a frequency farther from that of a mode, makes it shorter",
-             of->frequency, start.length, start.fastest),
+             drive, start.length, start.fastest),
          "mechanism"});
   }
   const LoadSpan span{Time{}, si<Time>(start.length), static_cast<std::size_t>(start.steps), false};
-  return {span, [of, structure, loads](Time time) { return loads->at(time.value()); }};
+  // The links stay as long as their loads are asked for.
+  return {span, [mechanism = of.mechanism, structure = of.structure, loads](Time time) {
+            return loads->at(time.value());
+          }};
 }
 
 }  // namespace boxbeam

@@ -34,12 +34,11 @@ BrokenCase with(const std::string& lines, const std::string& at, std::vector<std
   return {lines, text, line_of(at, text), std::move(said)};
 }
 
-/// The exact form without nodes at joints, and without the sudden start that it has not either.
+/// The exact form without nodes at joints.
 BrokenCase exact_with_equal_parts() {
   std::string text = truck();
   for (const auto& [from, to] : {std::pair<std::string, std::string>{"\"corrected\"", "\"exact\""},
-                                 {"\"nodes at joints\"", "\"equal\""},
-                                 {"sudden_start = true", "sudden_start = false"}}) {
+                                 {"\"nodes at joints\"", "\"equal\""}}) {
     text.replace(text.find(from), from.size(), to);
   }
   return {"exact, equal parts", text, line_of("division = ", text), {"has its nodes at joints"}};
@@ -196,8 +195,6 @@ TEST_CASE("what belongs to rigid mechanisms is refused in one of elastic links",
       changed("element = \"corrected\"", "element = \"precise\"",
               {"\"element\" cannot be \"precise\"", "classical"}),
       exact_with_equal_parts(),
-      changed("element = \"corrected\"", "element = \"exact\"",
-              {"a sudden start is the sum of the modes"}, "sudden_start = true"),
       changed("element = \"corrected\"", "tolerance = 1.5",
               {"the tolerance is a fraction", "tolerance = 0.01"}),
       replaced("elements of a rigid case", "[mechanism]",

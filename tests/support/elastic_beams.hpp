@@ -102,6 +102,17 @@ inline boxbeam::flexible::Load load_at(double s, const Eigen::Vector3d& constant
   return {"load", {0, {s, 0.0}}, constant, amplitude, 0.0};
 }
 
+/// A beam whose axis is that of a link of some length; its places are its ends.
+inline boxbeam::TaperedBeam beam_of_length(double length) {
+  using namespace boxbeam;
+  const Section section{
+      symmetric_box(si<Length>(0.2), si<Length>(0.3), si<Length>(0.01), si<Length>(0.01)), {}};
+  TaperedBeam beam;
+  beam.segments.push_back({"1", si<Length>(0.0), si<Length>(length), section, section});
+  beam.density = si<Density>(7850.0);
+  return beam;
+}
+
 /// What a mechanism by chance has.
 struct RandomMechanism {
   int links = 4;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "boxbeam/mechanism/flexible/modal_response.hpp"
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/load_history.hpp"
@@ -7,15 +9,17 @@
 
 namespace boxbeam {
 
-/// The mechanism in a form whose response is a sum of modes: corrected elements in the place of the
-/// exact form.
-flexible::Mechanism with_modes_of_division(flexible::Mechanism mechanism);
-
 /// The mechanism with all its elements, its links never divided coarser than the case says.
 flexible::Mechanism with_all_elements(const flexible::Mechanism& of, const ElasticModel& model);
 
-/// As many modes as reach well beyond the drive; what they leave out is corrected statically.
-flexible::ModalModel modal_model_beyond(const flexible::Structure& structure, double drive);
+/// Elastic links by as many modes as reach well beyond their drive; what these leave out is
+/// corrected statically. The structure looks at its mechanism, and the modes at the structure.
+struct VibratingModes {
+  std::shared_ptr<const flexible::Mechanism> mechanism;
+  std::shared_ptr<const flexible::Structure> structure;  ///< of the exact form resolved for all
+  flexible::ModalModel modal;
+};
+VibratingModes modes_beyond_drive(flexible::Mechanism mechanism);
 
 /// How long a sudden start is looked at.
 struct StartSpan {

@@ -82,24 +82,23 @@ LineLoad empty_line(const Interval& of) {
 /// What the motion of a link's elements leaves along it.
 class Inertia {
  public:
-  /// `omega`: of the vibration.
   Inertia(const Structure& structure, std::size_t link, const std::vector<MassStretch>& stretches,
-          double omega)
+          const Vibration& of)
       : structure_(&structure),
         link_(link),
         stretches_(&stretches),
-        omega_(omega),
+        z_(of.square / Complex(1.0, of.omega * structure.mechanism->links[link].retardation)),
         exact_(structure.mechanism->element == Element::exact && !divided().springs.empty()),
         gathered_(structure.mechanism->element == Element::corrected &&
                   !divided().springs.empty()) {
     if (!gathered_) return;
-    const Link& of = structure.mechanism->links[link];
+    const Link& whole = structure.mechanism->links[link];
     for (const SpringElement& part : divided().springs) {
-      parts_.push_back(lumps_of(of, part.from, part.to));
+      parts_.push_back(lumps_of(whole, part.from, part.to));
     }
   }
 
-  /// `motion` times the square of omega: of its real and of its imaginary part.
+  /// Of a motion times its square: of its real and of its imaginary part.
   std::array<LineLoad, 2> lines(const Interval& of, const Eigen::Matrix3Xcd& motion) const {
     if (exact_) return lines_of_exact(of, motion);
     const auto line = [&](const Eigen::Matrix3Xd& part) {
@@ -115,9 +114,8 @@ class Inertia {
                                          const Eigen::Matrix3Xcd& motion) const {
     const Link& link = structure_->mechanism->links[link_];
     const SpringElement& spring = divided().springs[of.piece];
-    const Complex z = omega_ * omega_ / Complex(1.0, omega_ * link.retardation);
     const auto at = static_cast<Eigen::Index>(of.piece);
-    return exact_inertia_of(ExactPart<Complex>(link, spring.from, spring.to, z),
+    return exact_inertia_of(ExactPart<Complex>(link, spring.from, spring.to, z_),
                             link.stretches[of.stretch], of.from, of.to, motion.col(at),
                             motion.col(at + 1));
   }
@@ -184,7 +182,7 @@ class Inertia {
   const Structure* structure_;
   std::size_t link_;
   const std::vector<MassStretch>* stretches_;
-  double omega_;
+  Complex z_;  ///< of the exact form between its nodes
   bool exact_, gathered_;
   std::vector<PartLumps> parts_;
 };
@@ -290,7 +288,7 @@ void add_second_order(const DividedLink& link, const std::vector<Length>& places
 }  // namespace
 
 BeamResponse beam_response_of(const Structure& structure, int link, const TaperedBeam& beam,
-                              const Response& response, const LinkColumns<Complex>& inertial) {
+                              const Response& response, const Vibration& inertial) {
   const Mechanism& mechanism = *structure.mechanism;
   const auto index = static_cast<std::size_t>(link);
   const Link& of = mechanism.links[index];
@@ -322,9 +320,8 @@ BeamResponse beam_response_of(const Structure& structure, int link, const Tapere
       });
 
   const Eigen::Vector2d g = Eigen::Rotation2Dd(-of.angle) * mechanism.gravity;
-  const double omega = omega_of(response.frequency);
-  const Inertia inertia(structure, index, stretches, omega);
-  const Eigen::Matrix3Xcd moved = omega * omega * inertial[index];
+  const Inertia inertia(structure, index, stretches, inertial);
+  const Eigen::Matrix3Xcd moved = inertial.square * inertial.motion[index];
   for (const Interval& interval : intervals) {
     const MassStretch& stretch = stretches[interval.stretch];
     const Polynomial<2> mass = shifted(stretch.mass, interval.from - stretch.start);
@@ -343,6 +340,13 @@ BeamResponse beam_response_of(const Structure& structure, int link, const Tapere
   add_bent(response.harmonic.motion[index].real(), result.sine);
   add_bent(response.harmonic.motion[index].imag(), result.cosine);
   return result;
+}
+
+BeamResponse beam_response_of(const Structure& structure, int link, const TaperedBeam& beam,
+                              const Response& response, const LinkColumns<Complex>& inertial) {
+  const double omega = omega_of(response.frequency);
+  return beam_response_of(structure, link, beam, response,
+                          Vibration{inertial, omega * omega, omega});
 }
 
 BeamLoads beam_loads_at(const BeamResponse& response, double time) {

@@ -5,8 +5,10 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <random>
+#include <utility>
 
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
@@ -45,23 +47,10 @@ class Counts {
   std::size_t below(double square) {
     const auto known = known_.find(square);
     if (known != known_.end()) return known->second;
-    return known_[square] = count(square);
+    return known_[square] = frequencies_below(*structure_, square);
   }
 
  private:
-  /// A little beyond where that is too near a resonance to tell.
-  std::size_t count(double square) const {
-    constexpr double farthest = 1e-9;
-    for (double part = 0.0;; part = std::max(1e-14, 10.0 * part)) {
-      try {
-        return DynamicStiffness<double>(*structure_, square * (1.0 + part), 0.0)
-            .frequencies_below();
-      } catch (const AnalysisError&) {
-        if (part >= farthest) throw;
-      }
-    }
-  }
-
   const Structure* structure_;
   std::map<double, std::size_t> known_;
 };
@@ -143,6 +132,7 @@ class Refinement {
     constexpr int most_steps = 30;
     const double margin = 0.5 * (bracket_.high - bracket_.low);
     double shift = 0.5 * (bracket_.low + bracket_.high);
+    VectorXd squares_before;
     bool was_near = false;
     for (int step = 0; step < most_steps; ++step) {
       const VectorXd theta = iterate(shift);
@@ -152,8 +142,17 @@ class Refinement {
       // The last two steps begin so near the frequencies that nothing of a second order is left,
       // nor of other motions.
       const double spread = theta.maxCoeff() - theta.minCoeff();
-      const bool is_near = theta.cwiseAbs().maxCoeff() <= 4.0 * off * mean + 2.0 * spread;
-      if (is_near && was_near) return inside(shift, theta);
+      const VectorXd squares_now = theta.array() + shift;
+      const bool is_settled =
+          theta.size() == 1 || (squares_before.size() == theta.size() &&
+                                (squares_now - squares_before).cwiseAbs().maxCoeff() <= off * mean);
+      squares_before = squares_now;
+      const bool is_near =
+          is_settled && theta.cwiseAbs().maxCoeff() <= 4.0 * off * mean + 2.0 * spread;
+      if (is_near && was_near) {
+        const std::vector<double> squares = inside(shift, theta);
+        return spread > agreeing * mean ? each_by_itself(squares) : squares;
+      }
       was_near = is_near;
       shift = mean * (1.0 - off);
     }
@@ -190,14 +189,39 @@ class Refinement {
   std::vector<double> inside(double shift, const VectorXd& theta) const {
     std::vector<double> squares;
     for (Index i = 0; i < theta.size(); ++i) {
-      const LinkColumns<double>& motion = block_.motions[static_cast<std::size_t>(i)].motion;
-      const double mass = dot(motion, mass_times(finer_.structure, motion, shift + theta[i]));
-      const double square = shift + 0.5 * (3.0 - mass) * theta[i];
-      if (square < bracket_.low * (1.0 - slack) || square > bracket_.high * (1.0 + slack))
-        return {};
-      squares.push_back(square);
+      squares.push_back(square_of(shift, theta[i], static_cast<std::size_t>(i)));
+      if (!is_inside(squares.back())) return {};
     }
     return squares;
+  }
+
+  double square_of(double shift, double theta, std::size_t at) const {
+    const LinkColumns<double>& motion = block_.motions[at].motion;
+    const double mass = dot(motion, mass_times(finer_.structure, motion, shift + theta));
+    return shift + 0.5 * (3.0 - mass) * theta;
+  }
+
+  bool is_inside(double square) const {
+    return square >= bracket_.low * (1.0 - slack) && square <= bracket_.high * (1.0 + slack);
+  }
+
+  /// From one shift between them motions are known to their distance only: once more from near
+  /// each.
+  std::vector<double> each_by_itself(const std::vector<double>& squares) {
+    std::vector<double> refined;
+    std::vector<Deformation<double>> motions;
+    for (std::size_t i = 0; i < squares.size(); ++i) {
+      const double shift = squares[i] * (1.0 - off);
+      const VectorXd theta = iterate(shift);
+      if (theta.size() == 0) return {};
+      refined.push_back(square_of(shift, theta[static_cast<Index>(i)], i));
+      const bool is_it = std::abs(refined.back() - squares[i]) <=
+                         slack * squares[i] + 0.1 * (squares.back() - squares.front());
+      if (!is_it || !is_inside(refined.back())) return {};
+      motions.push_back(block_.motions[i]);
+    }
+    block_.motions = std::move(motions);
+    return refined;
   }
 
   /// One step of inverse iteration at a shift, whose motions then have mass one: how far the
@@ -246,17 +270,33 @@ void turn(Deformation<double>& mode) {
   mode.joints = -mode.joints;
 }
 
-void add_modes(const Structure& structure, const Bracket& of, Counts& counts,
-               std::vector<Mode>& modes) {
-  Refinement refinement(structure, of);
+/// A mode that strains, with the square of its omega.
+struct Found {
+  double square;
+  Mode mode;
+  std::size_t together;  ///< the first of those that were refined with it
+};
+
+/// Nothing where the refinement fails.
+std::vector<Found> modes_in(const Structure& structure, const Bracket& bracket) {
+  Refinement refinement(structure, bracket);
   const std::vector<double> squares = refinement.run();
+  std::vector<Found> modes;
   for (std::size_t i = 0; i < squares.size(); ++i) {
-    Mode& mode = modes.emplace_back();
-    mode.frequency = std::sqrt(squares[i]) / full_turn;
-    mode.shape = at_coarse_nodes(refinement.finer(), refinement.motions()[i]);
+    Mode mode{std::sqrt(squares[i]) / full_turn,
+              at_coarse_nodes(refinement.finer(), refinement.motions()[i])};
     turn(mode.shape);
+    modes.push_back({squares[i], std::move(mode), bracket.first});
   }
-  if (!squares.empty() || of.count == 0) return;
+  return modes;
+}
+
+void add_modes(const Structure& structure, const Bracket& of, Counts& counts,
+               std::vector<Found>& modes) {
+  std::vector<Found> found = modes_in(structure, of);
+  const bool is_done = !found.empty() || of.count == 0;
+  std::move(found.begin(), found.end(), std::back_inserter(modes));
+  if (is_done) return;
   // Another frequency was nearer: brackets half as wide.
   if (of.high <= of.low * (1.0 + 0.01 * agreeing)) {
     fail_to_find(std::sqrt(of.high) / full_turn);
@@ -267,6 +307,26 @@ void add_modes(const Structure& structure, const Bracket& of, Counts& counts,
   if (below > of.first)
     add_modes(structure, {of.low, middle, of.first, below - of.first}, counts, modes);
   if (end > below) add_modes(structure, {middle, of.high, below, end - below}, counts, modes);
+}
+
+/// What a step of inverse iteration leaves of a neighbour is the distance from the shift over that
+/// from the neighbour: modes so near each other are refined once more, together.
+void refine_neighbours(const Structure& structure, std::vector<Found>& modes) {
+  constexpr double apart = 1.03;
+  std::stable_sort(modes.begin(), modes.end(),
+                   [](const Found& a, const Found& b) { return a.square < b.square; });
+  for (std::size_t i = 0, end = 0; i < modes.size(); i = end) {
+    end = i + 1;
+    while (end < modes.size() && modes[end].square < apart * modes[end - 1].square) ++end;
+    if (modes[i].together == modes[end - 1].together) continue;
+    const double low = modes[i].square, high = modes[end - 1].square;
+    // On the way there they are known less well.
+    const double wider = 0.1 * (high - low) + slack * high;
+    std::vector<Found> anew =
+        modes_in(structure, {low - wider, high + wider, modes[i].together, end - i});
+    if (anew.size() == end - i)
+      std::move(anew.begin(), anew.end(), modes.begin() + static_cast<std::ptrdiff_t>(i));
+  }
 }
 
 /// So many motions without strain, far below a square of omega.
@@ -285,6 +345,17 @@ void add_free_modes(const Structure& structure, std::size_t count, double square
 
 }  // namespace
 
+std::size_t frequencies_below(const Structure& structure, double square) {
+  constexpr double farthest = 1e-9;
+  for (double part = 0.0;; part = std::max(1e-14, 10.0 * part)) {
+    try {
+      return DynamicStiffness<double>(structure, square * (1.0 + part), 0.0).frequencies_below();
+    } catch (const AnalysisError&) {
+      if (part >= farthest) throw;
+    }
+  }
+}
+
 std::vector<Mode> exact_modes_of(const Structure& structure, std::size_t count) {
   std::vector<Mode> modes;
   Counts counts(structure);
@@ -302,7 +373,10 @@ std::vector<Mode> exact_modes_of(const Structure& structure, std::size_t count) 
     high *= 4.0;
     if (!std::isfinite(high)) fail_to_find(std::sqrt(low) / full_turn);
   }
-  for (const Bracket& bracket : brackets) add_modes(structure, bracket, counts, modes);
+  std::vector<Found> found;
+  for (const Bracket& bracket : brackets) add_modes(structure, bracket, counts, found);
+  refine_neighbours(structure, found);
+  for (Found& of : found) modes.push_back(std::move(of.mode));
   std::stable_sort(modes.begin(), modes.end(),
                    [](const Mode& a, const Mode& b) { return a.frequency < b.frequency; });
   if (modes.size() > count) modes.resize(count);

@@ -8,8 +8,10 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <tuple>
 
 #include "boxbeam/core/error.hpp"
+#include "exact_damping.hpp"
 #include "frequency.hpp"
 #include "modal_parts.hpp"
 
@@ -55,21 +57,24 @@ struct Damper {
   std::size_t joint = 0;
 };
 
+/// By the static springs of the link's parts. Of the exact form that is all that motions of nodes
+/// feel of its damping, for between them they follow statically.
 void add_dampers_of_link(const Structure& structure, std::size_t k, std::vector<Damper>& dampers) {
   const double retardation = structure.mechanism->links[k].retardation;
   if (retardation == 0.0) return;
-  const DividedLink& link = structure.links[k];
-  for (std::size_t i = 0; i < link.springs.size(); ++i) {
-    const SpringElement& spring = link.springs[i];
+  const auto link = link_stiffness_of<double>(structure, k, 0.0, 0.0);
+  for (std::size_t i = 0; i + 1 < link.nodes(); ++i) {
+    const PartFlexibility<double> part = link.part(i);
     Damper damper;
-    if (spring.axial > 0.0) damper.c(0, 0) = retardation / spring.axial;
-    if (!spring.bending.isZero(0.0)) {
-      damper.c.bottomRightCorner<2, 2>() = retardation * spring.bending.inverse();
-    }
-    for (const std::size_t element : {i, i + 1}) {
+    if (part.axial > 0.0) damper.c(0, 0) = retardation / part.axial;
+    Eigen::Matrix2d bending;
+    bending << part.f11, part.f12, part.f12, part.f22;
+    if (!bending.isZero(0.0)) damper.c.bottomRightCorner<2, 2>() = retardation * bending.inverse();
+    for (const auto& [element, lever, sign] :
+         {std::tuple(i, part.from_start, -1.0), std::tuple(i + 1, part.from_end, 1.0)}) {
       Matrix3d G = Matrix3d::Identity();
-      G(1, 2) = spring.place - link.elements[element].node;
-      damper.ends.push_back({k, element, element == i ? Matrix3d(-G) : G});
+      G(1, 2) = lever;
+      damper.ends.push_back({k, element, sign * G});
     }
     dampers.push_back(damper);
   }
@@ -354,6 +359,7 @@ ModalModel modal_model_of(const Structure& structure, std::size_t count) {
     }
     model.damping += strains.transpose() * damper.c * strains;
   }
+  if (structure.mechanism->element == Element::exact) add_damping_within(structure, model);
   return model;
 }
 

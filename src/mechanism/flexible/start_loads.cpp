@@ -41,8 +41,8 @@ StartLoads::StartLoads(const Structure& structure, int link, const TaperedBeam& 
   response.frequency = 0.5 * std::numbers::inv_pi;  // omega = 1: time is the drive's angle
   response.constant = modes_.constant();
   response.harmonic.motion = no_loads<Complex>(structure);
-  const LinkColumns<Complex> at_rest = no_loads<Complex>(structure);
-  const auto by = [&](const Eigen::Matrix3Xcd& joints, const LinkColumns<Complex>& inertial) {
+  const Vibration at_rest{no_loads<Complex>(structure)};
+  const auto by = [&](const Eigen::Matrix3Xcd& joints, const Vibration& inertial) {
     response.harmonic.joints = joints;
     return beam_response_of(structure, link, beam, response, inertial);
   };
@@ -58,9 +58,10 @@ StartLoads::StartLoads(const Structure& structure, int link, const TaperedBeam& 
   of_modes_.resize(amplitudes.size(), 0);
   of_speeds_.resize(amplitudes.size(), 0);
   for (const Mode& mode : modes_.modes()) {
-    const double square = std::pow(full_turn * mode.frequency, 2);
-    LinkColumns<Complex> inertial = at_rest;
-    for (std::size_t k = 0; k < inertial.size(); ++k) inertial[k] = square * mode.shape.motion[k];
+    Vibration inertial = at_rest;
+    inertial.square = std::pow(full_turn * mode.frequency, 2);
+    for (std::size_t k = 0; k < inertial.motion.size(); ++k)
+      inertial.motion[k] = mode.shape.motion[k];
     add_column(by(mode.shape.joints, inertial), of_modes_);
   }
   for (const Deformation<double>& of : modes_.of_speeds())

@@ -323,6 +323,10 @@ std::size_t Structure::elements() const {
 }
 
 Structure structure_of(const Mechanism& mechanism) {
+  return structure_of(mechanism, std::pow(omega_of(mechanism.frequency), 2));
+}
+
+Structure structure_of(const Mechanism& mechanism, double square) {
   std::vector<std::vector<double>> places(mechanism.links.size());
   if (mechanism.nodes_at_joints) {
     const auto keep = [&](const Attachment& at) {
@@ -345,7 +349,7 @@ Structure structure_of(const Mechanism& mechanism) {
     structure.links.push_back(divide(mechanism.links[k], places[k], mechanism.element,
                                      held_ends_of(mechanism, static_cast<int>(k))));
   }
-  const int pieces = pieces_at(structure, std::pow(omega_of(mechanism.frequency), 2));
+  const int pieces = pieces_at(structure, square);
   if (pieces > 1) {
     const FinerStructure finer = cut(structure, pieces);
     for (std::size_t k = 0; k < mechanism.links.size(); ++k) {

@@ -9,22 +9,13 @@
 
 #include "boxbeam/beam/cut_force_diagram.hpp"
 #include "catch.hpp"
+#include "support/elastic_beams.hpp"
 
 namespace boxbeam::flexible {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi = std::numbers::pi;
-
-/// A beam whose axis is that of a link of some length; its places are its ends.
-TaperedBeam beam_of_length(double length) {
-  const Section section{
-      symmetric_box(si<Length>(0.2), si<Length>(0.3), si<Length>(0.01), si<Length>(0.01)), {}};
-  TaperedBeam beam;
-  beam.segments.push_back({"1", si<Length>(0.0), si<Length>(length), section, section});
-  beam.density = si<Density>(7850.0);
-  return beam;
-}
 
 /// A uniform link along x from the origin, without rotary inertia.
 Link uniform_link(double length, double EI, double mass, int parts) {
@@ -157,7 +148,7 @@ TEST_CASE("Loads on an elastic beam are in balance, of any kind and division",
         const Mechanism mechanism = random_mechanism(random, kind, element);
         const Structure structure = structure_of(mechanism);
         const double length = mechanism.links[1].length;
-        const BeamResponse response = response_of_beam(structure, 1, beam_of_length(length));
+        const BeamResponse response = response_of_beam(structure, 1, test::beam_of_length(length));
         CAPTURE(static_cast<int>(kind), static_cast<int>(element), trial);
         for (const double time : {0.0, 0.3 / mechanism.frequency, 0.71 / mechanism.frequency}) {
           const BeamLoads loads = beam_loads_at(response, time);
@@ -185,7 +176,7 @@ TEST_CASE("The cut force at a classical spring is the spring's force",
     const Structure structure = structure_of(mechanism);
     const Response response = boxbeam::flexible::response_of(structure);
     const BeamResponse loads =
-        beam_response_of(structure, 1, beam_of_length(mechanism.links[1].length), response,
+        beam_response_of(structure, 1, test::beam_of_length(mechanism.links[1].length), response,
                          response.harmonic.motion);
     const double time = 0.4 / mechanism.frequency;
     const CutForceDiagram diagram = cut_forces_of(beam_loads_at(loads, time));
@@ -223,7 +214,7 @@ TEST_CASE("Weight on a pinned beam gives its parabola for any division",
       mechanism.element = element;
       mechanism.gravity = {0.0, -g};
       const Structure structure = structure_of(mechanism);
-      const BeamResponse response = response_of_beam(structure, 0, beam_of_length(L));
+      const BeamResponse response = response_of_beam(structure, 0, test::beam_of_length(L));
       const CutForceDiagram diagram = cut_forces_of(beam_loads_at(response, 0.0));
       const double q = mass * g;
       for (const double s : {0.13, 1.0, 2.4, 3.0, 4.77, 5.9}) {
@@ -254,7 +245,8 @@ TEST_CASE("Uniform and linear accelerations give exact inertia per length",
       rigid[0].col(i) =
           Eigen::Vector3d(at_start[0], at_start[1] + at_start[2] * s, at_start[2]).cast<Complex>();
     }
-    const BeamResponse loads = beam_response_of(structure, 0, beam_of_length(L), response, rigid);
+    const BeamResponse loads =
+        beam_response_of(structure, 0, test::beam_of_length(L), response, rigid);
     const double square = std::pow(2.0 * pi * 7.0, 2);
     for (const LineLoad& line : loads.sine.lines) {
       for (const double part : {0.0, 0.4, 1.0}) {
@@ -295,7 +287,7 @@ TEST_CASE("The bending moment under a harmonic load converges with the parts",
         load.amplitude = {0.0, -P, 0.0};
         mechanism.loads = {load};
         const Structure structure = structure_of(mechanism);
-        const BeamResponse response = response_of_beam(structure, 0, beam_of_length(L));
+        const BeamResponse response = response_of_beam(structure, 0, test::beam_of_length(L));
         const CutForceDiagram diagram = cut_forces_of(response.sine);
         const double M = diagram.at({si<Length>(0.5 * L), Side::before}).M_y.value();
         errors.push_back(std::abs(M / exact - 1.0));

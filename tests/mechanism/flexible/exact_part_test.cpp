@@ -21,15 +21,6 @@ using test::End;
 
 namespace {
 
-TaperedBeam beam_of_length(double length) {
-  const Section section{
-      symmetric_box(si<Length>(0.2), si<Length>(0.3), si<Length>(0.01), si<Length>(0.01)), {}};
-  TaperedBeam beam;
-  beam.segments.push_back({"1", si<Length>(0.0), si<Length>(length), section, section});
-  beam.density = si<Density>(7850.0);
-  return beam;
-}
-
 /// A cantilever with a force of amplitude one across its end.
 Mechanism shaken(const Bar& bar, int parts, double frequency, double retardation = 0.0) {
   Mechanism mechanism = test::cantilever_of(bar, parts, Element::exact);
@@ -105,7 +96,7 @@ TEST_CASE("exact part: cut forces along a vibrating beam", "[exact]") {
   const Bar bar = test::steel_bar(4.0, 0.3, 0.1);
   for (const double frequency : {3.0, 40.0, 400.0}) {
     const double omega = 2.0 * std::numbers::pi * frequency;
-    const TaperedBeam beam = beam_of_length(bar.L);
+    const TaperedBeam beam = test::beam_of_length(bar.L);
     const Mechanism mechanism = shaken(bar, 16, frequency);
     const Structure structure = structure_of(mechanism);
     const Response response = response_of(structure);

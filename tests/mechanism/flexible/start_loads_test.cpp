@@ -17,14 +17,13 @@ TEST_CASE(
     "after a sudden start the loads on the truck's boom are in balance and its joints' forces") {
   const Project project = read_project(test::project_file("sections/drill-truck/truck.toml"));
   const flexible::Mechanism& mechanism = flexible_of(project);
-  const flexible::Structure structure = flexible::structure_of(mechanism);
-  const flexible::ModalModel model = modal_model_beyond(structure, mechanism.frequency);
-  const flexible::StartLoads after(structure, project.beam_body, project.beam,
-                                   flexible::SuddenStartModes(model));
+  const VibratingModes of = modes_beyond_drive(mechanism);
+  const flexible::StartLoads after(*of.structure, project.beam_body, project.beam,
+                                   flexible::SuddenStartModes(of.modal));
   constexpr double length = 0.5;
   constexpr std::size_t steps = 100;
   // Another way to the same motion: steps by the exponential of the matrix.
-  const flexible::SuddenStart start = flexible::sudden_start_of(model, length, steps);
+  const flexible::SuddenStart start = flexible::sudden_start_of(of.modal, length, steps);
   for (const std::size_t i : {std::size_t{0}, std::size_t{7}, std::size_t{41}, steps}) {
     CAPTURE(i);
     const BeamLoads loads = after.at(start.times[i]);

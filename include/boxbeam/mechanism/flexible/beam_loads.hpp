@@ -17,6 +17,14 @@ struct BeamResponse {
   double frequency = 0.0;  ///< [Hz]
 };
 
+/// A motion with the acceleration -`square` times itself, of links that damp as they do at `omega`
+/// [rad/s]: in the exact form that is its shape between the nodes.
+struct Vibration {
+  LinkColumns<Complex> motion;
+  double square = 0.0;  ///< [1/s^2]
+  double omega = 0.0;   ///< zero: undamped
+};
+
 /// The loads in a response that is in balance with the inertia of a motion: its own, or less where
 /// a model counts less.
 ///
@@ -31,6 +39,9 @@ struct BeamResponse {
 /// that force does to the bent link comes to it, d/ds (N w') across the straight axis: cut forces
 /// are then those of the second order, V across the bent axis. Precondition: the link's axis is
 /// that of the beam. Source: d'Alembert's principle.
+BeamResponse beam_response_of(const Structure& structure, int link, const TaperedBeam& beam,
+                              const Response& response, const Vibration& inertial);
+/// Of a motion of the response's frequency.
 BeamResponse beam_response_of(const Structure& structure, int link, const TaperedBeam& beam,
                               const Response& response, const LinkColumns<Complex>& inertial);
 

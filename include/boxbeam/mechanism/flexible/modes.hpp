@@ -18,4 +18,8 @@ struct Mode {
 /// inverted, with the solver of `DynamicStiffness` (Spectra).
 std::vector<Mode> modes_of(const Structure& structure, std::size_t count);
 
+/// How many natural frequencies lie below a square of omega, undamped, or up to a billionth above
+/// it where that is too near one to tell.
+std::size_t frequencies_below(const Structure& structure, double square);
+
 }  // namespace boxbeam::flexible

@@ -131,8 +131,9 @@ std::array<double, 2> turning_of(const SpringElement& part);
 bool parts_stand(const DividedLink& link);
 
 /// Divides all links and finds what joints and loads take hold of. Of the exact form it is resolved
-/// at the frequency of the loads.
+/// at the frequency of the loads, or at a square of omega.
 Structure structure_of(const Mechanism& mechanism);
+Structure structure_of(const Mechanism& mechanism, double square);
 
 /// Into how many pieces the parts of the exact form are to be cut so that each is far from a
 /// resonance of its own while its nodes are held, at a square of omega, and its power series
