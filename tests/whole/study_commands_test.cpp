@@ -1,7 +1,6 @@
 // Studies of a case as a user runs them: what cannot be judged counts for nothing, and a case that
 // cannot be verified as it is may have designs that can.
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -9,58 +8,19 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "support/box_cantilever.hpp"
 #include "support/program.hpp"
 
 namespace study_commands_test {
 
 using nlohmann::json;
+using test::box_of_cantilever;
+using test::cantilever;
+using test::mass_of_box;
 using test::run_program;
+using test::tube_of_cantilever;
 
 namespace {
-
-const std::string box = R"(kind = "box"
-width = "200 mm"
-height = "300 mm"
-flange = "10 mm"
-web = "8 mm"
-)";
-const std::string tube = R"(kind = "round tube"
-diameter = "300 mm"
-wall = "10 mm"
-)";
-
-/// A cantilever of 2 m without weight under 10 kN at its end. The name of the load has a dot.
-std::string cantilever(const std::string& section) {
-  return R"([case]
-name = "cantilever"
-kind = "static"
-[frame]
-gravity = ["0 m/s^2", "0 m/s^2"]
-[beam]
-density = "7850 kg/m^3"
-[[beam.segments]]
-length = "2 m"
-section = "of"
-[sections.of]
-)" + section +
-         R"([supports.wall]
-at = "0 m"
-kind = "fixed"
-[loads."tip.1"]
-kind = "force"
-at = "2 m"
-force = ["0 kN", "-10 kN"]
-[material]
-steel = "S355"
-[strength]
-required = 1
-)";
-}
-
-/// The same with another flange, in metres.
-double mass_of_box(double flange) {
-  return 7850.0 * (0.2 * 0.3 - (0.2 - 0.016) * (0.3 - 2.0 * flange)) * 2.0;
-}
 
 std::string study_of(const std::string& variable, const std::string& optimise) {
   return "[study]\ncase = \"beam.toml\"\n[variables.t]\n" + variable + "\n[optimise]\n" + optimise +
@@ -72,7 +32,7 @@ std::string study_of(const std::string& variable, const std::string& optimise) {
 // Yield by bending: the factor falls as the force grows, whatever the name of the force.
 TEST_CASE("what changes the factors is found of names with dots, too", "[study]") {
   const test::TemporaryFolder folder;
-  const std::string file = folder.write("beam.toml", cantilever(box));
+  const std::string file = folder.write("beam.toml", cantilever(box_of_cantilever));
   const auto ran = run_program({"verify", file, "--sensitivities", "--no-plots", "--no-html",
                                 "--no-pdf", "--out", folder.path() / "out", "--json", "-"});
   REQUIRE(ran.exit_code == 0);
@@ -86,38 +46,9 @@ TEST_CASE("what changes the factors is found of names with dots, too", "[study]"
   CHECK(found);
 }
 
-TEST_CASE("a value is solved for in a case that cannot be verified as it is", "[study]") {
-  const test::TemporaryFolder folder;
-  const std::string file = folder.write("beam.toml", cantilever(box));
-  const std::string wanted = "beam.mass = " + std::to_string(mass_of_box(0.012)) + " kg";
-  // Flanges of 160 mm do not fit into 300 mm.
-  const auto ran = run_program({"solve", file, "--set", "sections.of.flange=160 mm", "--for",
-                                "sections.of.flange", "--such-that", wanted, "--between", "5 mm",
-                                "170 mm", "--json", "-"});
-  REQUIRE(ran.exit_code == 0);
-  const json solved = json::parse(ran.out);
-  REQUIRE(solved.at("roots").size() == 1);
-  CHECK(solved.at("roots").at(0).at("value").get<double>() == Approx(12.0).epsilon(1e-6));
-  // Where nothing can be verified the case's own trouble is said.
-  const auto none =
-      run_program({"solve", file, "--set", "sections.of.flange=160 mm", "--for",
-                   "sections.of.flange", "--such-that", wanted, "--between", "155 mm", "170 mm"});
-  CHECK(none.exit_code == 2);
-  CHECK(none.err.find("sections.of") != std::string::npos);
-}
-
-TEST_CASE("that a key does not change a result is said", "[study]") {
-  const test::TemporaryFolder folder;
-  const std::string file = folder.write("beam.toml", cantilever(box));
-  const auto ran = run_program(
-      {"solve", file, "--for", "loads.\"tip.1\".force.1", "--such-that", "beam.mass = 1 t"});
-  CHECK(ran.exit_code == 1);
-  CHECK(ran.out.find("does not change it") != std::string::npos);
-}
-
 TEST_CASE("the best of a list is found where the case as it is cannot be verified", "[study]") {
   const test::TemporaryFolder folder;
-  std::string section = box;
+  std::string section = box_of_cantilever;
   section.replace(section.find("10 mm"), 5, "160 mm");
   folder.write("beam.toml", cantilever(section));
   const std::string study = folder.write(
@@ -138,7 +69,7 @@ TEST_CASE("stresses that cannot be believed keep no limit of an optimum", "[stud
   REQUIRE(300.0 / 5.0 > 90.0 * 235.0 / 355.0);
   REQUIRE(300.0 / 6.0 < 90.0 * 235.0 / 355.0);
   const test::TemporaryFolder folder;
-  folder.write("beam.toml", cantilever(tube));
+  folder.write("beam.toml", cantilever(tube_of_cantilever));
   const std::string list =
       "key = \"sections.of.wall\"\nvalues = [\"3 mm\", \"5 mm\", \"6 mm\", \"10 mm\"]";
   for (const char* limit : {"1 - utilisation", "checks", "yield.safety_factor - 1"}) {
@@ -163,7 +94,7 @@ TEST_CASE("stresses that cannot be believed keep no limit of an optimum", "[stud
 // Whichever variable changes first: then runs are kept for the designs behind, or each runs anew.
 TEST_CASE("a design comes to the same whatever designs stand before it", "[study]") {
   const test::TemporaryFolder folder;
-  folder.write("beam.toml", cantilever(box));
+  folder.write("beam.toml", cantilever(box_of_cantilever));
   const std::string flange =
       "[variables.t]\nkey = \"sections.of.flange\"\n"
       "grid = { from = \"8 mm\", to = \"20 mm\", count = 13 }\n";
@@ -218,7 +149,7 @@ TEST_CASE("a comma in the name of what governs ends no cell of a row", "[study]"
 TEST_CASE("numbers that have not the dimension of their key are refused before any design",
           "[study]") {
   const test::TemporaryFolder folder;
-  folder.write("beam.toml", cantilever(box));
+  folder.write("beam.toml", cantilever(box_of_cantilever));
   for (const char* values : {"[8, 10]", "[\"8 kg\", \"10 kg\"]"}) {
     const std::string study = folder.write("study.toml",
                                            "[study]\ncase = \"beam.toml\"\n[variables.t]\nkey = "
@@ -244,125 +175,9 @@ TEST_CASE("as many designs as are missing are said to be", "[study]") {
   CHECK(merged.err.find("101 of 200 designs are missing") != std::string::npos);
 }
 
-namespace {
-
-/// The roots that solve finds of the cantilever for its flange.
-json roots_of(const std::string& file, const std::string& wanted) {
-  const auto ran = run_program(
-      {"solve", file, "--for", "sections.of.flange", "--such-that", wanted, "--json", "-"});
-  CAPTURE(ran.err);
-  REQUIRE(ran.exit_code == 0);
-  return json::parse(ran.out).at("roots");
-}
-
-}  // namespace
-
-// Use is required over existing factor, so that all of these ask the same.
-TEST_CASE("the use of what is used most is solved for, as a part or in per cent", "[study]") {
-  const test::TemporaryFolder folder;
-  const std::string file = folder.write("beam.toml", cantilever(box));
-  const double by_factor = roots_of(file, "yield.safety_factor = 10").at(0).at("value");
-  for (const char* wanted :
-       {"utilisation = 0.1", "utilisation = 10 %", "yield.utilisation = 10%"}) {
-    CAPTURE(wanted);
-    CHECK(roots_of(file, wanted).at(0).at("value").get<double>() ==
-          Approx(by_factor).epsilon(1e-9));
-  }
-}
-
-// Of slender plates that are used by what works of them, no check of which is yield or fatigue.
-TEST_CASE("every criterion that is judged has a result by its name", "[study]") {
-  const test::TemporaryFolder folder;
-  std::string slender = box;
-  slender.replace(slender.find("10 mm"), 5, "5 mm");
-  slender.replace(slender.find("8 mm"), 4, "4 mm");
-  const std::string file = folder.write("beam.toml", cantilever(slender));
-  for (const char* wanted :
-       {"effective section.utilisation = 0.2", "effective_section.utilisation = 0.2"}) {
-    const json root = roots_of(file, wanted).at(0);
-    const double flange = root.at("value");
-    const auto ran = run_program(
-        {"verify", file, "--set", "sections.of.flange=" + json(flange).dump() + " mm", "--out",
-         folder.path() / "out", "--no-plots", "--no-html", "--no-pdf", "--json", "-"});
-    double most = 0.0;
-    const json results = json::parse(ran.out);
-    for (const json& check : results.at("checks"))
-      if (check.at("criterion") == "effective section")
-        most = std::max(most, check.at("utilisation").get<double>());
-    CHECK(most == Approx(0.2).epsilon(1e-9));
-  }
-  const auto none = run_program(
-      {"solve", file, "--for", "sections.of.flange", "--such-that", "fatigue.utilisation = 1"});
-  CHECK(none.exit_code == 2);
-  CHECK(none.err.find("the case has no check of it") != std::string::npos);
-}
-
-// d/t above 90 eps^2: see above. The number is there, but it is no measure of the tube.
-TEST_CASE("values at which no stress counts are told from others", "[study]") {
-  const test::TemporaryFolder folder;
-  const std::string file = folder.write("beam.toml", cantilever(tube));
-  const auto ran = run_program({"solve", file, "--for", "sections.of.wall", "--such-that",
-                                "utilisation = 0.2", "--json", "-"});
-  REQUIRE(ran.exit_code == 0);
-  const json root = json::parse(ran.out).at("roots").at(0);
-  CHECK(root.at("value").get<double>() < 5.0);
-  CHECK(root.at("verdict") == "not applicable");
-  CHECK_FALSE(root.at("gate").get<std::string>().empty());
-  const std::string table =
-      folder.write("published.csv", "result,published,tolerance\nutilisation,0.2,100 %\n");
-  const auto compared = run_program({"compare", file, table, "--set", "sections.of.wall=4 mm"});
-  CHECK(compared.exit_code == 0);
-  CHECK(compared.out.find("count for nothing") != std::string::npos);
-}
-
-// Categories are 36, 40, .. 112, 125, 140, 160; the factor on the ranges is in proportion to them
-// (EN 1993-1-9, 8(2)), whatever the beam.
-TEST_CASE("of a key of whole numbers these alone are looked at", "[study]") {
-  const test::TemporaryFolder folder;
-  const std::string file = test::project_file("sections/templates/loads.toml");
-  const auto solved = [&](const std::string& wanted) {
-    const auto ran = run_program({"solve", file, "--for", "fatigue.category", "--such-that", wanted,
-                                  "--between", "71", "112", "--json", "-"});
-    return json::parse(ran.out);
-  };
-  const auto factor_of = [&](const std::string& category) {
-    const auto ran =
-        run_program({"verify", file, "--set", "fatigue.category=" + category, "--out",
-                     folder.path() / "out", "--no-plots", "--no-html", "--no-pdf", "--json", "-"});
-    const json results = json::parse(ran.out);
-    return results.at("governing").at("fatigue").at("safety_factor").get<double>();
-  };
-  const double with_80 = factor_of("80"), with_90 = factor_of("90");
-  REQUIRE(with_90 == Approx(90.0 / 80.0 * with_80).epsilon(1e-9));
-  const json exact = solved("fatigue.safety_factor = " + json(with_90).dump());
-  REQUIRE(exact.at("roots").size() == 1);
-  CHECK(exact.at("roots").at(0).at("value") == 90.0);
-  const json between = solved("fatigue.safety_factor = " + json(0.5 * (with_80 + with_90)).dump());
-  CHECK(between.at("roots").empty());
-  REQUIRE(between.at("jumps").size() == 1);
-  const json& jump = between.at("jumps").at(0);
-  CHECK(jump.at("value") == 85.0);
-  CHECK(jump.at("apart") == 10.0);
-  CHECK(jump.at("before").get<double>() == Approx(with_80).epsilon(1e-12));
-  CHECK(jump.at("behind").get<double>() == Approx(with_90).epsilon(1e-12));
-  CHECK(between.at("reason").get<std::string>().find("between 80 and 90") != std::string::npos);
-}
-
-TEST_CASE("what is no single value is said to be none", "[study]") {
-  const test::TemporaryFolder folder;
-  const std::string file = folder.write("beam.toml", cantilever(box));
-  for (const char* wanted : {"utilisation <= 1", "utilisation < = 1", "utilisation == 1"}) {
-    CAPTURE(wanted);
-    const auto ran =
-        run_program({"solve", file, "--for", "sections.of.flange", "--such-that", wanted});
-    CHECK(ran.exit_code == 2);
-    CHECK(ran.err.find("is no single value") != std::string::npos);
-  }
-}
-
 TEST_CASE("a case for a study, or a study for a case, is one thing wrong and not many", "[study]") {
   const test::TemporaryFolder folder;
-  const std::string file = folder.write("beam.toml", cantilever(box));
+  const std::string file = folder.write("beam.toml", cantilever(box_of_cantilever));
   const std::string study =
       folder.write("study.toml",
                    "[study]\ncase = \"beam.toml\"\n[variables.t]\nkey = \"sections.of.flange\"\n"
@@ -386,7 +201,7 @@ TEST_CASE("a case for a study, or a study for a case, is one thing wrong and not
 TEST_CASE("a key that the case has not is refused unless some design can be read with it",
           "[study]") {
   const test::TemporaryFolder folder;
-  folder.write("beam.toml", cantilever(box));
+  folder.write("beam.toml", cantilever(box_of_cantilever));
   const auto swept = [&](const std::string& more) {
     const std::string study =
         folder.write("study.toml",

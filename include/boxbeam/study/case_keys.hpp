@@ -27,8 +27,8 @@ struct KeyTrouble {
 /// Reads a case with settings "key=value", as --set has them; throws InputError.
 using ReadWith = std::function<void(const std::vector<std::string>& set)>;
 
-/// Whether designs can set a key of a case to values such as `first`, written as behind the "=" of a
-/// setting: where the case has it, in its dimension; else where the case can be read with it, by
+/// Whether designs can set a key of a case to values such as `first`, written as behind the "=" of
+/// a setting: where the case has it, in its dimension; else where the case can be read with it, by
 /// itself or with all that one of the designs sets. Nothing is wrong then.
 std::optional<KeyTrouble> trouble_with_key(const CaseDocument& document, const std::string& key,
                                            const std::string& first,
