@@ -62,8 +62,9 @@ def check_verify(folder):
     check(rig.verdict == same["verdict"] and rig.passes, "verdict")
     check(rig.checks[0].utilisation == same["checks"][0]["utilisation"] and rig.checks[0].passes, "first check")
     check(rig.governing["fatigue"].safety_factor == same["governing"]["fatigue"]["safety_factor"], "governing")
-    check(all(rig.governing[name].utilisation == max(of.utilisation for of in rig.checks if of.criterion == name)
-              for name in {of.criterion for of in rig.checks}), "a criterion is not governed by its most used check")
+    # But for round-off, by which the order of what is used alike does not hang.
+    check(all(of.utilisation <= rig.governing[of.criterion].utilisation * (1 + 1e-8) for of in rig.checks),
+          "a criterion is not governed by its most used check")
     with open(RIG, "rb") as file:
         strength = tomllib.load(file)
     del strength["fatigue"]
