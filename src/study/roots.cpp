@@ -41,9 +41,9 @@ class RootSearch {
   Roots whole_ones() {
     const double first = std::ceil(question_->from), last = std::floor(question_->to);
     constexpr double most = 1000.0;
-    const double step = std::max(1.0, std::ceil((last - first) / most));
+    const double stride = std::max(1.0, std::ceil((last - first) / most));
     Tried before;
-    for (double value = first; value <= last; value += step) {
+    for (double value = first; value <= last; value += stride) {
       const Tried now{value, above_at(value)};
       if (!now.above) continue;
       if (std::abs(*now.above) <= tolerance(before.above ? std::abs(*before.above) : 0.0))

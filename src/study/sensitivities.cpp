@@ -6,12 +6,12 @@
 namespace boxbeam {
 namespace {
 
-constexpr double h = 0.005, beside = h / 8.0;
+constexpr double h = 0.005, probe_step = h / 8.0;
 
-using Results = std::optional<std::map<Criterion, double>>;
+using FactorsAt = std::optional<std::map<Criterion, double>>;
 
 /// Nothing where there is none or it is infinite.
-std::optional<double> factor_in(const Results& results, Criterion which) {
+std::optional<double> factor_in(const FactorsAt& results, Criterion which) {
   if (!results) return std::nullopt;
   const auto found = results->find(which);
   if (found == results->end() || !std::isfinite(found->second)) return std::nullopt;
@@ -57,8 +57,8 @@ SideSlope side_slope(double own, double near, double far, std::optional<double> 
   SideSlope side{one_sided(own, near, far, sign), 0.0};
   side.error = std::abs(sign * (near - own) / (h * own) - side.slope);
   // Where it is not judged so close by, nothing says what it is there.
-  const double close = beside_it ? sign * (*beside_it - own) / (beside * own) : 0.0;
-  side.error = std::max(side.error, std::abs(close - side.slope));
+  const double nearest = beside_it ? sign * (*beside_it - own) / (probe_step * own) : 0.0;
+  side.error = std::max(side.error, std::abs(nearest - side.slope));
   return side;
 }
 
@@ -66,7 +66,7 @@ SideSlope side_slope(double own, double near, double far, std::optional<double> 
 class AskedResults {
  public:
   explicit AskedResults(const ResultsAt& at) : at_(&at) {}
-  const Results& operator()(double factor) {
+  const FactorsAt& operator()(double factor) {
     const auto known = asked_.find(factor);
     return known != asked_.end() ? known->second
                                  : asked_.emplace(factor, (*at_)(factor)).first->second;
@@ -74,7 +74,7 @@ class AskedResults {
 
  private:
   const ResultsAt* at_;
-  std::map<double, Results> asked_;
+  std::map<double, FactorsAt> asked_;
 };
 
 }  // namespace
@@ -99,9 +99,9 @@ std::map<Criterion, Slope> slopes_of(const std::map<Criterion, double>& as_it_is
       slope = *smooth;
     } else {
       if (five.down && five.far_down)
-        slope.down = side_slope(own, *five.down, *five.far_down, factor(1.0 - beside), -1.0);
+        slope.down = side_slope(own, *five.down, *five.far_down, factor(1.0 - probe_step), -1.0);
       if (five.up && five.far_up)
-        slope.up = side_slope(own, *five.up, *five.far_up, factor(1.0 + beside), 1.0);
+        slope.up = side_slope(own, *five.up, *five.far_up, factor(1.0 + probe_step), 1.0);
     }
     if (slope.down || slope.up) slopes[which] = slope;
   }

@@ -714,7 +714,7 @@ MUTATIONS = [
     *_in("src/study", "sensitivities.cpp",
          ("slope-error", "0.5 * rough", "0.1 * rough",
           "what a kink close by does to a slope", "sensitivities_test"),
-         ("slope-beside", "std::abs(close - side.slope)", "0.0 * (close - side.slope)",
+         ("slope-beside", "std::abs(nearest - side.slope)", "0.0 * (nearest - side.slope)",
           "a jump next to the value", "sensitivities_test")),
     *_in("src/study", "roots.cpp",
          ("whole-passes", "*before.above * *now.above < 0.0", "*before.above * *now.above > 0.0",
