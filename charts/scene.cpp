@@ -14,17 +14,37 @@ Scenes reference_scenes() {
   return scenes;
 }
 
+namespace {
+
+/// What of a mechanism the experiments on mechanisms can be done on, and why the others cannot.
+struct SceneOf {
+  const Project* project;
+  Scenes* scenes;
+
+  void operator()(const planar::Mechanism&) const {
+    scenes->planar = *project;
+    scenes->missing = "its mechanism is of rigid bodies, not of elastic links";
+  }
+  void operator()(const spatial::Mechanism&) const {
+    scenes->missing = "its mechanism is a chain in space, whose motion is explicit";
+  }
+  void operator()(const flexible::Mechanism&) const {
+    scenes->flexible = *project;
+    scenes->missing = "its mechanism is of elastic links, not of rigid bodies in the plane";
+  }
+  void operator()(const frame::Structure&) const {
+    scenes->missing = "its beam is at rest: nothing moves";
+  }
+  void operator()(const recorded::Loads&) const {
+    scenes->missing = "its loads are given: no mechanism moves";
+  }
+};
+
+}  // namespace
+
 Scenes scenes_of(Project project) {
   Scenes scenes;
-  if (std::holds_alternative<flexible::Mechanism>(project.mechanism)) {
-    scenes.flexible = project;
-    scenes.missing = "its mechanism is of elastic links, not of rigid bodies in the plane";
-  } else if (project.in_space) {
-    scenes.missing = "its mechanism is a chain in space, whose motion is explicit";
-  } else {
-    scenes.planar = project;
-    scenes.missing = "its mechanism is of rigid bodies, not of elastic links";
-  }
+  std::visit(SceneOf{&project, &scenes}, project.mechanism);
   scenes.beam = std::move(project);
   return scenes;
 }

@@ -12,6 +12,7 @@
 
 #include "arrays.hpp"
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/project/case_document.hpp"
 #include "boxbeam/project/case_source.hpp"
 #include "boxbeam/project/catalogue.hpp"
 #include "boxbeam/project/named_section.hpp"
@@ -19,6 +20,7 @@
 #include "boxbeam/report/json.hpp"
 #include "boxbeam/report/result_book.hpp"
 #include "boxbeam/report/section_text.hpp"
+#include "boxbeam/study/case_keys.hpp"
 #include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/section_summary.hpp"
 #include "boxbeam/verification/verify.hpp"
@@ -181,9 +183,6 @@ class Sweeping {
         swept_.words[k][design] = to_text(worst.verdict);
       } else if (column == "governing") {
         if (!worst.checks.empty()) swept_.words[k][design] = worst.checks.front().check.id;
-      } else if (column == "utilisation") {
-        if (!worst.checks.empty())
-          swept_.numbers[k][design] = worst.checks.front().check.utilisation();
       } else {
         if (!book) book = results_of(beams, *columns_);
         const ResultValue* const value = book->find(column);
@@ -223,9 +222,25 @@ class Sweeping {
   std::optional<std::string> hint_;
 };
 
+/// A key that the case has not, or has in another dimension, is wrong in all designs, which set the
+/// keys in this order.
+void require_keys(const Case& of, const std::vector<std::string>& keys,
+                  const std::vector<Settings>& designs) {
+  if (designs.empty()) return;
+  const CaseDocument document =
+      of.text ? parse_document(of.path, *of.text, {}) : read_document(of.path, {});
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const std::string value = designs.front()[i].substr(keys[i].size() + 1);
+    const auto trouble =
+        trouble_with_key(document, keys[i], value, {designs.front(), designs.back()},
+                         [&](const Settings& set) { read(of, set); });
+    if (trouble) throw InputError(trouble->what, trouble->hint);
+  }
+}
+
 py::tuple swept(const std::string& path, const std::optional<std::string>& text,
-                const std::vector<Settings>& designs, const std::vector<std::string>& columns,
-                std::size_t threads) {
+                const std::vector<std::string>& keys, const std::vector<Settings>& designs,
+                const std::vector<std::string>& columns, std::size_t threads) {
   SweptDesigns found;
   {
     const py::gil_scoped_release others_run;
@@ -233,6 +248,7 @@ py::tuple swept(const std::string& path, const std::optional<std::string>& text,
     const Case of{path, text};
     // What is wrong with the case as it is, is wrong with all designs.
     read(of, {});
+    require_keys(of, keys, designs);
     found = Sweeping(of, designs, columns).run(threads);
   }
   py::list results;

@@ -60,7 +60,7 @@ Entry verify_entry(CLI::App& app) {
   command.add_flag(
       "--sensitivities", options->sensitivities,
       "also say by how much the governing factors change with every input of the case; "
-      "verifies it four times for each");
+      "verifies it four to six times for each");
   command.add_flag("--no-plots", options->no_plots, "draw no figures");
   command.add_flag("--no-html", options->no_html, "write no report.html");
   command.add_flag("--no-pdf", options->no_pdf, "write no report.pdf");

@@ -100,15 +100,18 @@ def sweep(case, designs, columns=("verdict", "utilisation"), *, threads=0, folde
     """Verifies a case once for each design: {key: values}, as many values of each key, texts or (numbers, unit):
     {"drivers.exciter.amplitude": (np.linspace(0.1, 0.3, 9), "m")}.
 
-    columns: "verdict", "governing", "utilisation", and keys of results.json such as "fatigue.safety_factor" or "beam.mass".
+    columns: "verdict", "governing", "utilisation", "effective_section.utilisation" and the like of every criterion, and keys
+    of results.json such as "fatigue.safety_factor" or "beam.mass".
     threads: how many designs are verified at once; 0: as many as the machine can. A design that cannot be verified is an
-    entry of `status`, and raises nothing."""
+    entry of `status`, and raises nothing; a key that the case has not raises InputError before any is."""
     path, text = _case(case, folder)
     values = {key: _design_values(of) for key, of in designs.items()}
     counts = {len(of) for of in values.values()}
     if len(counts) != 1:
         raise ValueError("every key has as many values as there are designs, and there is one key at least")
     settings = [[f"{key}={of[i]}" for key, of in values.items()] for i in range(counts.pop())]
+    if isinstance(columns, str):
+        raise TypeError(f"columns is a list of names, [{columns!r}]")
     columns = list(columns)
-    results, units, status = _core.sweep(path, text, settings, columns, threads)
+    results, units, status = _core.sweep(path, text, list(values), settings, columns, threads)
     return Sweep(dict(zip(columns, results)), {name: unit for name, unit in zip(columns, units) if unit}, status)

@@ -104,8 +104,11 @@ class Verification(_Document):
 
     @property
     def governing(self) -> Dict[str, Check]:
-        """The most used check of each criterion."""
-        return {name: _check(of) for name, of in self._data["governing"].items()}
+        """The most used check of each criterion that is judged: "yield", "effective section", "patch loading", .."""
+        most_used: Dict[str, Check] = {}
+        for check in self.checks:
+            most_used.setdefault(check.criterion, check)
+        return most_used
 
     @property
     def mass(self) -> float:

@@ -1,11 +1,14 @@
 #include "program/compare_command.hpp"
 
+#include "boxbeam/core/error.hpp"
 #include "boxbeam/project/published_values.hpp"
 #include "boxbeam/report/comparison.hpp"
 #include "boxbeam/report/files.hpp"
 #include "boxbeam/report/html_writer.hpp"
 #include "boxbeam/verification/any_motion_result.hpp"
 #include "boxbeam/verification/verify.hpp"
+#include "program/design_numbers.hpp"
+#include "program/design_trial.hpp"
 #include "program/exit_code.hpp"
 #include "program/outputs.hpp"
 #include "program/progress.hpp"
@@ -21,9 +24,12 @@ int run_compare(const CompareOptions& options) {
   {
     Progress progress;
     progress.now("verifying");
-    comparison =
-        compare(project, verify(project), published,
-                [&](const std::vector<double>& times) { return any_motion_of(project, times); });
+    const Verification verification = verify(project);
+    comparison = compare(project, verification, published, [&](const std::vector<double>& times) {
+      return any_motion_of(project, times);
+    });
+    if (const std::optional<AnalysisError> why = not_judged(verification))
+      comparison.gate = in_one_line(why->failure().what);
   }
   if (!options.html.empty()) {
     const auto no_pictures = [](const std::string&) { return std::optional<std::string>(); };

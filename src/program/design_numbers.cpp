@@ -14,8 +14,6 @@
 namespace boxbeam::program {
 namespace {
 
-constexpr const char* use = "utilisation";
-
 /// The variable of a name, by its place; nothing where there is none.
 std::optional<std::size_t> variable_of(const Study& study, const std::string& name) {
   for (std::size_t i = 0; i < study.variables.size(); ++i)
@@ -37,7 +35,7 @@ void require_judged(const std::vector<VerifiedBeam>& beams) {
 
 std::optional<AnalysisError> not_judged(const Verification& of) {
   for (const Gate& gate : of.gates)
-    if (gate.blocks) return AnalysisError({gate.finding, "not judged"});
+    if (gate.blocks) return AnalysisError({gate.finding, ""});
   return std::nullopt;
 }
 
@@ -73,10 +71,10 @@ std::map<std::string, std::string> DesignNumbers::units_in(
   const ResultBook book = results_of(beams);
   for (const std::string& name : results_) {
     const ResultValue* const value = book.find(name);
-    if (name != use && value == nullptr)
+    if (value == nullptr)
       throw InputError(fmt::format("{}: there is no variable or result \"{}\"", study_->path, name),
                        book.hint_for(name));
-    units[name] = name == use ? "1" : value->unit;
+    units[name] = value->unit;
   }
   return units;
 }
@@ -90,9 +88,6 @@ std::vector<double> DesignNumbers::of(const std::vector<Setting>& design,
   for (const std::string& name : names_) {
     if (const auto place = variable_of(*study_, name)) {
       numbers.push_back(design[*place].number);
-    } else if (name == use) {
-      if (!beside_verdict) require_judged(beams);
-      numbers.push_back(largest_use_of(beams));
     } else {
       const ResultValue* const value = book->find(name);
       if (value == nullptr) throw AnalysisError({fmt::format("there is no {}", name), ""});
@@ -101,14 +96,6 @@ std::vector<double> DesignNumbers::of(const std::vector<Setting>& design,
     }
   }
   return numbers;
-}
-
-double largest_use_of(const std::vector<VerifiedBeam>& beams) {
-  double most = 0.0;
-  for (const VerifiedBeam& beam : beams)
-    for (const CheckResult& result : beam.verification.checks)
-      most = std::max(most, result.check.utilisation());
-  return most;
 }
 
 }  // namespace boxbeam::program

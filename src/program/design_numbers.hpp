@@ -11,8 +11,7 @@
 
 namespace boxbeam::program {
 
-/// The numbers that expressions of a study name: variables, keys of results.json, and
-/// "utilisation", that of the check that is used most.
+/// The numbers that expressions of a study name: variables and results by their keys.
 class DesignNumbers {
  public:
   /// Looks at the study, which stays. Throws InputError where an expression is none.
@@ -42,8 +41,5 @@ class DesignNumbers {
 
 /// Why the stresses of a beam cannot be believed; nothing where they can.
 std::optional<AnalysisError> not_judged(const Verification& of);
-
-/// Use of the check that is used most, of all beams.
-double largest_use_of(const std::vector<VerifiedBeam>& beams);
 
 }  // namespace boxbeam::program

@@ -10,7 +10,7 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/project/case_document.hpp"
-#include "program/case_keys.hpp"
+#include "boxbeam/study/case_keys.hpp"
 #include "program/design_trial.hpp"
 
 namespace boxbeam::program {

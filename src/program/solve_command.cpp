@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -10,8 +11,9 @@
 #include "boxbeam/project/quantity_text.hpp"
 #include "boxbeam/report/result_book.hpp"
 #include "boxbeam/report/solution_report.hpp"
+#include "boxbeam/study/case_keys.hpp"
 #include "boxbeam/study/solution.hpp"
-#include "program/case_keys.hpp"
+#include "program/design_numbers.hpp"
 #include "program/design_trial.hpp"
 #include "program/exit_code.hpp"
 #include "program/outputs.hpp"
@@ -37,14 +39,29 @@ Wanted wanted_in(const std::string& text) {
   Wanted wanted;
   if (equals != std::string::npos)
     wanted = {trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1))};
+  const bool compares = wanted.result.ends_with('<') || wanted.result.ends_with('>') ||
+                        wanted.result.ends_with('!') || wanted.value.starts_with('=');
+  if (compares)
+    throw InputError(fmt::format("--such-that: \"{}\" is no single value", text),
+                     "write for example --such-that \"fatigue.safety_factor = 2\": what is wanted "
+                     "is the limit itself");
   if (wanted.result.empty() || wanted.value.empty())
     throw InputError(fmt::format("--such-that: \"{}\" is not a result, =, and a value", text),
                      "write for example --such-that \"fatigue.safety_factor = 2\"");
   return wanted;
 }
 
+/// "90 %" as a number; nothing where the text is none.
+std::optional<double> percent_in(const std::string& text) {
+  if (!text.ends_with('%')) return std::nullopt;
+  const auto number = quantity_written_in(trimmed(text.substr(0, text.size() - 1)));
+  if (!number || !number->unit.empty()) return std::nullopt;
+  return 0.01 * number->value;
+}
+
 /// The wanted value in the SI unit of its result.
 double value_of(const Wanted& wanted, const ResultValue& result) {
+  if (const auto percent = percent_in(wanted.value); percent && result.unit == "1") return *percent;
   const auto parsed = parse_quantity(wanted.value);
   const auto unit = parse_quantity(result.unit == "1" ? "1" : "1 " + result.unit);
   const auto* const value = std::get_if<ParsedQuantity>(&parsed);
@@ -127,6 +144,7 @@ class Search {
     question.from = solution_.from.value;
     question.to = solution_.to.value;
     question.wanted = solution_.wanted;
+    question.whole = takes_whole_numbers();
     std::size_t count = 0;
     question.at = [&](double value) {
       progress.now(fmt::format("verification {}, {}", ++count,
@@ -143,6 +161,18 @@ class Search {
   std::vector<std::string> set_to(double value) const {
     return {
         fmt::format("{}={}", options_->key, to_text(WrittenQuantity{value, solution_.from.unit}))};
+  }
+  /// A case that can be read with its own number, but with no part more.
+  bool takes_whole_numbers() const {
+    if (!solution_.own || !solution_.own->unit.empty()) return false;
+    const double own = solution_.own->value;
+    if (own != std::round(own)) return false;
+    const auto can_be = [&](double value) {
+      CaseOptions with = options_->of_case;
+      for (std::string& set : set_to(value)) with.set.push_back(std::move(set));
+      return trouble_of([&] { read_beams_of(with); }).empty();
+    };
+    return can_be(own) && !can_be(own + 1e-6) && !can_be(own - 1e-6);
   }
   VerifiedDesign verified_at(double value) const { return trials_.verify(set_to(value)); }
 
@@ -187,7 +217,9 @@ class Search {
     const VerifiedDesign found = verified_at(root.value);
     const Verification& of = worst_of(found.beams).verification;
     SolvedValue solved{
-        {root.value, solution_.from.unit}, root.result, to_text(of.verdict), "", 0.0};
+        {root.value, solution_.from.unit}, root.result, to_text(of.verdict), "", 0.0, ""};
+    if (const std::optional<AnalysisError> why = not_judged(of))
+      solved.gate = in_one_line(why->failure().what);
     if (!of.checks.empty()) {
       solved.governing = of.checks.front().check.id;
       solved.utilisation = of.checks.front().check.utilisation();

@@ -9,17 +9,17 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/project/case_document.hpp"
 #include "boxbeam/report/result_book.hpp"
+#include "boxbeam/study/case_keys.hpp"
 #include "boxbeam/study/named_expression.hpp"
 #include "boxbeam/study/written_quantity.hpp"
-#include "program/case_keys.hpp"
 #include "report/csv_cells.hpp"
 
 namespace boxbeam::program {
 namespace {
 
-/// Columns that are no numbers of results.json.
+/// Columns that are no numbers.
 bool is_of_verdict(const std::string& column) {
-  return column == "verdict" || column == "governing" || column == "utilisation";
+  return column == "verdict" || column == "governing";
 }
 
 std::string cell_of(const std::string& column, const std::vector<VerifiedBeam>& beams,
@@ -28,17 +28,8 @@ std::string cell_of(const std::string& column, const std::vector<VerifiedBeam>& 
   const bool checked = !worst.checks.empty();
   if (column == "verdict") return to_text(worst.verdict);
   if (column == "governing") return checked ? report::csv_cell(worst.checks.front().check.id) : "";
-  if (column == "utilisation")
-    return checked ? report::csv_cell(worst.checks.front().check.utilisation()) : "";
   const ResultValue* const value = book->find(column);
   return value != nullptr ? report::csv_cell(value->value) : "";
-}
-
-/// Whether a variable's numbers have the dimension of what a case has; words have what they have.
-bool has_dimension_of(const Variable& variable, const Node& own) {
-  const std::optional<WrittenQuantity> written = quantity_written_in(own);
-  return !variable.words.empty() || !written ||
-         ratio_of_units(written->unit, variable.unit).has_value();
 }
 
 }  // namespace
@@ -81,37 +72,27 @@ void StudyDesigns::require_no_keys() const {
                        "write case = \"rig.toml\" in [study]");
 }
 
-/// A key that the case has not, or has in another dimension, is wrong where the case cannot be read
-/// with it.
 void StudyDesigns::require_keys() const {
   const CaseDocument document = read_document(study_->case_file, {});
-  for (std::size_t place = 0; place < study_->variables.size(); ++place) {
-    const Variable& variable = study_->variables[place];
+  std::vector<std::vector<std::string>> designs;
+  for (const std::size_t index : {std::size_t{0}, space_.size() - 1})
+    // An expression may have no value there; that design's row says it.
+    trouble_of([&] { designs.push_back(space_.overrides(space_.at(index))); });
+  if (designs.empty()) return;
+  const auto read = [&](const std::vector<std::string>& set) {
+    CaseOptions with = case_of(*study_);
+    with.set = set;
+    read_beams_of(with);
+  };
+  auto setting = designs.front().begin();
+  for (const Variable& variable : study_->variables)
     for (const std::string& key : variable.keys) {
-      const Node* const own = value_at(document.root, key);
-      const bool is_alike = own != nullptr && has_dimension_of(variable, *own);
-      if (is_alike) continue;
-      const std::string first = to_text(WrittenQuantity{space_.at(0)[place].number, variable.unit});
-      CaseOptions with = case_of(*study_);
-      try {
-        if (own == nullptr)
-          with.set = space_.overrides(space_.at(0));
-        else
-          with.set = {fmt::format("{}={}", key, first)};
-        read_beams_of(with);
-      } catch (const InputError& error) {
-        if (own != nullptr)
-          throw InputError(
-              fmt::format("{}: variable {}: {} of {} cannot be \"{}\": {}", study_->path,
-                          variable.name, key, study_->case_file, first, in_short(error)),
-              fmt::format("the case has \"{}\"", to_text(*quantity_written_in(*own))));
-        const std::string near = nearest_number_key(document.root, key);
-        throw InputError(fmt::format("{}: variable {}: {} is no key of {}: {}", study_->path,
-                                     variable.name, key, study_->case_file, in_short(error)),
-                         near.empty() ? "" : fmt::format("did you mean {}?", near));
-      }
+      const std::string value = (setting++)->substr(key.size() + 1);
+      if (const auto trouble = trouble_with_key(document, key, value, designs, read))
+        throw InputError(
+            fmt::format("{}: variable {}: {}", study_->path, variable.name, trouble->what),
+            trouble->hint);
     }
-  }
 }
 
 /// A column that the case has not may be one of a design: its first and last are asked.

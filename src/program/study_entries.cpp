@@ -32,7 +32,7 @@ Entry solve_entry(CLI::App& app) {
       ->required();
   add_value(command, "--such-that", options->such_that, "RESULT=VALUE",
             "what is wanted, a key of results.json and its value: \"fatigue.safety_factor = "
-            "2\", \"beam.mass = 2 t\"")
+            "2\", \"beam.mass = 2 t\"; \"utilisation = 90 %\" is that of the check used most")
       ->required();
   add_value(command, "--between", options->between, "A B",
             "two values between which to look (default: a quarter of what the case says to "

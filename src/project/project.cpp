@@ -159,6 +159,13 @@ std::vector<Project> read(CaseDocument document, const std::vector<std::string>&
                  "boxbeam init planar my.toml writes a commented case that runs as it is");
     problems.raise();
   }
+  if (const Node* const study = document.root.find("study");
+      study != nullptr && document.root.find("case") == nullptr) {
+    problems.add(study->place, "this is a study, not a case",
+                 "boxbeam sweep, optimise and reliability take it; the case that it changes stands "
+                 "in its [study]");
+    problems.raise();
+  }
   readers::check_beams(problems, document.root);
   const Node* const beams = document.root.find("beam");
   const bool several = beams != nullptr && beams->kind == Node::Kind::array;

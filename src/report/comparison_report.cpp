@@ -139,6 +139,10 @@ report::Chapter chapter_of(const Comparison& comparison) {
   chapter.title = "Published values";
   chapter.blocks.push_back(report::Paragraph{fmt::format(
       "{} ({}). A difference is ours less published.", counts_text(comparison), comparison.path)});
+  if (!comparison.gate.empty())
+    chapter.blocks.push_back(report::Paragraph{
+        fmt::format("A gate stands against the stresses of the case, which count for nothing: {}",
+                    comparison.gate)});
   std::vector<std::string> reasons;
   for (const Agreement status : {Agreement::differs, Agreement::explained, Agreement::agrees}) {
     report::Table table = table_of(comparison, status, reasons);
@@ -196,6 +200,9 @@ void report::put_comparison(Fields& to, const Project& project, const Comparison
   to.text({"version", "of the program"}, version);
   to.text("input_sha256", project.sha256);
   to.text({"table", "file of the published values"}, comparison.path);
+  if (to.is_describing() || !comparison.gate.empty())
+    to.optional().text({"gate", "where one stands against the stresses, which count for nothing"},
+                       comparison.gate);
   to.whole("agree", comparison.count(Agreement::agrees), "1");
   to.whole({"explained", "beyond the tolerance, with a reason"},
            comparison.count(Agreement::explained), "1");

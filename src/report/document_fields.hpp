@@ -19,6 +19,9 @@ namespace boxbeam::report {
 void put_results(Fields& to, const Project& project, const Verification& verification,
                  const std::vector<VerifiedBeam>* beams = nullptr,
                  const Sensitivities* sensitivities = nullptr);
+/// Beside the document, for those who ask by key: "utilisation", of the check that is used most,
+/// and "governing.effective_section" and the like, of every criterion that is judged.
+void put_governing(Fields& to, const Verification& verification);
 void put_motion(Fields& to, const AnyMotionResult& motion);
 void put_motion(Fields& to, const MotionResult& motion);
 void put_motion(Fields& to, const ChainMotionResult& motion);

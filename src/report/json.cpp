@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "beam_json.hpp"
+#include "boxbeam/numerics/nine_digits.hpp"
 #include "boxbeam/report/remarks.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
@@ -27,7 +28,7 @@ struct CheckOfBeam {
   std::string beam;
 };
 
-/// All checks of all beams, worst first.
+/// All checks of all beams, worst first; what is used alike as its beam has it, on every computer.
 std::vector<CheckOfBeam> checks_of(const std::vector<VerifiedBeam>& beams) {
   std::vector<CheckOfBeam> all;
   for (const VerifiedBeam& beam : beams) {
@@ -35,7 +36,7 @@ std::vector<CheckOfBeam> checks_of(const std::vector<VerifiedBeam>& beams) {
       all.emplace_back(result, beam.project.beam_name);
   }
   std::stable_sort(all.begin(), all.end(), [](const CheckOfBeam& a, const CheckOfBeam& b) {
-    return a.result->check.utilisation() > b.result->check.utilisation();
+    return nine_digits(a.result->check.utilisation()) > nine_digits(b.result->check.utilisation());
   });
   return all;
 }
@@ -242,6 +243,19 @@ void put_beam_of_several(Fields& to, const VerifiedBeam& beam) {
 }
 
 }  // namespace
+
+void put_governing(Fields& to, const Verification& verification) {
+  if (verification.checks.empty()) return;
+  to.number("utilisation", "1", [&] { return verification.checks.front().check.utilisation(); });
+  to.object("governing", [&](Fields& of) {
+    for (const Criterion criterion : criteria) {
+      std::string name = to_text(criterion);
+      std::replace(name.begin(), name.end(), ' ', '_');
+      const CheckResult* const worst = verification.governing(criterion);
+      if (worst != nullptr) of.object(name, [&](Fields& check) { put_check(check, *worst); });
+    }
+  });
+}
 
 void put_results(Fields& to, const Project& project, const Verification& verification,
                  const std::vector<VerifiedBeam>* beams, const Sensitivities* sensitivities) {

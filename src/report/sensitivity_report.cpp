@@ -16,33 +16,41 @@ namespace {
 
 constexpr std::size_t most_bars = 16;
 
+/// "-" where it cannot be verified, "?" where it is not known.
+std::string side_text(const std::optional<SideSlope>& side) {
+  if (!side) return "-";
+  if (!side->is_known()) return "?";
+  constexpr double shown = 0.005;  // with two digits behind the point
+  return std::abs(side->slope) < shown ? std::string("0") : fmt::format("{:+.2f}", side->slope);
+}
+
 std::string slope_text(const Sensitivity& input, Criterion criterion) {
   const auto found = input.slopes.find(criterion);
   if (found == input.slopes.end()) return "-";
-  const Slope& slope = found->second;
-  const auto number = [](double value) {
-    return std::abs(value) < least_slope ? std::string("0") : fmt::format("{:+.2f}", value);
-  };
-  if (slope.error > 0.3 * std::abs(slope.value()) + 10.0 * least_slope) return "?";
-  if (slope.kinks()) return fmt::format("{} | {}", number(*slope.down), number(*slope.up));
-  return number(slope.value());
+  const std::string down = side_text(found->second.down), up = side_text(found->second.up);
+  return down == up ? up : fmt::format("{} | {}", down, up);
 }
 
-const char* explanation =
+constexpr const char* of_two_sides =
+    "Where two stand, another place or clause governs on the two sides: that of less before, that "
+    "of more behind, - where that cannot be verified. A question mark: the factor jumps or bends "
+    "close by, so that it has no slope, as where a check is listed for some of the values only.";
+
+const std::string explanation = fmt::format(
     "By how many percent the governing safety factor of a criterion changes where an input grows "
-    "by "
-    "one percent: +1 in proportion, -3 with the third power against it. Where two numbers stand, "
-    "another place or clause governs on the two sides: that of less before, that of more behind. A "
-    "question mark: the differences by both steps do not "
-    "agree, as where a check is listed for some of the values only.";
+    "by one percent: +1 in proportion, -3 with the third power against it. {}",
+    of_two_sides);
+
+std::string not_verified_text(const Sensitivities& of) {
+  return fmt::format("of {} neither side can be verified: {}", of.not_verified.size(),
+                     fmt::join(of.not_verified, ", "));
+}
 
 /// What is said below: inputs that are not in the table.
 std::string rest_text(const Sensitivities& of) {
   std::string text = fmt::format("{} more inputs change no factor by {} % per percent",
                                  of.without_effect, least_slope);
-  if (!of.not_verified.empty())
-    text += fmt::format("; of {} neither side can be verified: {}", of.not_verified.size(),
-                        fmt::join(of.not_verified, ", "));
+  if (!of.not_verified.empty()) text += "; " + not_verified_text(of);
   return text + ".";
 }
 
@@ -52,9 +60,11 @@ plot::Drawing bars_of(const Sensitivities& of) {
   double most = 0.0;
   for (const Sensitivity& input : of.inputs) {
     const auto found = input.slopes.find(criterion);
-    if (found == input.slopes.end() || std::abs(found->second.value()) < least_slope) continue;
+    if (found == input.slopes.end()) continue;
+    const SideSlope of_both = found->second.of_both();
+    if (!of_both.is_known() || std::abs(of_both.slope) < least_slope) continue;
     if (shown.size() < most_bars) shown.push_back(&input);
-    most = std::max(most, std::abs(found->second.value()));
+    most = std::max(most, std::abs(of_both.slope));
   }
   constexpr double row = 19.0, names = 250.0, below = plot::footing_room;
   const double height = row * static_cast<double>(shown.size());
@@ -122,17 +132,23 @@ std::string sensitivity_text(const Sensitivities& of) {
   const std::size_t count = std::min(most_criteria, of.criteria.size());
   for (std::size_t k = 0; k < count; ++k) header.emplace_back(to_text(of.criteria[k]));
   layout::Table table(header);
+  bool is_plain = true;
   for (std::size_t i = 0; i < std::min(most_rows, of.inputs.size()); ++i) {
     std::vector<std::string> row{of.inputs[i].key, to_text(of.inputs[i].value)};
-    for (std::size_t k = 0; k < count; ++k) row.push_back(slope_text(of.inputs[i], of.criteria[k]));
+    for (std::size_t k = 0; k < count; ++k) {
+      row.push_back(slope_text(of.inputs[i], of.criteria[k]));
+      is_plain = is_plain && row.back().find_first_of("|?") == std::string::npos;
+    }
     table.row(row);
   }
   std::string text =
       "\nWhat changes the factors most, in percent for one percent more of the input:\n" +
       table.text();
+  if (!is_plain) text += layout::paragraph(of_two_sides);
   if (of.inputs.size() > most_rows)
     text += layout::paragraph(
         fmt::format("{} more inputs stand in the report", of.inputs.size() - most_rows));
+  if (!of.not_verified.empty()) text += layout::paragraph(not_verified_text(of));
   return text;
 }
 
@@ -153,14 +169,25 @@ void report::put_sensitivities(Fields& to, const Sensitivities& of) {
         const std::vector<Entry> slopes(input.slopes.begin(), input.slopes.end());
         fields.list("slopes", "{criterion}", slopes, [](Fields& at, const Entry& entry) {
           at.text("criterion", to_text(entry.first));
-          at.number({"slope", "of both sides; where these differ the steeper one"}, "1",
-                    entry.second.value());
+          const Slope& slope = entry.second;
+          const auto of_side = [](const std::optional<SideSlope>& side) {
+            return side ? std::optional(side->slope) : std::nullopt;
+          };
+          const auto error_of = [](const std::optional<SideSlope>& side) {
+            return side ? side->error : 0.0;
+          };
+          at.number({"slope", "of both sides; where these differ the steeper one that is known"},
+                    "1", slope.value());
           at.number_or_null({"down", "towards less; null where that cannot be verified"}, "1",
-                            entry.second.down);
-          at.number_or_null({"up", "towards more"}, "1", entry.second.up);
-          at.number({"error", "of the differences, by two steps"}, "1", entry.second.error);
+                            of_side(slope.down));
+          at.number_or_null({"up", "towards more"}, "1", of_side(slope.up));
+          at.number({"error", "by how much these may be off; large where it jumps"}, "1",
+                    std::max(error_of(slope.down), error_of(slope.up)));
         });
       });
+  to.optional().texts(
+      {"sensitivities_not_verified", "inputs of which neither side can be verified"},
+      [&] { return of.not_verified; });
 }
 
 }  // namespace boxbeam

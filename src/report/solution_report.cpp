@@ -56,6 +56,11 @@ report::MarkedText solution_text(const Solution& solution) {
     text += layout::paragraph(
         "Used 100 %: what is wanted is the limit itself, where the last digit decides between pass "
         "and fail.");
+  for (const SolvedValue& of : solution.values)
+    if (!of.gate.empty())
+      text += layout::paragraph(
+          fmt::format("At {} a gate stands against the stresses, which count for nothing: {}",
+                      amount_text(of.value), of.gate));
   const Roots& search = solution.search;
   for (const JumpOver& jump : search.jumps) {
     text += layout::paragraph(
@@ -79,22 +84,26 @@ void report::put_solution(Fields& to, const Solution& solution) {
   to.text({"unit", "of the key, as in the case; empty without"}, unit);
   to.number_in({"from", "where it was looked for"}, "", "unit", solution.from.value);
   to.number_in("to", "", "unit", solution.to.value);
-  to.list({"roots", "all values found, ascending"}, "", solution.values,
-          [&](Fields& of, const SolvedValue& at) {
-            of.number_in("value", "", "unit", at.value.value);
-            of.text("unit", at.value.unit);
-            of.number_in({"result", "there"}, "", "result_unit", at.result);
-            of.word({"verdict", "of the whole case there"}, at.verdict,
-                    {"pass", "fail", "not applicable"});
-            of.text({"governing", "id of the check that is used most"}, at.governing);
-            of.number({"utilisation", "of it"}, "1", at.utilisation);
-          });
+  to.list(
+      {"roots", "all values found, ascending"}, "", solution.values,
+      [&](Fields& of, const SolvedValue& at) {
+        of.number_in("value", "", "unit", at.value.value);
+        of.text("unit", at.value.unit);
+        of.number_in({"result", "there"}, "", "result_unit", at.result);
+        of.word({"verdict", "of the whole case there"}, at.verdict,
+                {"pass", "fail", "not applicable"});
+        of.text({"governing", "id of the check that is used most"}, at.governing);
+        of.number({"utilisation", "of it"}, "1", at.utilisation);
+        of.text({"gate", "why stresses there count for nothing; empty where they count"}, at.gate);
+      });
   to.text({"reason", "why there is none; empty where there is one"}, solution.reason);
   to.list({"jumps", "where the result passes the wanted one by a jump"}, "", solution.search.jumps,
           [](Fields& of, const JumpOver& jump) {
             of.number_in("value", "", "unit", jump.value);
             of.number_in({"before", "result"}, "", "result_unit", jump.before);
             of.number_in({"behind", "result"}, "", "result_unit", jump.behind);
+            of.number_in({"apart", "of the two values, where these are whole numbers; else 0"}, "",
+                         "unit", jump.apart);
           });
   to.whole({"verifications", "that it took"}, solution.search.trials);
   to.whole({"failed", "of them"}, solution.search.failed);

@@ -28,13 +28,14 @@ class OneUnit {
  public:
   OneUnit(TableReader& table, Variable& variable) : table_(&table), variable_(&variable) {}
 
+  bool is_whole() const { return whole_; }  ///< all that was asked for was there
   /// In the unit of the variable; 0 where it is none, which is said.
   double number(std::string_view key, const Node& node) {
     const std::optional<WrittenQuantity> written = quantity_written_in(node);
     if (!written) {
-      table_->problem(key, fmt::format("{} is no number or quantity", named(key)),
+      table_->problem(key, fmt::format("\"{}\" is no number or quantity", key),
                       "write a number, or a text with its unit: \"8 mm\"");
-      return 0.0;
+      return none();
     }
     if (!known_) variable_->unit = written->unit;
     known_ = true;
@@ -44,7 +45,7 @@ class OneUnit {
           key,
           fmt::format("\"{}\" is not of the dimension of the values before it", to_text(*written)),
           "write all numbers of a variable in one unit");
-      return 0.0;
+      return none();
     }
     return written->value * *ratio;
   }
@@ -53,17 +54,20 @@ class OneUnit {
     if (!table.has(key)) {
       table.problem(key.name, fmt::format("\"{}\" is missing", key.name),
                     fmt::format("write {} = \"8 mm\"", key.name));
-      return 0.0;
+      return none();
     }
     return number(key.name, *table.peek(key.name));
   }
 
  private:
-  static std::string named(std::string_view key) { return fmt::format("\"{}\"", key); }
+  double none() {
+    whole_ = false;
+    return 0.0;
+  }
 
   TableReader* table_;
   Variable* variable_;
-  bool known_ = false;
+  bool known_ = false, whole_ = true;
 };
 
 void read_values(TableReader& table, Variable& variable) {
@@ -176,7 +180,7 @@ void read_distribution(TableReader& table, Variable& variable) {
     if (kind != DistributionKind::uniform)
       table.problem("distribution", "\"min\" and \"max\" belong to a uniform distribution",
                     "write mean and sd");
-    else if (!(low < high))
+    else if (unit.is_whole() && !(low < high))
       table.problem("min", "\"min\" is not below \"max\"", "write the smaller one as min");
     variable.distribution = Distribution{DistributionKind::uniform, low, high};
     return;
@@ -184,6 +188,7 @@ void read_distribution(TableReader& table, Variable& variable) {
   const double mean = unit.at(table, {"mean", "of all values"});
   const bool by_mean = kind == DistributionKind::exponential;
   const double sd = by_mean ? mean : unit.at(table, {"sd", "standard deviation"});
+  if (!unit.is_whole()) return;
   const bool positive = kind == DistributionKind::lognormal || kind == DistributionKind::weibull ||
                         kind == DistributionKind::exponential;
   if (positive && !(mean > 0.0)) {
@@ -316,7 +321,17 @@ void read_case(TableReader& of, bool may_be_missing, Study& study) {
   study.case_file = beside_study(study, study.case_written);
 }
 
+/// Who gives a case for a study is not told all keys that a study has not.
+void require_study(const CaseDocument& document) {
+  const Node* const of_case = document.root.find("case");
+  if (of_case != nullptr && document.root.find("variables") == nullptr)
+    throw InputError({document.problem_at(
+        of_case->place, "this is a case, not a study",
+        "boxbeam verify takes it; a study has [study] with case = \"...\", and [variables]")});
+}
+
 Study read(const CaseDocument& document, std::string text) {
+  require_study(document);
   ProblemList problems(document);
   TableReader root(problems, document.root, "");
   Study study;
@@ -353,7 +368,8 @@ Study read(const CaseDocument& document, std::string text) {
                   [](const Variable& one) { return one.distribution.has_value(); });
   if (problems.empty() && scatters && study.samples == 0 && !asks_elsewhere)
     of.problem("samples", "variables scatter, but \"samples\" says not how many designs are drawn",
-               "write samples = 1000 in [study]");
+               "write samples = 1000 in [study]; or what is asked of them, [limit_state] for "
+               "boxbeam reliability, [optimise] for boxbeam optimise");
   if (problems.empty() && !scatters && study.samples > 0)
     of.problem("samples", "no variable scatters: nothing is drawn",
                "give one a distribution, or leave out samples");

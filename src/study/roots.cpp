@@ -22,6 +22,7 @@ class RootSearch {
   explicit RootSearch(const RootQuestion& question) : question_(&question) {}
 
   Roots run() {
+    if (question_->whole) return whole_ones();
     for (const double value : scanned()) tried_.push_back({value, above_at(value)});
     for (std::size_t i = 0; i < tried_.size(); ++i) {
       if (tried_[i].above == 0.0) add_root(tried_[i].value, 0.0);
@@ -37,6 +38,24 @@ class RootSearch {
   }
 
  private:
+  Roots whole_ones() {
+    const double first = std::ceil(question_->from), last = std::floor(question_->to);
+    constexpr double most = 1000.0;
+    const double stride = std::max(1.0, std::ceil((last - first) / most));
+    Tried before;
+    for (double value = first; value <= last; value += stride) {
+      const Tried now{value, above_at(value)};
+      if (!now.above) continue;
+      if (std::abs(*now.above) <= tolerance(before.above ? std::abs(*before.above) : 0.0))
+        add_root(value, *now.above);
+      else if (before.above && *before.above * *now.above < 0.0)
+        found_.jumps.push_back({0.5 * (before.value + value), question_->wanted + *before.above,
+                                question_->wanted + *now.above, value - before.value});
+      before = now;
+    }
+    return found_;
+  }
+
   std::vector<double> scanned() const {
     const auto [from, to] = std::pair{question_->from, question_->to};
     constexpr double far = 10.0;
@@ -110,7 +129,7 @@ class RootSearch {
       add_root(lower ? low : high, *nearer);
     else if (!without)
       found_.jumps.push_back(
-          {0.5 * (low + high), question_->wanted + *at_low, question_->wanted + *at_high});
+          {0.5 * (low + high), question_->wanted + *at_low, question_->wanted + *at_high, 0.0});
   }
 
   /// Between a value that has a result and one that has none: up to where results end.

@@ -13,8 +13,12 @@ std::string reason_of(const Solution& solution) {
   std::string reason;
   if (!search.jumps.empty()) {
     const JumpOver& jump = search.jumps.front();
-    reason = fmt::format("at {} the result jumps from {:.6g} to {:.6g}, past {:.6g}",
-                         value(jump.value), jump.before, jump.behind, solution.wanted);
+    const std::string place =
+        jump.apart > 0.0 ? fmt::format("between {} and {}", value(jump.value - 0.5 * jump.apart),
+                                       value(jump.value + 0.5 * jump.apart))
+                         : "at " + value(jump.value);
+    reason = fmt::format("{} the result jumps from {:.6g} to {:.6g}, past {:.6g}", place,
+                         jump.before, jump.behind, solution.wanted);
   } else if (search.nearest && !search.changes) {
     reason = fmt::format("the result is {:.6g} wherever it was verified: {} does not change it",
                          search.nearest->result, solution.key);

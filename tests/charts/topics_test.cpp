@@ -42,6 +42,13 @@ TEST_CASE("a case stands for the scenes of its own kind only", "[charts]") {
   CHECK_FALSE(space.planar.has_value());
   CHECK_FALSE(space.flexible.has_value());
   CHECK(space.missing.find("in space") != std::string::npos);
+  for (const char* nothing_moves : {"crane-girder/girder.toml", "excavator-boom/measured.toml"}) {
+    const Scenes still = scenes(nothing_moves);
+    CHECK_FALSE(still.planar.has_value());
+    CHECK_FALSE(still.flexible.has_value());
+    CHECK_FALSE(kinematics(still, {true}).not_applicable.empty());
+    CHECK_NOTHROW(stability(still, {true}));
+  }
   // The reference cases are those of the folders, byte for byte.
   const Scenes own = reference_scenes();
   CHECK(own.planar->sha256 ==

@@ -62,6 +62,14 @@ def check_verify(folder):
     check(rig.verdict == same["verdict"] and rig.passes, "verdict")
     check(rig.checks[0].utilisation == same["checks"][0]["utilisation"] and rig.checks[0].passes, "first check")
     check(rig.governing["fatigue"].safety_factor == same["governing"]["fatigue"]["safety_factor"], "governing")
+    # But for round-off, by which the order of what is used alike does not hang.
+    check(all(of.utilisation <= rig.governing[of.criterion].utilisation * (1 + 1e-8) for of in rig.checks),
+          "a criterion is not governed by its most used check")
+    with open(RIG, "rb") as file:
+        strength = tomllib.load(file)
+    del strength["fatigue"]
+    only = boxbeam.verify(strength, folder=RIG.parent).governing
+    check("yield" in only and "fatigue" not in only, f"criteria of strength only: {list(only)}")
     check(rig.mass == same["beam"]["mass"], "mass")
     stations = rig.stations
     check(stations["M"].shape == (len(same["beam"]["stations"]), 2), f"shape of M {stations['M'].shape}")
@@ -191,6 +199,15 @@ def check_sweep():
     error = raised(boxbeam.InputError, lambda: boxbeam.sweep(RIG, {"fatigue.cycles": [1e7]}, ["fatige.safety_factor"]))
     check("fatige" in str(error), f"an unknown column: {error}")
     raised(ValueError, lambda: boxbeam.sweep(RIG, {"a": [1], "b": [1, 2]}))
+    raised(TypeError, lambda: boxbeam.sweep(RIG, {"fatigue.cycles": [1e7]}, "utilisation"))
+    # What is wrong with a key is wrong with every design; what is wrong with a value is not.
+    for key, values, said in (("drivers.exciter.amplitud", (strokes, "m"), "drivers.exciter.amplitude"),
+                              ("drivers.exciter.amplitude", (strokes, "kg"), "the case has"),
+                              ("drivers.exciter.amplitude", strokes, "the case has")):
+        error = raised(boxbeam.InputError, lambda: boxbeam.sweep(RIG, {key: values}))
+        check(said in str(error), f"a wrong key: {error}")
+    later = boxbeam.sweep(RIG, {"drivers.exciter.amplitude": (strokes[::-1], "m"), "strength.gamma_M2": [1.25] * 4})
+    check(later.ok.tolist() == [False, True, True, True], f"a first design that is none: {later.status}")
 
 
 def check_parquet(folder):

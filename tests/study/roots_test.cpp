@@ -180,4 +180,37 @@ TEST_CASE("a quantity keeps its unit and its digits", "[study]") {
   CHECK(to_text(WrittenQuantity{0.1 + 0.2, ""}) == "0.30000000000000004");
 }
 
+TEST_CASE("of whole numbers all are looked at, and nothing between them", "[study]") {
+  RootQuestion question;
+  question.from = 1.5;
+  question.to = 9.2;
+  question.whole = true;
+  const auto squares = [](double step) {
+    return [step](double value) -> Trial {
+      CHECK(value == std::round(value));
+      if (std::fmod(value, step) != 0.0) return {std::nullopt, "none"};
+      return {value * value, ""};
+    };
+  };
+  question.at = squares(1.0);
+  question.wanted = 49.0;
+  const Roots seven = roots_of(question);
+  CHECK(seven.trials == 8);
+  REQUIRE(seven.roots.size() == 1);
+  CHECK(seven.roots[0].value == 7.0);
+  CHECK(seven.jumps.empty());
+  question.wanted = 50.0;
+  question.at = squares(2.0);  // 36 at 6, 64 at 8
+  const Roots passed = roots_of(question);
+  CHECK(passed.roots.empty());
+  REQUIRE(passed.jumps.size() == 1);
+  CHECK(passed.jumps[0].value == 7.0);
+  CHECK(passed.jumps[0].apart == 2.0);
+  CHECK(passed.jumps[0].before == 36.0);
+  CHECK(passed.jumps[0].behind == 64.0);
+  question.to = 1e6;
+  question.at = squares(1.0);
+  CHECK(roots_of(question).trials <= 1001);
+}
+
 }  // namespace roots_test

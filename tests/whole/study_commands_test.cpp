@@ -8,58 +8,19 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "support/box_cantilever.hpp"
 #include "support/program.hpp"
 
 namespace study_commands_test {
 
 using nlohmann::json;
+using test::box_of_cantilever;
+using test::cantilever;
+using test::mass_of_box;
 using test::run_program;
+using test::tube_of_cantilever;
 
 namespace {
-
-const std::string box = R"(kind = "box"
-width = "200 mm"
-height = "300 mm"
-flange = "10 mm"
-web = "8 mm"
-)";
-const std::string tube = R"(kind = "round tube"
-diameter = "300 mm"
-wall = "10 mm"
-)";
-
-/// A cantilever of 2 m without weight under 10 kN at its end. The name of the load has a dot.
-std::string cantilever(const std::string& section) {
-  return R"([case]
-name = "cantilever"
-kind = "static"
-[frame]
-gravity = ["0 m/s^2", "0 m/s^2"]
-[beam]
-density = "7850 kg/m^3"
-[[beam.segments]]
-length = "2 m"
-section = "of"
-[sections.of]
-)" + section +
-         R"([supports.wall]
-at = "0 m"
-kind = "fixed"
-[loads."tip.1"]
-kind = "force"
-at = "2 m"
-force = ["0 kN", "-10 kN"]
-[material]
-steel = "S355"
-[strength]
-required = 1
-)";
-}
-
-/// The same with another flange, in metres.
-double mass_of_box(double flange) {
-  return 7850.0 * (0.2 * 0.3 - (0.2 - 0.016) * (0.3 - 2.0 * flange)) * 2.0;
-}
 
 std::string study_of(const std::string& variable, const std::string& optimise) {
   return "[study]\ncase = \"beam.toml\"\n[variables.t]\n" + variable + "\n[optimise]\n" + optimise +
@@ -71,7 +32,7 @@ std::string study_of(const std::string& variable, const std::string& optimise) {
 // Yield by bending: the factor falls as the force grows, whatever the name of the force.
 TEST_CASE("what changes the factors is found of names with dots, too", "[study]") {
   const test::TemporaryFolder folder;
-  const std::string file = folder.write("beam.toml", cantilever(box));
+  const std::string file = folder.write("beam.toml", cantilever(box_of_cantilever));
   const auto ran = run_program({"verify", file, "--sensitivities", "--no-plots", "--no-html",
                                 "--no-pdf", "--out", folder.path() / "out", "--json", "-"});
   REQUIRE(ran.exit_code == 0);
@@ -85,38 +46,9 @@ TEST_CASE("what changes the factors is found of names with dots, too", "[study]"
   CHECK(found);
 }
 
-TEST_CASE("a value is solved for in a case that cannot be verified as it is", "[study]") {
-  const test::TemporaryFolder folder;
-  const std::string file = folder.write("beam.toml", cantilever(box));
-  const std::string wanted = "beam.mass = " + std::to_string(mass_of_box(0.012)) + " kg";
-  // Flanges of 160 mm do not fit into 300 mm.
-  const auto ran = run_program({"solve", file, "--set", "sections.of.flange=160 mm", "--for",
-                                "sections.of.flange", "--such-that", wanted, "--between", "5 mm",
-                                "170 mm", "--json", "-"});
-  REQUIRE(ran.exit_code == 0);
-  const json solved = json::parse(ran.out);
-  REQUIRE(solved.at("roots").size() == 1);
-  CHECK(solved.at("roots").at(0).at("value").get<double>() == Approx(12.0).epsilon(1e-6));
-  // Where nothing can be verified the case's own trouble is said.
-  const auto none =
-      run_program({"solve", file, "--set", "sections.of.flange=160 mm", "--for",
-                   "sections.of.flange", "--such-that", wanted, "--between", "155 mm", "170 mm"});
-  CHECK(none.exit_code == 2);
-  CHECK(none.err.find("sections.of") != std::string::npos);
-}
-
-TEST_CASE("that a key does not change a result is said", "[study]") {
-  const test::TemporaryFolder folder;
-  const std::string file = folder.write("beam.toml", cantilever(box));
-  const auto ran = run_program(
-      {"solve", file, "--for", "loads.\"tip.1\".force.1", "--such-that", "beam.mass = 1 t"});
-  CHECK(ran.exit_code == 1);
-  CHECK(ran.out.find("does not change it") != std::string::npos);
-}
-
 TEST_CASE("the best of a list is found where the case as it is cannot be verified", "[study]") {
   const test::TemporaryFolder folder;
-  std::string section = box;
+  std::string section = box_of_cantilever;
   section.replace(section.find("10 mm"), 5, "160 mm");
   folder.write("beam.toml", cantilever(section));
   const std::string study = folder.write(
@@ -137,7 +69,7 @@ TEST_CASE("stresses that cannot be believed keep no limit of an optimum", "[stud
   REQUIRE(300.0 / 5.0 > 90.0 * 235.0 / 355.0);
   REQUIRE(300.0 / 6.0 < 90.0 * 235.0 / 355.0);
   const test::TemporaryFolder folder;
-  folder.write("beam.toml", cantilever(tube));
+  folder.write("beam.toml", cantilever(tube_of_cantilever));
   const std::string list =
       "key = \"sections.of.wall\"\nvalues = [\"3 mm\", \"5 mm\", \"6 mm\", \"10 mm\"]";
   for (const char* limit : {"1 - utilisation", "checks", "yield.safety_factor - 1"}) {
@@ -162,7 +94,7 @@ TEST_CASE("stresses that cannot be believed keep no limit of an optimum", "[stud
 // Whichever variable changes first: then runs are kept for the designs behind, or each runs anew.
 TEST_CASE("a design comes to the same whatever designs stand before it", "[study]") {
   const test::TemporaryFolder folder;
-  folder.write("beam.toml", cantilever(box));
+  folder.write("beam.toml", cantilever(box_of_cantilever));
   const std::string flange =
       "[variables.t]\nkey = \"sections.of.flange\"\n"
       "grid = { from = \"8 mm\", to = \"20 mm\", count = 13 }\n";
@@ -217,7 +149,7 @@ TEST_CASE("a comma in the name of what governs ends no cell of a row", "[study]"
 TEST_CASE("numbers that have not the dimension of their key are refused before any design",
           "[study]") {
   const test::TemporaryFolder folder;
-  folder.write("beam.toml", cantilever(box));
+  folder.write("beam.toml", cantilever(box_of_cantilever));
   for (const char* values : {"[8, 10]", "[\"8 kg\", \"10 kg\"]"}) {
     const std::string study = folder.write("study.toml",
                                            "[study]\ncase = \"beam.toml\"\n[variables.t]\nkey = "
@@ -241,6 +173,47 @@ TEST_CASE("as many designs as are missing are said to be", "[study]") {
   const auto merged = run_program({"merge", half});
   CHECK(merged.exit_code == 2);
   CHECK(merged.err.find("101 of 200 designs are missing") != std::string::npos);
+}
+
+TEST_CASE("a case for a study, or a study for a case, is one thing wrong and not many", "[study]") {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.write("beam.toml", cantilever(box_of_cantilever));
+  const std::string study =
+      folder.write("study.toml",
+                   "[study]\ncase = \"beam.toml\"\n[variables.t]\nkey = \"sections.of.flange\"\n"
+                   "distribution = \"normal\"\nmean = \"8 mm\"\n");
+  for (const char* command : {"sweep", "optimise", "reliability"}) {
+    const auto ran = run_program({command, file});
+    CHECK(ran.exit_code == 2);
+    CHECK(ran.err.find("1:1: error: this is a case, not a study") != std::string::npos);
+    CHECK(ran.err.find("error:", ran.err.find("error:") + 1) == std::string::npos);
+  }
+  const auto verified = run_program({"verify", study});
+  CHECK(verified.exit_code == 2);
+  CHECK(verified.err.find("1:1: error: this is a study, not a case") != std::string::npos);
+  // What is not there has no value that could be wrong as well.
+  const auto swept = run_program({"sweep", study});
+  CHECK(swept.err.find("\"sd\" is missing") != std::string::npos);
+  CHECK(swept.err.find("not above zero") == std::string::npos);
+}
+
+// A new key may need others that stand beside it, and the first design need not be one.
+TEST_CASE("a key that the case has not is refused unless some design can be read with it",
+          "[study]") {
+  const test::TemporaryFolder folder;
+  folder.write("beam.toml", cantilever(box_of_cantilever));
+  const auto swept = [&](const std::string& more) {
+    const std::string study =
+        folder.write("study.toml",
+                     "[study]\ncase = \"beam.toml\"\n[variables.t]\nkey = \"sections.of.flange\"\n"
+                     "values = [\"160 mm\", \"10 mm\"]\n" +
+                         more + "[results]\ncolumns = [\"verdict\"]\n");
+    return run_program({"sweep", study, "--out", folder.path() / "out", "--quiet"});
+  };
+  CHECK(swept("[variables.g]\nkey = \"strength.gamma_M0\"\nvalues = [1.0, 1.1]\n").exit_code == 0);
+  const auto wrong = swept("[variables.g]\nkey = \"strength.gama_M0\"\nvalues = [1.0, 1.1]\n");
+  CHECK(wrong.exit_code == 2);
+  CHECK(wrong.err.find("unknown key \"gama_M0\"") != std::string::npos);
 }
 
 }  // namespace study_commands_test

@@ -38,6 +38,7 @@ using MotionAt = std::function<AnyMotionResult(const std::vector<double>& times)
 struct Comparison {
   std::string path;                 ///< of the table
   std::vector<ComparedValue> rows;  ///< in its order
+  std::string gate;                 ///< why no stress of the case counts; "" where they do
 
   std::size_t count(Agreement agreement) const;
   /// Whether no row differs without a reason.

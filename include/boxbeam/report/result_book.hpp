@@ -20,8 +20,8 @@ class ResultBook {
  public:
   void add(std::vector<ResultValue> values);
 
-  /// By its key, or by what stands behind "beam." or "governing." in it; nullptr where there is
-  /// none.
+  /// By its key, or by what stands behind "beam." or "governing." in it, with blanks or "_" in the
+  /// names of criteria; nullptr where there is none.
   const ResultValue* find(const std::string& key) const;
 
   /// What to write instead of a key that is none.
@@ -35,7 +35,8 @@ class ResultBook {
   std::unordered_map<std::string, std::size_t> places_;
 };
 
-/// All numbers of results.json.
+/// All numbers of results.json and, beside them, "utilisation" of the check that is used most and
+/// the governing check of every criterion, "governing.effective_section.utilisation".
 ResultBook results_of(const Project& project, const Verification& verification);
 ResultBook results_of(const std::vector<VerifiedBeam>& beams);
 /// At least those that are found by some keys, of none of them all: most of the work is for texts

@@ -18,7 +18,8 @@ struct RootQuestion {
   double from = 0.0, to = 0.0;  ///< from < to
   double wanted = 0.0;
   std::function<Trial(double)> at;
-  int scan = 48;  ///< parts into which the interval is divided at first
+  int scan = 48;       ///< parts into which the interval is divided at first
+  bool whole = false;  ///< the value can be a whole number only: each is looked at
 };
 
 /// A value at which the result is the wanted one.
@@ -30,8 +31,9 @@ struct Root {
 /// A place between two values, next to each other, where the result passes the wanted one by a
 /// jump.
 struct JumpOver {
-  double value = 0.0;
+  double value = 0.0;                 ///< in their middle
   double before = 0.0, behind = 0.0;  ///< the result on both sides
+  double apart = 0.0;  ///< of the two, where whole numbers lie between which nothing is
 };
 
 struct Roots {
@@ -53,7 +55,7 @@ struct Roots {
 /// falls more between these than from either side towards them. Where one of two neighbours has no
 /// result it is looked up to where results end, to a 4096th of the way, at no more than eight such
 /// places. A value counts where the result is the wanted one to 1e-9 of it; what passes it
-/// otherwise is a jump.
+/// otherwise is a jump. Whole numbers are all looked at, of more than a thousand as many evenly.
 Roots roots_of(const RootQuestion& question);
 
 }  // namespace boxbeam

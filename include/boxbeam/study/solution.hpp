@@ -17,6 +17,7 @@ struct SolvedValue {
   std::string verdict;       ///< of the whole case: "pass", "fail", "not applicable"
   std::string governing;     ///< id of the check that is used most
   double utilisation = 0.0;  ///< of it
+  std::string gate;          ///< why the stresses there cannot be believed; "" where they can
 };
 
 /// What of a case makes one of its results what is wanted.

@@ -134,19 +134,20 @@ class Inertia {
     return line;
   }
 
-  /// What an element has of inertia beyond its masses' rotary one, for each part beside it.
-  double added_inertia(std::size_t element) const {
-    double rotary = 0.0;
-    double parts = 0.0;
-    if (element > 0) {
-      rotary += parts_[element - 1].rotary[1];
-      parts += 1.0;
+  /// What an element has of inertia beyond its masses' rotary one, of that the share of a part
+  /// beside it: as the squares of their first moments about the node, so that a short part beside a
+  /// long one has next to nothing.
+  double added_inertia(std::size_t element, std::size_t part) const {
+    double rotary = 0.0, all = 0.0, own = 0.0;
+    for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+      if (element < end || element - end >= parts_.size()) continue;
+      const std::size_t beside = element - end;
+      const double first_moment = parts_[beside].first_moment[end];
+      rotary += parts_[beside].rotary[end];
+      all += first_moment * first_moment;
+      if (beside == part) own = first_moment * first_moment;
     }
-    if (element < parts_.size()) {
-      rotary += parts_[element].rotary[0];
-      parts += 1.0;
-    }
-    return (divided().elements[element].inertia - rotary) / parts;
+    return all > 0.0 ? (divided().elements[element].inertia - rotary) * own / all : 0.0;
   }
 
   LineLoad line_of_part(const Interval& of, const Eigen::Matrix3Xd& motion) const {
@@ -160,8 +161,8 @@ class Inertia {
     const auto& [S0, S1] = lumps.first_moment;
     const double P0 = m0 * q0[1] + S0 * q0[2];
     const double P1 = m1 * q1[1] + S1 * q1[2];
-    const double Q =
-        S0 * q0[1] + S1 * q1[1] + D * P1 + added_inertia(i) * q0[2] + added_inertia(i + 1) * q1[2];
+    const double Q = S0 * q0[1] + S1 * q1[1] + D * P1 + added_inertia(i, i) * q0[2] +
+                     added_inertia(i + 1, i) * q1[2];
     const double slope = (12.0 * Q - 6.0 * (P0 + P1) * D) / (D * D * D);
     const double from = of.from - part.from;
     const auto linear = [&](double at_start, double per_length) {

@@ -300,4 +300,32 @@ TEST_CASE("The bending moment under a harmonic load converges with the parts",
   }
 }
 
+// Shear changes within a part by no more than its inertia, and that of next to nothing is as much.
+TEST_CASE("A part of next to no length beside long ones bends by no shear of its own",
+          "[flexible][beam_loads]") {
+  constexpr double L = 4.0, place = 1.7;
+  for (const double sliver : {1e-2, 1e-3, 1e-4, 1e-5}) {
+    CAPTURE(sliver);
+    Mechanism mechanism = pinned_beam(L, 1e7, 60.0, 8);
+    mechanism.nodes_at_joints = true;
+    mechanism.frequency = 25.0;
+    Load load;
+    load.at = {0, {place, 0.0}};
+    load.amplitude = {0.0, -1e4, 0.0};
+    Load none = load;
+    none.at = {0, {place + sliver, 0.0}};
+    none.amplitude = {0.0, -1e-3, 0.0};
+    mechanism.loads = {load, none};
+    const Structure structure = structure_of(mechanism);
+    const CutForceDiagram diagram =
+        cut_forces_of(response_of_beam(structure, 0, beam_of_length(L)).sine);
+    const auto shear = [&](double part) {
+      return diagram.at({si<Length>(place + part * sliver), Side::both}).V_z.value();
+    };
+    const double before = diagram.at({si<Length>(place), Side::behind}).V_z.value();
+    REQUIRE(std::abs(before) > 1e3);
+    for (const double part : {0.25, 0.5, 0.75}) CHECK(shear(part) == Approx(before).epsilon(0.05));
+  }
+}
+
 }  // namespace boxbeam::flexible
