@@ -1,11 +1,9 @@
 #include "boxbeam/numerics/sparse_elimination.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <unordered_map>
-#include <utility>
 
 #include "boxbeam/numerics/decimal.hpp"
 #include "pivot_order.hpp"

@@ -1,7 +1,5 @@
 #include "program/case_keys.hpp"
 
-#include <charconv>
-
 #include "boxbeam/project/quantity_text.hpp"
 #include "boxbeam/study/written_quantity.hpp"
 
@@ -28,23 +26,6 @@ void gather_keys(const Node& node, const std::string& before, std::vector<std::s
 }
 
 }  // namespace
-
-const Node* value_at(const Node& root, const std::string& key) {
-  const Node* node = &root;
-  for (const std::string& part : key_parts(key)) {
-    if (node->kind == Node::Kind::array) {
-      std::size_t index = 0;
-      const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
-      if (error != std::errc{} || end != part.data() + part.size() || index >= node->items.size())
-        return nullptr;
-      node = &node->items[index];
-    } else {
-      node = node->find(part);
-      if (node == nullptr) return nullptr;
-    }
-  }
-  return node;
-}
 
 std::vector<std::string> number_keys(const Node& root) {
   std::vector<std::string> keys;

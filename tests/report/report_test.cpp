@@ -17,6 +17,7 @@
 #include "catch.hpp"
 #include "support/rig.hpp"
 #include "support/shipped_cases.hpp"
+#include "support/shown_figures.hpp"
 
 namespace report_test {
 
@@ -198,7 +199,7 @@ TEST_CASE("a report shows the figures that are drawn and no others, each once", 
   for (const test::ShippedCase& of : test::shipped_cases()) {
     INFO(of.path);
     const Document document = report_of(of.project, of.verification, ReportLevel::full);
-    const std::vector<std::string> drawn = figures_of(of.project, of.verification);
+    const std::vector<std::string> drawn = test::shown_figures(of.project, of.verification);
     const std::set<std::string> shown = pictures_of(document);
     CHECK(shown == std::set<std::string>(drawn.begin(), drawn.end()));
     std::size_t count = 0;
