@@ -439,6 +439,18 @@ TEST_CASE("a stress range is never called an amplitude", "[report]") {
   }
 }
 
+TEST_CASE("what the category of a detail asks of the shop stands beside it", "[report]") {
+  const Project project = read_project(test::project_file("sections/sledge-rig/rig-detailed.toml"));
+  const std::set<std::string> said =
+      contents_of(report_of(project, verify(project), ReportLevel::full));
+  // EN 1993-1-9:2005, table 8.1, detail 4, requirements.
+  const auto stands = [](const std::string& of) {
+    return of.find("table 8.1, row 4") != std::string::npos &&
+           of.find("no repair by filling with weld metal") != std::string::npos;
+  };
+  CHECK(std::count_if(said.begin(), said.end(), stands) == 1);
+}
+
 TEST_CASE("text keeps to its 110 columns", "[report]") {
   for (const test::ShippedCase& of : test::shipped_cases()) {
     INFO(of.path);
