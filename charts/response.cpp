@@ -290,14 +290,14 @@ std::vector<Chart> joint_charts(const Project& project, const Effort& effort) {
                       "one frequency, modes included",
                       {drive},
                       false,
-                      is_damped(structure)};
+                      is_damped(mechanism)};
   JointChart over{"response-sweep",
                   "Harmonic response: forces of the joints over the frequency",
                   fmt::format("{}, loads up to {:.4g} Hz", project.name, beyond * drive),
                   fmt::format("{} frequencies, modes included", sweep),
                   {},
                   true,
-                  is_damped(structure)};
+                  is_damped(mechanism)};
   std::vector<Chart> charts;
   try {
     const ModalModel all = flexible::modal_model_of(structure, 3 * structure.elements());

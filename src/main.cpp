@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <csignal>
-#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -15,20 +14,11 @@
 #include "boxbeam/report/case_schema.hpp"
 #include "program/chart_command.hpp"
 #include "program/command_line.hpp"
-#include "program/compare_command.hpp"
-#include "program/completion.hpp"
+#include "program/commands.hpp"
 #include "program/entries.hpp"
 #include "program/exit_code.hpp"
-#include "program/explain_command.hpp"
 #include "program/failures.hpp"
-#include "program/fatigue_command.hpp"
-#include "program/init_command.hpp"
-#include "program/manual.hpp"
-#include "program/motion_command.hpp"
-#include "program/section_command.hpp"
 #include "program/terminal.hpp"
-#include "program/validate_command.hpp"
-#include "program/verify_command.hpp"
 #include "report/text_layout.hpp"
 #include "version.hpp"
 

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "boxbeam/fatigue/reduced_range.hpp"
-#include "sn_formulas.hpp"
 
 namespace boxbeam {
 

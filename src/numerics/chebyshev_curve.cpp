@@ -1,7 +1,6 @@
 #include "boxbeam/numerics/chebyshev_curve.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 

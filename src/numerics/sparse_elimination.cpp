@@ -1,11 +1,9 @@
 #include "boxbeam/numerics/sparse_elimination.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <unordered_map>
-#include <utility>
 
 #include "boxbeam/numerics/decimal.hpp"
 #include "pivot_order.hpp"
@@ -176,11 +174,9 @@ Eigen::SparseMatrix<double> SparsePattern::scaled(const std::vector<double>& val
   matrix.reserve(static_cast<Eigen::Index>(entries()));
   for (Eigen::Index r = 0; r < rows; ++r) {
     matrix.startVec(r);
-    const auto begin = static_cast<std::size_t>(row_start[static_cast<std::size_t>(r)]);
-    const auto end = static_cast<std::size_t>(row_start[static_cast<std::size_t>(r) + 1]);
-    for (std::size_t e = begin; e < end; ++e)
-      matrix.insertBackByOuterInnerUnordered(r, col[e]) =
-          row_scale[r] * values[e] * col_scale[col[e]];
+    in_row(r, [&](std::size_t e, int c) {
+      matrix.insertBackByOuterInnerUnordered(r, c) = row_scale[r] * values[e] * col_scale[c];
+    });
   }
   matrix.finalize();
   // By columns; turning it sorts them.

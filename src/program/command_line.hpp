@@ -47,6 +47,13 @@ std::string shape_of(const Argument& option);
 std::string help_of(const CommandLine& line);
 std::string help_of(const Command& command);
 
+/// The manual page, for man(1): boxbeam manual | man -l -
+std::string manual_of(const CommandLine& line);
+
+/// The completion of the command line for a shell, "bash" or "zsh": commands, options, the values
+/// that an option can have, and files of the kind that is wanted.
+std::string completion_of(const CommandLine& line, const std::string& shell);
+
 /// What to write instead of these words, of which the parser only says that they are wrong or
 /// incomplete; "" where that is not known.
 std::string hint_for(const CommandLine& line, const std::vector<std::string>& words,

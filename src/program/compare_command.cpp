@@ -1,4 +1,4 @@
-#include "program/compare_command.hpp"
+#include "program/commands.hpp"
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/project/published_values.hpp"

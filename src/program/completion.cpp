@@ -1,4 +1,4 @@
-#include "program/completion.hpp"
+#include "program/command_line.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "program/fatigue_command.hpp"
+#include "program/commands.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "program/init_command.hpp"
+#include "program/commands.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "program/manual.hpp"
+#include "program/command_line.hpp"
 
 #include <fmt/format.h>
 

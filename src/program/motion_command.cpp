@@ -1,4 +1,4 @@
-#include "program/motion_command.hpp"
+#include "program/commands.hpp"
 
 #include <memory>
 

@@ -1,4 +1,4 @@
-#include "program/section_command.hpp"
+#include "program/commands.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "program/validate_command.hpp"
+#include "program/commands.hpp"
 
 #include <fmt/format.h>
 

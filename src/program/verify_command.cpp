@@ -1,4 +1,4 @@
-#include "program/verify_command.hpp"
+#include "program/commands.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "boxbeam/report/files.hpp"
-#include "boxbeam/report/format.hpp"
 #include "boxbeam/report/html_writer.hpp"
 #include "boxbeam/report/json.hpp"
 #include "boxbeam/report/overview.hpp"

@@ -1,4 +1,4 @@
-#include "carrying_joints.hpp"
+#include "joint_parts.hpp"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <sstream>
 
 #include "case_text.hpp"
 #include "text_file.hpp"
@@ -143,14 +142,15 @@ Node parse_text(CaseDocument& document, const std::string& name, const std::stri
   }
 }
 
-Node* step_into(Node& node, const std::string& part) {
+template <class AnyNode>
+AnyNode* step_into(AnyNode& node, const std::string& part) {
   if (node.kind == Node::Kind::array) {
     std::size_t index = 0;
     const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
     const bool whole = error == std::errc{} && end == part.data() + part.size();
     return whole && index < node.items.size() ? &node.items[index] : nullptr;
   }
-  for (Node::Member& member : node.members) {
+  for (auto& member : node.members) {
     if (member.key == part) return &member.value;
   }
   return nullptr;
@@ -235,6 +235,15 @@ std::vector<std::string> key_parts(const std::string& key) {
     if (end == rest.size()) return parts;
     rest.remove_prefix(end + 1);
   }
+}
+
+const Node* value_at(const Node& root, const std::string& key) {
+  const Node* node = &root;
+  for (const std::string& part : key_parts(key)) {
+    node = step_into(*node, part);
+    if (node == nullptr) return nullptr;
+  }
+  return node;
 }
 
 std::optional<std::string> set_value(Node& root, const std::vector<std::string>& parts,

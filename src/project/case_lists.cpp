@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <charconv>
 #include <set>
 
 #include "boxbeam/project/case_document.hpp"
@@ -14,23 +12,6 @@ namespace {
 
 CaseDocument document_of(const Project& project) {
   return parse_document(project.path, project.text, project.overrides);
-}
-
-/// A part of a case under its dotted key, items of arrays by their number; nullptr where there is
-/// none.
-const Node* find_at(const Node& root, const std::string& key) {
-  const Node* node = &root;
-  for (const std::string& part : key_parts(key)) {
-    if (node->kind == Node::Kind::array) {
-      std::size_t index = node->items.size();
-      std::from_chars(part.data(), part.data() + part.size(), index);
-      if (index >= node->items.size()) return nullptr;
-      node = &node->items[index];
-    } else if (node = node->find(part); node == nullptr) {
-      return nullptr;
-    }
-  }
-  return node;
 }
 
 /// "beam", or "beam.1" where they stand in a list.
@@ -69,7 +50,7 @@ std::set<std::string> joined_to(const EndNames& first, const std::vector<EndName
 AlikeBoxes alike_boxes_of(const Project& project, std::size_t segment) {
   const CaseDocument document = document_of(project);
   const Node* const written =
-      find_at(document.root, key_of_beam(document.root, project) + ".segments");
+      value_at(document.root, key_of_beam(document.root, project) + ".segments");
   if (written == nullptr || written->items.size() != project.beam.segments.size()) return {};
   std::vector<EndNames> ends;
   for (const Node& of : written->items) ends.push_back(names_at(of));
@@ -77,7 +58,7 @@ AlikeBoxes alike_boxes_of(const Project& project, std::size_t segment) {
   AlikeBoxes alike;
   for (const std::string& name : names) {
     const bool in_reach = !name.empty() && name.find_first_of(".=\"") == std::string::npos;
-    const Node* const table = in_reach ? find_at(document.root, "sections." + name) : nullptr;
+    const Node* const table = in_reach ? value_at(document.root, "sections." + name) : nullptr;
     const Node* const kind = table != nullptr ? table->find("kind") : nullptr;
     if (kind == nullptr || kind->text != "box") return {};
   }
@@ -102,7 +83,7 @@ std::vector<std::string> added_to(const Project& project, const std::string& key
                                   const std::vector<std::string>& tables) {
   if (tables.empty()) return {};
   const CaseDocument document = document_of(project);
-  const Node* const there = find_at(document.root, key);
+  const Node* const there = value_at(document.root, key);
   if (there == nullptr) return {fmt::format("{}=[{}]", key, fmt::join(tables, ", "))};
   std::vector<std::string> added;
   for (std::size_t i = 0; i < tables.size(); ++i)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "boxbeam/project/project.hpp"
 #include "template_data.hpp"

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <set>
 
 #include "mjcf_elements.hpp"

@@ -1,15 +1,13 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 
 #include "boxbeam/mechanism/spatial/rotation.hpp"
-#include "carrying_joints.hpp"
+#include "joint_parts.hpp"
 #include "joint_tree.hpp"
 #include "read_elasticity.hpp"
 #include "read_gearing.hpp"
-#include "read_joint_drivers.hpp"
 #include "readers.hpp"
 
 namespace boxbeam::readers {

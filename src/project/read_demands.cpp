@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/section/section_properties.hpp"

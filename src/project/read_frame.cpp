@@ -5,7 +5,6 @@
 #include <cctype>
 #include <cmath>
 
-#include "boxbeam/section/section_defect.hpp"
 #include "frame_reader.hpp"
 
 namespace boxbeam::readers {

@@ -1,4 +1,4 @@
-#include "read_joint_drivers.hpp"
+#include "joint_parts.hpp"
 
 #include <fmt/format.h>
 

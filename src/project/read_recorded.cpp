@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 
-#include "boxbeam/mechanism/recorded/motion_columns.hpp"
 #include "boxbeam/project/limits.hpp"
 #include "read_cut_stations.hpp"
 #include "read_recorded_motion.hpp"

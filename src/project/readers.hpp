@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "boxbeam/core/index_by_name.hpp"
-#include "boxbeam/project/catalogue.hpp"
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/project/table_reader.hpp"
 #include "time_tables.hpp"

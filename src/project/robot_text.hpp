@@ -17,15 +17,12 @@ std::string quantity(double value, const WantedDimension& of, const char* unit);
 std::string place_text(const Eigen::Vector3d& p);
 
 /// [xx, yy, zz], or three rows where there are products.
-
 std::string inertia_text(const Eigen::Matrix3d& I);
 
 /// "x", "-z", or three numbers.
-
 std::string direction_text(const Eigen::Vector3d& given);
 
 /// Turns one after the other, as the case writes them; or "".
-
 std::string turn_text(const std::vector<Turn>& given);
 
 /// What a case would refuse, or does not mean, of a mass and an inertia; "" where all is well.

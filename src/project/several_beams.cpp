@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <set>
-#include <utility>
 
 #include "boxbeam/project/limits.hpp"
 

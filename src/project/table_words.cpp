@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "boxbeam/project/limits.hpp"
 #include "node_kinds.hpp"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "boxbeam/project/quantity_text.hpp"
 #include "robot_file.hpp"

@@ -1,7 +1,6 @@
-#include "beam_json.hpp"
+#include "json_parts.hpp"
 
 #include <algorithm>
-#include <tuple>
 
 #include "boxbeam/verification/beam_properties.hpp"
 #include "boxbeam/verification/seam_sum.hpp"

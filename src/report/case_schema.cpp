@@ -2,13 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/project/quantity_text.hpp"
 #include "document_fields.hpp"
-#include "key_schema.hpp"
-#include "key_text.hpp"
+#include "key_documents.hpp"
 
 namespace boxbeam {
 namespace {

@@ -1,4 +1,4 @@
-#include "curve_steps.hpp"
+#include "sheet_steps.hpp"
 
 #include <fmt/format.h>
 

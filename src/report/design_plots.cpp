@@ -172,10 +172,7 @@ std::optional<Drawing> histogram(const DesignRows& rows) {
   const auto bar = [&](long bin, double from, double to, const char* ink) {
     if (!(to > from)) return;
     const double l = low + step * (static_cast<double>(bin) + 0.05), r = l + 0.9 * step;
-    drawing.shapes.emplace_back(
-        Line{{panel.at(l, from), panel.at(r, from), panel.at(r, to), panel.at(l, to)},
-             {ink, 0.6, {}, ink, ""},
-             true});
+    put_bar(drawing, panel, {l, from}, {r, to}, ink);
   };
   for (const auto& [bin, counts] : bins) {
     const auto good = static_cast<double>(counts.first), bad = static_cast<double>(counts.second);
@@ -208,11 +205,7 @@ std::optional<Drawing> histogram(const StudySummary& summary) {
   for (std::size_t k = 0; k < shown->histogram.size(); ++k) {
     const double l = low + step * (static_cast<double>(k) + 0.05), r = l + 0.9 * step;
     const auto count = static_cast<double>(shown->histogram[k]);
-    if (count > 0.0)
-      drawing.shapes.emplace_back(
-          Line{{panel.at(l, 0.0), panel.at(r, 0.0), panel.at(r, count), panel.at(l, count)},
-               {colour(0), 0.6, {}, colour(0), ""},
-               true});
+    if (count > 0.0) put_bar(drawing, panel, {l, 0.0}, {r, count}, colour(0));
   }
   if (low < 1.0 && high > 1.0)
     put_line(drawing, panel.at(1.0, 0.0), panel.at(1.0, panel.y_high),

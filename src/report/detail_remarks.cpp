@@ -70,17 +70,11 @@ void add_pressed(const Verification& verification, std::vector<std::string>& rem
 void add_lugs(const Project& project, std::vector<std::string>& remarks) {
   if (!project.fatigue.asked) return;
   for (const PinInput& pin : project.pins) {
-    const auto said = [&](bool inner) {
-      return std::any_of(pin.lugs.begin(), pin.lugs.end(),
-                         [&](const LugInput& lug) { return lug.inner == inner; });
-    };
-    if (said(true) && said(false)) continue;
+    const std::string unknown = unknown_plates_of(pin);
+    if (unknown.empty()) continue;
     remarks.push_back(fmt::format(
         "pin {}: the fatigue of its {} is not judged: [[pins.lugs]] say how wide they are",
-        pin.name,
-        said(true)    ? "outer plates"
-        : said(false) ? "inner plate"
-                      : "plates"));
+        pin.name, unknown));
   }
 }
 

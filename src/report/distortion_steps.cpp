@@ -1,4 +1,4 @@
-#include "distortion_steps.hpp"
+#include "sheet_steps.hpp"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,7 @@
 
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/strength/yield.hpp"
-#include "curve_steps.hpp"
 #include "derivation_text.hpp"
-#include "fatigue_steps.hpp"
-#include "stress_steps.hpp"
 
 namespace boxbeam::report {
 namespace {

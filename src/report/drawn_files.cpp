@@ -7,11 +7,9 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/report/files.hpp"
+#include "drawing_forms.hpp"
 #include "gnuplot_process.hpp"
-#include "gnuplot_svg.hpp"
-#include "latex_drawing.hpp"
 #include "process.hpp"
-#include "svg.hpp"
 
 namespace boxbeam {
 namespace {
@@ -27,11 +25,6 @@ void move_to(const fs::path& from, const fs::path& to) {
     fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
   if (error)
     throw OutputError(fmt::format("{} cannot be written: {}", to.string(), error.message()));
-}
-
-std::string content_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace

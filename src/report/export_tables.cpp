@@ -43,13 +43,6 @@ Thicknesses thicknesses_in(const Profile& profile) {
   return {};
 }
 
-const char* word_of(const Profile& profile) {
-  constexpr std::array words{"box",   "rectangular tube", "round tube",
-                             "plate", "polygon",          "thin-walled path"};
-  static_assert(words.size() == std::variant_size_v<Profile>);
-  return words[profile.index()];
-}
-
 }  // namespace
 
 std::string cut_forces_csv(const Verification& verification, const std::deque<SituationRun>& runs,
@@ -144,8 +137,8 @@ std::string sections_csv(const Project& project, const Verification& verificatio
     const Thicknesses plates = thicknesses_in(section.outer);
     text += csv_row({csv_cell(at.station.s.value()),
                      to_text(at.station.side),
-                     word_of(section.outer),
-                     section.inner ? word_of(*section.inner) : "",
+                     to_text(section.outer),
+                     section.inner ? to_text(*section.inner) : "",
                      csv_cell(gross.area.value()),
                      csv_cell(gross.I_y.value()),
                      csv_cell(gross.I_z.value()),

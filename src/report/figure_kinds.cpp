@@ -236,16 +236,6 @@ std::string modes_caption(const Source& source) {
                      frequencies_text(*source.verification.pictures.elastic));
 }
 
-bool is_damped(const flexible::Mechanism& mechanism) {
-  const auto damps = [](double constant) { return constant != 0.0; };
-  return std::any_of(mechanism.links.begin(), mechanism.links.end(),
-                     [](const flexible::Link& link) { return link.retardation != 0.0; }) ||
-         std::any_of(mechanism.joints.begin(), mechanism.joints.end(),
-                     [&](const flexible::Joint& joint) {
-                       return std::any_of(joint.damping.begin(), joint.damping.end(), damps);
-                     });
-}
-
 std::string response_caption(const Source& source) {
   const bool damped = is_damped(flexible_of(source.project));
   return fmt::format(

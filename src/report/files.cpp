@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <optional>
 
@@ -47,6 +49,11 @@ void write_file(const std::string& path, const std::string& content) {
   const bool closed = std::fclose(file.release()) == 0;
   if (!written || !closed) fail("written", written ? errno : write_error);
   if (!special && std::rename(temporary.c_str(), real.c_str()) != 0) fail("replaced", errno);
+}
+
+std::string content_of(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace boxbeam

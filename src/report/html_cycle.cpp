@@ -1,4 +1,4 @@
-#include "html_cycle.hpp"
+#include "html_figures.hpp"
 
 #include <fmt/format.h>
 
@@ -6,17 +6,15 @@
 #include <cassert>
 #include <cmath>
 #include <map>
-#include <span>
 #include <vector>
 
 #include "boxbeam/core/code_points.hpp"
 #include "boxbeam/report/format.hpp"
 #include "cycle_drawing.hpp"
-#include "html_scene.hpp"
+#include "drawing_forms.hpp"
 #include "html_text.hpp"
 #include "json_number.hpp"
 #include "mechanism_drawing.hpp"
-#include "svg.hpp"
 
 namespace boxbeam::report::html {
 namespace {

@@ -1,4 +1,4 @@
-#include "html_designs.hpp"
+#include "html_figures.hpp"
 
 #include <fmt/format.h>
 

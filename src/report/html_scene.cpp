@@ -1,4 +1,4 @@
-#include "html_scene.hpp"
+#include "html_figures.hpp"
 
 #include <fmt/format.h>
 

@@ -7,8 +7,7 @@
 #include <map>
 
 #include "boxbeam/report/formula.hpp"
-#include "html_cycle.hpp"
-#include "html_designs.hpp"
+#include "html_figures.hpp"
 #include "html_text.hpp"
 #include "report_assets.hpp"
 #include "table_columns.hpp"

@@ -18,6 +18,22 @@ void put_line(Drawing& drawing, const Pixel& from, const Pixel& to, const Pen& p
   drawing.shapes.emplace_back(Line{{from, to}, pen});
 }
 
+void put_bar(Drawing& drawing, const Panel& panel, const Eigen::Vector2d& from,
+             const Eigen::Vector2d& to, const std::string& ink, double border) {
+  drawing.shapes.emplace_back(Line{{panel.at(from.x(), from.y()), panel.at(to.x(), from.y()),
+                                    panel.at(to.x(), to.y()), panel.at(from.x(), to.y())},
+                                   {ink, border, {}, ink, ""},
+                                   true});
+}
+
+void put_named_bar(Drawing& drawing, const Panel& panel, double middle, double value,
+                   const std::string& ink, const std::string& name, double width) {
+  constexpr double half = 0.32, beside = 8.0;
+  put_bar(drawing, panel, {0.0, middle - half}, {value, middle + half}, ink, 0.8);
+  put_text(drawing, fitted(name, width - 2.0 * beside), {width - beside, panel.at(0.0, middle).y()},
+           Anchor::right);
+}
+
 void put_head(Drawing& drawing, const Pixel& tip, const Eigen::Vector2d& along, double length,
               const std::string& colour) {
   constexpr double slenderness = 0.35;

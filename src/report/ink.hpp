@@ -14,6 +14,15 @@ void put_text(Drawing& drawing, const std::string& text, const Pixel& at,
 
 void put_line(Drawing& drawing, const Pixel& from, const Pixel& to, const Pen& pen);
 
+/// A filled rectangle between two opposite corners of a panel.
+void put_bar(Drawing& drawing, const Panel& panel, const Eigen::Vector2d& from,
+             const Eigen::Vector2d& to, const std::string& ink, double border = 0.6);
+
+/// Of bars that lie below each other the one whose middle is at a height, from 0 to a value, with a
+/// name left of it within a width.
+void put_named_bar(Drawing& drawing, const Panel& panel, double middle, double value,
+                   const std::string& ink, const std::string& name, double width);
+
 /// The head of an arrow that points along a unit vector.
 void put_head(Drawing& drawing, const Pixel& tip, const Eigen::Vector2d& along, double length,
               const std::string& colour);

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "beam_json.hpp"
 #include "boxbeam/numerics/nine_digits.hpp"
 #include "boxbeam/report/remarks.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
 #include "document_fields.hpp"
-#include "load_model_json.hpp"
+#include "json_parts.hpp"
 #include "version.hpp"
 
 namespace boxbeam::report {

@@ -1,4 +1,4 @@
-#include "key_schema.hpp"
+#include "key_documents.hpp"
 
 #include <fmt/format.h>
 

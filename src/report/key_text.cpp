@@ -1,9 +1,8 @@
-#include "key_text.hpp"
+#include "key_documents.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "boxbeam/project/key_reference.hpp"
 

@@ -1,13 +1,10 @@
-#include "latex_drawing.hpp"
+#include "drawing_forms.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <string_view>
 
 #include "boxbeam/report/latex_writer.hpp"
-#include "svg.hpp"
 
 namespace boxbeam::plot {
 namespace {

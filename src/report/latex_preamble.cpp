@@ -1,4 +1,4 @@
-#include "latex_preamble.hpp"
+#include "latex_parts.hpp"
 
 namespace boxbeam::report {
 

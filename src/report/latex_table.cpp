@@ -1,4 +1,4 @@
-#include "latex_table.hpp"
+#include "latex_parts.hpp"
 
 #include <fmt/format.h>
 

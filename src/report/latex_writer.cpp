@@ -7,8 +7,7 @@
 #include <string_view>
 
 #include "boxbeam/report/formula.hpp"
-#include "latex_preamble.hpp"
-#include "latex_table.hpp"
+#include "latex_parts.hpp"
 #include "latex_text.hpp"
 
 namespace boxbeam::report {

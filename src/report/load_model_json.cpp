@@ -1,4 +1,4 @@
-#include "load_model_json.hpp"
+#include "json_parts.hpp"
 
 #include "front_end_text.hpp"
 

@@ -1,4 +1,4 @@
-#include "neighbour_steps.hpp"
+#include "sheet_steps.hpp"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,7 @@
 
 #include "boxbeam/fatigue/range_limit.hpp"
 #include "boxbeam/report/format.hpp"
-#include "curve_steps.hpp"
 #include "derivation_text.hpp"
-#include "fatigue_steps.hpp"
 
 namespace boxbeam::report {
 namespace {

@@ -60,11 +60,6 @@ std::string first_error_in(const fs::path& log) {
   return "it ended without a message";
 }
 
-std::string content_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 /// Whether a file is a PDF from its first to its last bytes: on a full disk there may be a part.
 bool is_whole_pdf(const std::string& content) {
   constexpr std::size_t tail = 64;

@@ -1,4 +1,4 @@
-#include "plate_routes.hpp"
+#include "report_parts.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "plate_steps.hpp"
+#include "sheet_steps.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,6 @@
 #include "boxbeam/verification/path_checks.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
 #include "derivation_text.hpp"
-#include "stress_steps.hpp"
 
 namespace boxbeam::report {
 namespace {
@@ -28,14 +27,14 @@ Traced loaded(Derivation& steps, double load_factor, const Traced& acting) {
   return steps.known("gamma_F", load_factor, {ValueKind::factor}) * acting;
 }
 
-/// Resistance of the corner used most, and the stress that acts there.
-struct CornerSteps {
+struct ActsAndResists {
   Traced acting, resisting;
 };
 
+/// Resistance of the corner used most, and the stress that acts there.
 template <class Basis>
-CornerSteps derive_corner(Derivation& steps, const Project& project, const Check& check,
-                          const Basis& basis, const EffectiveBox& box) {
+ActsAndResists derive_corner(Derivation& steps, const Project& project, const Check& check,
+                             const Basis& basis, const EffectiveBox& box) {
   const Traced stress = abs(derive_corner_stress(steps, box, basis.cut, basis.corner));
   steps.note([&] { return instant_of(check); });
   steps.note([&] {
@@ -48,8 +47,8 @@ CornerSteps derive_corner(Derivation& steps, const Project& project, const Check
 }
 
 template <class Basis>
-CornerSteps derive_place(Derivation& steps, const Project& project, const Check& check,
-                         const Basis& basis, const EffectivePath& path, const PathUse& use) {
+ActsAndResists derive_place(Derivation& steps, const Project& project, const Check& check,
+                            const Basis& basis, const EffectivePath& path, const PathUse& use) {
   const Traced stress = abs(derive_path_stress(steps, path, basis.cut, use));
   steps.note([&] { return instant_of(check); });
   steps.note([&] { return path.places()[use.place].name; });
@@ -58,13 +57,9 @@ CornerSteps derive_place(Derivation& steps, const Project& project, const Check&
           yield_resistance(steps, f_y, project.strength.gamma_M0)};
 }
 
-struct ShearSteps {
-  Traced acting, resisting;
-};
-
 template <class Basis>
-ShearSteps derive_shear(Derivation& steps, const Project& project, const Check& check,
-                        const Basis& basis, const ShearedWall& plate) {
+ActsAndResists derive_shear(Derivation& steps, const Project& project, const Check& check,
+                            const Basis& basis, const ShearedWall& plate) {
   // The sum of shear flows that cancel each other leaves round-off.
   const Force sum = plate.force_of(basis.cut);
   const Force acting = sum < 1e-9 * plate.resists.resistance ? Force{} : sum;
@@ -207,75 +202,69 @@ void derive_stiffener(Derivation& steps, const Project& project, const CheckResu
   steps.note([] { return "F_w, and with it N_st = V_Ed - V_cr, within the column's resistance"; });
 }
 
-/// Of a path the same, both together as 7.1(5) has it.
-Steps path_steps(const Project& project, const CheckResult& result) {
-  const PathBasis& basis = *result.path;
+/// A check of plates that buckle. `normal`: derives what the stress along the beam is and what it
+/// may be; `together`: the factor of it and shear by how far each is used.
+template <class Basis, class Normal, class Together>
+Steps slender_steps(const Project& project, const Check& check, const Basis& basis,
+                    const ShearedWall* wall, const Normal& normal, const Together& together) {
   Derivation steps;
-  if (result.check.criterion == Criterion::reduced_stress) {
-    derive_reduced_plate(steps, project, result.check, basis);
-    return steps_of(steps);
-  }
-  if (result.check.criterion == Criterion::effective_section) {
-    const CornerSteps of =
-        derive_place(steps, project, result.check, basis, *basis.section, basis.use);
+  const auto shear = [&] { return derive_shear(steps, project, check, basis, *wall); };
+  const auto factor_of = [&](const ActsAndResists& of) {
     steps.define("factor", of.resisting / of.acting);
-    return steps_of(steps);
+  };
+  const auto use_of = [&](const char* symbol, const ActsAndResists& of) {
+    return steps.define(symbol, of.acting / of.resisting);
+  };
+  switch (check.criterion) {
+    case Criterion::effective_section: factor_of(normal(steps)); break;
+    case Criterion::shear_buckling: factor_of(shear()); break;
+    case Criterion::reduced_stress: derive_reduced_plate(steps, project, check, basis); break;
+    default: {
+      const Traced eta_1 = use_of("eta_1", normal(steps));
+      together(steps, eta_1, use_of("eta_3", shear()));
+    }
   }
-  if (result.check.criterion == Criterion::shear_buckling) {
-    const ShearSteps of = derive_shear(steps, project, result.check, basis, *basis.wall);
-    steps.define("factor", of.resisting / of.acting);
-    return steps_of(steps);
-  }
-  const CornerSteps normal =
-      derive_place(steps, project, result.check, basis, *basis.section, basis.use);
-  const Traced eta_1 = steps.define("eta_1", normal.acting / normal.resisting);
-  const ShearSteps shear = derive_shear(steps, project, result.check, basis, *basis.wall);
-  const Traced eta_3 = steps.define("eta_3", shear.acting / shear.resisting);
-  const double gamma_M0 = project.strength.gamma_M0;
-  WebInteraction of = interaction_of(*basis.path, *basis.wall, basis.use, basis.cut, gamma_M0);
-  of.factor /= basis.load_factor;
-  if (!basis.path->plastic || !(of.share > 0.0))
-    derive_interaction_factor(steps, eta_1, eta_3);
-  else
-    derive_web_interaction(steps, *basis.path->plastic, of, basis.cut, basis.load_factor * gamma_M0,
-                           eta_1, eta_3);
   return steps_of(steps);
+}
+
+/// Of a path, both together as 7.1(5) has it.
+Steps path_steps(const Project& project, const Check& check, const PathBasis& basis) {
+  return slender_steps(
+      project, check, basis, basis.wall,
+      [&](Derivation& steps) {
+        return derive_place(steps, project, check, basis, *basis.section, basis.use);
+      },
+      [&](Derivation& steps, const Traced& eta_1, const Traced& eta_3) {
+        const double gamma_M0 = project.strength.gamma_M0;
+        WebInteraction of =
+            interaction_of(*basis.path, *basis.wall, basis.use, basis.cut, gamma_M0);
+        of.factor /= basis.load_factor;
+        if (!basis.path->plastic || !(of.share > 0.0))
+          derive_interaction_factor(steps, eta_1, eta_3);
+        else
+          derive_web_interaction(steps, *basis.path->plastic, of, basis.cut,
+                                 basis.load_factor * gamma_M0, eta_1, eta_3);
+      });
 }
 
 }  // namespace
 
 Steps plate_steps(const Project& project, const CheckResult& result) {
-  if (result.path) return path_steps(project, result);
+  if (result.path) return path_steps(project, result.check, *result.path);
   const PlateBasis& basis = *result.plates;
-  Derivation steps;
-  switch (result.check.criterion) {
-    case Criterion::effective_section: {
-      const CornerSteps of = derive_corner(steps, project, result.check, basis, *basis.box);
-      steps.define("factor", of.resisting / of.acting);
-      break;
-    }
-    case Criterion::shear_buckling: {
-      const ShearSteps of = derive_shear(steps, project, result.check, basis, *basis.plate);
-      steps.define("factor", of.resisting / of.acting);
-      break;
-    }
-    case Criterion::reduced_stress:
-      derive_reduced_plate(steps, project, result.check, basis);
-      break;
-    default: {
-      const CornerSteps normal = derive_corner(steps, project, result.check, basis, *basis.box);
-      const Traced eta_1 = steps.define("eta_1", normal.acting / normal.resisting);
-      const ShearSteps shear = derive_shear(steps, project, result.check, basis, *basis.plate);
-      const Traced eta_3 = steps.define("eta_3", shear.acting / shear.resisting);
-      const double gamma_M0 = project.strength.gamma_M0;
-      WebInteraction of =
-          interaction_of(*basis.plate, basis.plates->plastic, basis.corner, basis.cut, gamma_M0);
-      of.factor /= basis.load_factor;
-      derive_web_interaction(steps, basis.plates->plastic, of, basis.cut,
-                             basis.load_factor * gamma_M0, eta_1, eta_3);
-    }
-  }
-  return steps_of(steps);
+  return slender_steps(
+      project, result.check, basis, basis.plate,
+      [&](Derivation& steps) {
+        return derive_corner(steps, project, result.check, basis, *basis.box);
+      },
+      [&](Derivation& steps, const Traced& eta_1, const Traced& eta_3) {
+        const double gamma_M0 = project.strength.gamma_M0;
+        WebInteraction of =
+            interaction_of(*basis.plate, basis.plates->plastic, basis.corner, basis.cut, gamma_M0);
+        of.factor /= basis.load_factor;
+        derive_web_interaction(steps, basis.plates->plastic, of, basis.cut,
+                               basis.load_factor * gamma_M0, eta_1, eta_3);
+      });
 }
 
 Steps patch_steps(const Project& project, const CheckResult& result) {
@@ -312,7 +301,7 @@ Steps patch_steps(const Project& project, const CheckResult& result) {
   const Traced resistance =
       derive_patch_resistance(steps, std::get<PatchedWeb>(basis.bears), gamma_M1);
   const Traced eta_2 = steps.define("eta_2", F / resistance);
-  const CornerSteps normal =
+  const ActsAndResists normal =
       basis.path ? derive_place(steps, project, result.check, basis, *basis.path, basis.place)
                  : derive_corner(steps, project, result.check, basis, *basis.box);
   if (basis.used_most != result.check.station.s)

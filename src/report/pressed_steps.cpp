@@ -1,10 +1,8 @@
 #include <fmt/format.h>
 
 #include "boxbeam/report/format.hpp"
-#include "curve_steps.hpp"
 #include "derivation_text.hpp"
-#include "fatigue_steps.hpp"
-#include "plate_steps.hpp"
+#include "sheet_steps.hpp"
 
 namespace boxbeam::report {
 

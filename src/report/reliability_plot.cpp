@@ -32,17 +32,9 @@ plot::Drawing importance_bars(const std::vector<VariableAtPoint>& variables, dou
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const double middle = count - static_cast<double>(i) - 0.5;
     const double share = 100.0 * shown[i].alpha * shown[i].alpha;
-    const std::string ink = plot::colour(shown[i].alpha > 0.0 ? 1 : 0);
-    const auto corner = [&](double x, double y) { return panel.at(x, middle + y); };
-    drawing.shapes.emplace_back(plot::Line{
-        {corner(0.0, -0.32), corner(share, -0.32), corner(share, 0.32), corner(0.0, 0.32)},
-        {ink, 0.8, {}, ink, ""},
-        true});
-    plot::put_text(
-        drawing,
-        plot::fitted(fmt::format("{}  {:.4g} {}", shown[i].name, shown[i].value, shown[i].unit),
-                     names - 16.0),
-        {names - 8.0, panel.at(0.0, middle).y()}, plot::Anchor::right);
+    plot::put_named_bar(drawing, panel, middle, share, plot::colour(shown[i].alpha > 0.0 ? 1 : 0),
+                        fmt::format("{}  {:.4g} {}", shown[i].name, shown[i].value, shown[i].unit),
+                        names);
   }
   return drawing;
 }

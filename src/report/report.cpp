@@ -9,7 +9,6 @@
 #include "boxbeam/report/verdict_sentence.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
 #include "front_end_text.hpp"
-#include "plate_routes.hpp"
 #include "report_parts.hpp"
 #include "version.hpp"
 

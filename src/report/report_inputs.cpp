@@ -106,6 +106,9 @@ std::string detail_text(const BeamDetail& of, const std::string& where) {
   if (detail.compression_reduced) out += ", compression counts 60 %";
   if (!of.assumed.empty()) out += ", ASSUMED";
   if (detail.unconfirmed) out += ", UNCONFIRMED";
+  // Without it the category does not hold: column "requirements" of the tables.
+  if (!detail.candidates.empty() && !detail.candidates.front().workmanship.empty())
+    out += "; its category asks for: " + detail.candidates.front().workmanship;
   for (std::size_t i = 0; i < std::min(most_raises, detail.raises.size()); ++i) {
     out += fmt::format("; raised by {}", to_text(detail.raises[i]));
   }

@@ -1,6 +1,5 @@
 #include <iterator>
 
-#include "blocks.hpp"
 #include "front_end_text.hpp"
 
 namespace boxbeam::report {

@@ -44,6 +44,10 @@ Chapter stress_chapter(const Source& source);      // report_stresses.cpp
 Chapter fatigue_chapter(const Source& source);     // report_fatigue.cpp
 Chapter comparison_chapter(const Source& source);  // report_load_models.cpp
 
+/// By which route of EN 1993-1-5 slender plates are judged, how far they are used by it, and how
+/// far by the other one; "" where none is slender. plate_routes.cpp
+std::string plate_routes_text(const Verification& verification);
+
 Mark mark_of(Verdict verdict);
 /// Takes the column of instants off, "t [s]", where nothing of the case changes over time.
 void drop_instants_at_rest(const Project& project, Table& table);

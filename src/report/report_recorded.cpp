@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "blocks.hpp"
 #include "front_end_text.hpp"
 #include "function_text.hpp"

@@ -1,4 +1,4 @@
-#include "section_steps.hpp"
+#include "sheet_steps.hpp"
 
 #include <cmath>
 #include <optional>

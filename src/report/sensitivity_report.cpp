@@ -81,16 +81,8 @@ plot::Drawing bars_of(const Sensitivities& of) {
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const double middle = static_cast<double>(shown.size() - i) - 0.5;
     const double slope = shown[i]->slopes.at(criterion).value();
-    const auto corner = [&](double x, double y) { return panel.at(x, middle + y); };
-    const std::string ink = plot::colour(slope < 0.0 ? 1 : 0);
-    drawing.shapes.emplace_back(plot::Line{
-        {corner(0.0, -0.32), corner(slope, -0.32), corner(slope, 0.32), corner(0.0, 0.32)},
-        {ink, 0.8, {}, ink, ""},
-        true});
-    plot::put_text(
-        drawing,
-        plot::fitted(fmt::format("{}  {}", shown[i]->key, to_text(shown[i]->value)), names - 16.0),
-        {names - 8.0, panel.at(0.0, middle).y()}, plot::Anchor::right);
+    plot::put_named_bar(drawing, panel, middle, slope, plot::colour(slope < 0.0 ? 1 : 0),
+                        fmt::format("{}  {}", shown[i]->key, to_text(shown[i]->value)), names);
   }
   plot::put_line(drawing, panel.at(0.0, panel.y_low), panel.at(0.0, panel.y_high),
                  {"#202020", 1.2});

@@ -10,13 +10,8 @@
 #include "boxbeam/section/equivalent_stress.hpp"
 #include "boxbeam/strength/weld_throat.hpp"
 #include "boxbeam/strength/yield.hpp"
-#include "curve_steps.hpp"
 #include "derivation_text.hpp"
-#include "distortion_steps.hpp"
-#include "fatigue_steps.hpp"
-#include "neighbour_steps.hpp"
-#include "plate_steps.hpp"
-#include "stress_steps.hpp"
+#include "sheet_steps.hpp"
 
 namespace boxbeam {
 

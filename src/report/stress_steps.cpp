@@ -1,4 +1,4 @@
-#include "stress_steps.hpp"
+#include "sheet_steps.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,6 @@
 #include "boxbeam/section/level_shear.hpp"
 #include "boxbeam/section/nominal_stress.hpp"
 #include "boxbeam/strength/weld_throat.hpp"
-#include "section_steps.hpp"
 
 namespace boxbeam::report {
 namespace {

@@ -2,15 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "boxbeam/core/code_points.hpp"
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/report/remarks.hpp"
 #include "boxbeam/report/verdict_sentence.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
-#include "plain_text.hpp"
-#include "plate_routes.hpp"
 #include "report_parts.hpp"
 #include "text_layout.hpp"
 #include "text_table.hpp"

@@ -1,4 +1,4 @@
-#include "svg.hpp"
+#include "drawing_forms.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "boxbeam/report/document.hpp"
 #include "boxbeam/report/marked_text.hpp"
 

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
 

@@ -1,6 +1,7 @@
 #include "boxbeam/section/section.hpp"
 
 #include <algorithm>
+#include <array>
 #include <type_traits>
 
 namespace boxbeam {
@@ -220,6 +221,13 @@ Box symmetric_box(Length width, Length height, Length flange, Length web) {
 bool takes_holes(const Profile& profile) {
   return std::holds_alternative<Box>(profile) || std::holds_alternative<RectangularTube>(profile) ||
          std::holds_alternative<Plate>(profile);
+}
+
+const char* to_text(const Profile& profile) {
+  constexpr std::array words{"box",   "rectangular tube", "round tube",
+                             "plate", "polygon",          "thin-walled path"};
+  static_assert(words.size() == std::variant_size_v<Profile>);
+  return words[profile.index()];
 }
 
 Section interpolate(const Section& from, const Section& to, double fraction) {

@@ -11,7 +11,6 @@
 
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/section/torsion.hpp"
-#include "opened_walls.hpp"
 
 namespace boxbeam {
 namespace {

@@ -8,8 +8,6 @@
 #include <numeric>
 #include <span>
 
-#include "opened_walls.hpp"
-
 namespace boxbeam {
 namespace {
 

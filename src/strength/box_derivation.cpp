@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "boxbeam/strength/effective_box.hpp"
 #include "plate_formulas.hpp"
 #include "stiffened_formulas.hpp"

@@ -1,16 +1,8 @@
 #include "boxbeam/strength/column_buckling.hpp"
 
-#include <cassert>
-
 #include "column_formulas.hpp"
 
 namespace boxbeam {
-
-namespace {
-
-constexpr NoDerivation unrecorded;
-
-}  // namespace
 
 const char* to_text(BucklingCurve curve) {
   switch (curve) {
@@ -35,16 +27,7 @@ double imperfection_factor(BucklingCurve curve) {
 }
 
 Force euler_force(Stress youngs_modulus, SecondMoment inertia, Length buckling_length) {
-  return column::euler_force(unrecorded, youngs_modulus, inertia, buckling_length);
-}
-
-double column_slenderness(Area area, Stress yield_strength, Force critical_force) {
-  return column::slenderness(unrecorded, area, yield_strength, critical_force);
-}
-
-double column_reduction(double slenderness, BucklingCurve curve) {
-  assert(slenderness >= 0.0);
-  return column::reduction(unrecorded, slenderness, curve);
+  return column::euler_force(plainly, youngs_modulus, inertia, buckling_length);
 }
 
 }  // namespace boxbeam

@@ -16,12 +16,18 @@ auto euler_force(Record& record, const E& youngs_modulus, const I& inertia, cons
   return record.define("N_cr", pi * pi * youngs_modulus * inertia / (length * length));
 }
 
+/// Relative slenderness; A the effective area in class 4. Source: EN 1993-1-1:2005, 6.3.1.2(1).
 template <class Record, class A, class F, class N>
 auto slenderness(Record& record, const A& area, const F& yield_strength, const N& critical_force) {
   using std::sqrt;
   return record.define("lambda", sqrt(area * yield_strength / critical_force));
 }
 
+/// Reduction factor for flexural buckling, at most 1; the slenderness not below 0.
+///
+///     chi = 1/(Phi + sqrt(Phi^2 - lambda^2)),  Phi = [1 + alpha (lambda - 0.2) + lambda^2]/2
+///
+/// Source: EN 1993-1-1:2005, 6.3.1.2(1), equation 6.49.
 template <class Record, class Number>
 Number reduction(Record& record, const Number& lambda, BucklingCurve curve) {
   using std::sqrt;

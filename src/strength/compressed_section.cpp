@@ -94,9 +94,8 @@ auto idle_part_of(Record& record, const CompressedPlate& plate, const Number& ep
 
 /// Takes what is not effective out of a plate beyond class 3.
 void reduce(CompressedPlate& plate, Length thickness, double epsilon) {
-  constexpr NoDerivation record;
   plate.thickness = thickness;
-  const auto part = idle_part_of(record, plate, Dimensionless(epsilon), "A_c");
+  const auto part = idle_part_of(plainly, plate, Dimensionless(epsilon), "A_c");
   plate.lambda_p = part.lambda_p;
   plate.rho = part.rho;
   plate.idle = part.idle;

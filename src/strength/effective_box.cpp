@@ -6,10 +6,7 @@
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/section/outline.hpp"
 #include "boxbeam/strength/plate_slenderness.hpp"
-#include "boxbeam/strength/section_class.hpp"
-#include "counts_beside.hpp"
-#include "level_steps.hpp"
-#include "plate_formulas.hpp"
+#include "effective_parts.hpp"
 
 namespace boxbeam {
 namespace {

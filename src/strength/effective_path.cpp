@@ -9,8 +9,7 @@
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/strength/section_class.hpp"
 #include "boxbeam/strength/stiffened_plate.hpp"
-#include "counts_beside.hpp"
-#include "level_steps.hpp"
+#include "effective_parts.hpp"
 
 namespace boxbeam {
 namespace {

@@ -35,39 +35,34 @@ Stress plate_euler_stress(double width_to_thickness) {
 }
 
 double relative_plate_slenderness(double width_to_thickness, double epsilon, double k_sigma) {
-  constexpr NoDerivation record;
-  return plate::slenderness(record, width_to_thickness, epsilon, k_sigma);
+  return plate::slenderness(plainly, width_to_thickness, epsilon, k_sigma);
 }
 
 double internal_reduction(double lambda_p, double psi) {
   assert(psi >= -3.0 && psi <= 1.0);
   if (lambda_p <= 0.5 + std::sqrt(0.085 - 0.055 * psi)) return 1.0;
-  constexpr NoDerivation record;
-  return plate::internal_reduction(record, lambda_p, psi);
+  return plate::internal_reduction(plainly, lambda_p, psi);
 }
 
 double internal_reduction(double lambda_p, double psi, const StressLevel& level) {
   const double lambda_red = lambda_p * std::sqrt(level.share);
   const double rho = internal_reduction(lambda_red, psi);
   if (!level.annex_E || rho == 1.0) return rho;
-  constexpr NoDerivation record;
   return std::min(
-      1.0, plate::annex_E_reduction(record, lambda_p, lambda_red, plate::internal_loss(psi)));
+      1.0, plate::annex_E_reduction(plainly, lambda_p, lambda_red, plate::internal_loss(psi)));
 }
 
 double outstand_reduction(double lambda_p) {
   if (lambda_p <= 0.748) return 1.0;
-  constexpr NoDerivation record;
-  return std::min(1.0, plate::outstand_reduction(record, lambda_p));
+  return std::min(1.0, plate::outstand_reduction(plainly, lambda_p));
 }
 
 double outstand_reduction(double lambda_p, const StressLevel& level) {
   const double lambda_red = lambda_p * std::sqrt(level.share);
   const double rho = outstand_reduction(lambda_red);
   if (!level.annex_E || rho == 1.0) return rho;
-  constexpr NoDerivation record;
   return std::min(1.0,
-                  plate::annex_E_reduction(record, lambda_p, lambda_red, plate::outstand_loss));
+                  plate::annex_E_reduction(plainly, lambda_p, lambda_red, plate::outstand_loss));
 }
 
 std::optional<EffectiveWidth> internal_effective_width(Length width, Length thickness, double psi,

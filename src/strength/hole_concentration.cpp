@@ -1,7 +1,6 @@
 #include "boxbeam/strength/hole_concentration.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "boxbeam/core/angle.hpp"
@@ -41,7 +40,6 @@ namespace {
 /// An edge by its distance along u from the centre.
 template <class Place>
 std::vector<HoleEdge> edges_around(const AroundHole& around, const Place& place) {
-  constexpr NoDerivation plainly;
   const auto wall = std::make_shared<const AroundHole>(around);
   const double K_g = hole::on_gross(hole::membrane_concentration(plainly, around.a), around.a);
   constexpr int steps = 120;
@@ -108,6 +106,22 @@ std::vector<HoleEdge> edges_in_flat_plate(const Plate& plate, double diameter, d
 }
 
 }  // namespace
+
+double membrane_concentration(double diameter_to_width) {
+  return hole::membrane_concentration(plainly, diameter_to_width);
+}
+
+double published_concentration(double diameter_to_width) {
+  return hole::published_concentration(plainly, diameter_to_width);
+}
+
+std::optional<double> plate_bending_concentration(double diameter_to_thickness,
+                                                  double diameter_to_width) {
+  const double k = diameter_to_thickness;
+  const double a = diameter_to_width;
+  if (!(k >= 0.0 && a >= 0.0 && a < 0.3)) return std::nullopt;
+  return hole::plate_bending_concentration(plainly, k, a);
+}
 
 std::vector<HoleEdge> hole_edges_of(const Section& section, const std::vector<Hole>& holes,
                                     const Taper& taper, const Hole& hole, HoleCase hole_case) {

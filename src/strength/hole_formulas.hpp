@@ -5,7 +5,7 @@
 
 #include "boxbeam/core/derivation.hpp"
 
-/// Formulas of hole_factors.hpp and hole_concentration.hpp over a recorder and its values.
+/// Formulas of hole_concentration.hpp over a recorder and its values.
 namespace boxbeam::hole {
 
 template <class Record, class Number>

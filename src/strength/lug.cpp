@@ -1,7 +1,6 @@
 #include "boxbeam/strength/lug.hpp"
 
 #include <algorithm>
-#include <functional>
 
 namespace boxbeam {
 namespace {
@@ -24,18 +23,11 @@ Value resistance_of(Record& record, const Lug& lug, Stress yield_strength, doubl
 
 }  // namespace
 
-Area lug_net_area(const Lug& lug) {
-  constexpr NoDerivation plainly;
-  return lug_net_area(plainly, lug);
-}
+Area lug_net_area(const Lug& lug) { return lug_net_area(plainly, lug); }
 
-double lug_concentration(const Lug& lug) {
-  constexpr NoDerivation plainly;
-  return lug_concentration(plainly, lug);
-}
+double lug_concentration(const Lug& lug) { return lug_concentration(plainly, lug); }
 
 Force lug_resistance_of(const Lug& lug, Stress yield_strength, double gamma_M0) {
-  constexpr NoDerivation plainly;
   return std::max(Force{}, resistance_of<Force>(plainly, lug, yield_strength, gamma_M0));
 }
 

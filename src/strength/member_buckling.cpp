@@ -9,7 +9,6 @@ namespace boxbeam {
 namespace {
 
 double chi_at(double lambda, BucklingCurve curve) {
-  constexpr NoDerivation plainly;
   return column::reduction<const NoDerivation, double>(plainly, lambda, curve);
 }
 
@@ -108,7 +107,6 @@ auto lateral(Record& record, const MemberLoad& load, BucklingCurve curve, double
 }  // namespace
 
 double flexural_use(const MemberLoad& load, BucklingCurve curve, double gamma_M1) {
-  constexpr NoDerivation plainly;
   return flexural(plainly, load, curve, gamma_M1);
 }
 
@@ -118,7 +116,6 @@ Traced derive_flexural_use(Derivation& steps, const MemberLoad& load, BucklingCu
 }
 
 double lateral_use(const MemberLoad& load, BucklingCurve curve, double gamma_M1) {
-  constexpr NoDerivation plainly;
   if (!(load.compressed + load.bent > 0.0)) return 0.0;
   return lateral(plainly, load, curve, gamma_M1);
 }

@@ -8,7 +8,6 @@
 #include <string>
 #include <tuple>
 #include <type_traits>
-#include <utility>
 
 #include "boxbeam/core/derivation.hpp"
 #include "boxbeam/strength/section_class.hpp"
@@ -109,7 +108,6 @@ PatchNumbers<Number, Span, Load> numbers_of(Record& record, const PatchedWeb& we
 
 /// Whether lambda_F, found with m_2, is above the limit from which m_2 counts.
 bool counts_flange(const PatchedWeb& web) {
-  constexpr NoDerivation plainly;
   return !web.pulled && numbers_of<double, Length, Force>(plainly, web, true).lambda_F > slender;
 }
 
@@ -228,7 +226,6 @@ Length loaded_length_of(const PatchedWeb& web) {
 }
 
 PatchResistance patch_resistance_of(const PatchedWeb& web, double gamma_M1) {
-  constexpr NoDerivation plainly;
   const auto of = numbers_of<double, Length, Force>(plainly, web, counts_flange(web));
   return {of.k_F,   of.m_1,  of.m_2, of.lambda_F,
           of.chi_F, of.F_cr, of.l_y, resistance(plainly, web, of.chi_F, of.l_y, gamma_M1)};
@@ -253,7 +250,6 @@ Traced derive_patch_resistance(Derivation& steps, const PatchedWeb& web, double 
 }
 
 double patch_factor(double eta_2, double eta_1) {
-  constexpr NoDerivation plainly;
   if (!(eta_2 > 0.0)) return std::numeric_limits<double>::infinity();
   return factor_of(plainly, eta_2, eta_1);
 }
@@ -263,7 +259,6 @@ Traced derive_patch_factor(Derivation& steps, const Traced& eta_2, const Traced&
 }
 
 Force bearing_resistance_of(const BearingStiffener& stiffener, double gamma_M1) {
-  constexpr NoDerivation plainly;
   return bearing(plainly, stiffener, gamma_M1);
 }
 
@@ -273,7 +268,6 @@ Traced derive_bearing_resistance(Derivation& steps, const BearingStiffener& stif
 }
 
 Force stiffener_weld_resistance_of(const StiffenerWeld& weld) {
-  constexpr NoDerivation plainly;
   return weld_resistance(plainly, weld);
 }
 
@@ -283,7 +277,6 @@ Traced derive_stiffener_weld_resistance(Derivation& steps, const StiffenerWeld& 
 
 std::optional<Length> sufficient_throat_of(const StiffenerWeld& weld, Force force) {
   // n a (l - 2 a) f = F, the smaller root.
-  constexpr NoDerivation plainly;
   const Stress f = weld.to_flange ? Stress(weld_strength(plainly, weld.strength) / std::sqrt(2.0))
                                   : weld_shear_strength(weld.strength);
   const Area asked = std::hypot(1.0, weld.beside) * force / (static_cast<double>(weld.welds) * f);
@@ -293,7 +286,6 @@ std::optional<Length> sufficient_throat_of(const StiffenerWeld& weld, Force forc
 }
 
 double stiffener_factor(Force comes_in, Force shear, Force buckling_shear, Force resistance) {
-  constexpr NoDerivation plainly;
   return factor_of_stiffener(plainly, comes_in, shear, buckling_shear, resistance);
 }
 

@@ -11,8 +11,6 @@ namespace {
 
 Force size_of(Force force) { return si<Force>(std::abs(force.value())); }
 
-constexpr NoDerivation nothing_kept;
-
 template <class Record>
 auto modulus_of(Record& record, const PinJoint& joint) {
   const auto pi = record.constant("pi", std::numbers::pi);
@@ -163,7 +161,7 @@ auto service_uses_of(Record& record, const F& force, Stress youngs_modulus, cons
 }  // namespace
 
 PinUtilisation pin_utilisation(Force force, const PinJoint& joint, const PinStrength& strength) {
-  const auto use = uses_of(nothing_kept, size_of(force), joint, strength);
+  const auto use = uses_of(plainly, size_of(force), joint, strength);
   return {use.shear, use.bearing_inner, use.bearing_outer, use.bending, use.combined};
 }
 
@@ -198,7 +196,7 @@ ReplaceablePinUtilisation replaceable_pin_utilisation(Force service_force, Stres
                                                       const PinJoint& joint,
                                                       const PinStrength& strength) {
   const auto use =
-      service_uses_of(nothing_kept, size_of(service_force), youngs_modulus, joint, strength);
+      service_uses_of(plainly, size_of(service_force), youngs_modulus, joint, strength);
   return {use.bearing_inner, use.bearing_outer, use.bending, use.contact_inner, use.contact_outer};
 }
 

@@ -1,6 +1,5 @@
 #include "boxbeam/strength/reduced_stress.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -212,7 +211,6 @@ ReducedStress reduced_stress_of(const ShearPanel& panel, const PanelStress& stre
   const bool acts = stress.compression != Stress{} || stress.tension != Stress{} ||
                     stress.shear != Stress{} || stress.across;
   if (!acts) return of;
-  constexpr NoDerivation plainly;
   const auto found =
       ReducedPanel<double, Stress, const NoDerivation>(plainly, panel, stress).numbers(gamma_M1);
   of.alpha_ult = found.alpha_ult;

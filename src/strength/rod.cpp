@@ -229,7 +229,6 @@ std::optional<TwistingRod> twisting_rod_of(const Section& section, Stress youngs
 }
 
 TensionResistance tension_resistance_of(const PulledRod& rod) {
-  constexpr NoDerivation plainly;
   const auto of = resist_tension(plainly, rod);
   return {of.plastic, of.net, of.least};
 }
@@ -240,7 +239,6 @@ void derive_tension_factor(Derivation& steps, const Traced& tension, const Pulle
 }
 
 CompressionResistance compression_resistance_of(const PressedRod& rod) {
-  constexpr NoDerivation plainly;
   const auto of = resist_compression(plainly, rod);
   return {of.slenderness, of.reduction, of.section, of.buckling, of.least};
 }

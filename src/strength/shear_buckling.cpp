@@ -112,7 +112,6 @@ bool is_rigid_end_post(const EndPost& post, Length deepest, Length thickness,
 }
 
 ShearResistance shear_resistance_of(const ShearPanel& panel, double gamma_M1) {
-  constexpr NoDerivation plainly;
   const double eta = shear_hardening_factor(panel.yield_strength);
   const auto of = numbers_of<double>(plainly, panel, eta);
   return {of.k_tau, of.lambda_w, of.chi_w,
@@ -129,7 +128,6 @@ Traced derive_shear_resistance(Derivation& steps, const ShearPanel& panel, doubl
 }
 
 Force buckling_shear_of(const ShearPanel& panel, double gamma_M1) {
-  constexpr NoDerivation plainly;
   return buckling_shear(plainly, panel, slenderness_of<double>(plainly, panel).lambda_w, gamma_M1);
 }
 

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
-#include "boxbeam/strength/section_class.hpp"
 #include "boxbeam/strength/stiffened_plate.hpp"
 #include "plate_formulas.hpp"
 #include "stiffened_formulas.hpp"

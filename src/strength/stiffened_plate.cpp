@@ -9,11 +9,6 @@
 #include "stiffened_formulas.hpp"
 
 namespace boxbeam {
-namespace {
-
-constexpr NoDerivation unrecorded_here;
-
-}  // namespace
 
 bool resists_torsional_buckling(const FlatStiffener& flat, Stress yield_strength) {
   const double d = flat.depth.value(), t = flat.thickness.value();
@@ -44,26 +39,25 @@ bool are_stiff_enough(const StiffenedPlate& plate) {
 }
 
 Length held_column_wave(SecondMoment inertia, Length b_1, Length b_2, Length thickness) {
-  return stiffened::held_wave(unrecorded_here, inertia, b_1, b_2, thickness);
+  return stiffened::held_wave(plainly, inertia, b_1, b_2, thickness);
 }
 
 Stress held_column_stress(Area area, SecondMoment inertia, Length b_1, Length b_2, Length thickness,
                           std::optional<Length> length) {
   if (!length || *length >= held_column_wave(inertia, b_1, b_2, thickness)) {
-    return stiffened::long_held_stress(unrecorded_here, stiffened::youngs_modulus, area, inertia,
-                                       b_1, b_2, thickness);
+    return stiffened::long_held_stress(plainly, stiffened::youngs_modulus, area, inertia, b_1, b_2,
+                                       thickness);
   }
-  return stiffened::short_held_stress(unrecorded_here, stiffened::youngs_modulus, area, inertia,
-                                      b_1, b_2, thickness, *length);
+  return stiffened::short_held_stress(plainly, stiffened::youngs_modulus, area, inertia, b_1, b_2,
+                                      thickness, *length);
 }
 
 Stress column_stress(Area area, SecondMoment inertia, Length length) {
-  return stiffened::column_stress(unrecorded_here, "", stiffened::youngs_modulus, area, inertia,
-                                  length);
+  return stiffened::column_stress(plainly, "", stiffened::youngs_modulus, area, inertia, length);
 }
 
 Stress plate_column_stress(Length thickness, Length length) {
-  return stiffened::euler_stress(unrecorded_here, "", stiffened::youngs_modulus, thickness, length);
+  return stiffened::euler_stress(plainly, "", stiffened::youngs_modulus, thickness, length);
 }
 
 double orthotropic_buckling_factor(std::optional<double> alpha, double psi, double gamma,
@@ -73,20 +67,20 @@ double orthotropic_buckling_factor(std::optional<double> alpha, double psi, doub
   const double within = std::max(least_ratio, psi);
   const auto at = [&](double aspect, double ratio) {
     return aspect > std::sqrt(std::sqrt(gamma))
-               ? stiffened::long_orthotropic_factor(unrecorded_here, ratio, gamma, delta)
-               : stiffened::short_orthotropic_factor(unrecorded_here, aspect, ratio, gamma, delta);
+               ? stiffened::long_orthotropic_factor(plainly, ratio, gamma, delta)
+               : stiffened::short_orthotropic_factor(plainly, aspect, ratio, gamma, delta);
   };
-  if (!alpha) return stiffened::long_orthotropic_factor(unrecorded_here, within, gamma, delta);
+  if (!alpha) return stiffened::long_orthotropic_factor(plainly, within, gamma, delta);
   if (*alpha >= least_aspect) return at(*alpha, within);
   return std::max(at(*alpha, 1.0), at(least_aspect, within));
 }
 
 double column_imperfection(Length e, Length radius_of_gyration) {
-  return stiffened::imperfection(unrecorded_here, e, radius_of_gyration);
+  return stiffened::imperfection(plainly, e, radius_of_gyration);
 }
 
 double column_like_reduction(double lambda_c, double imperfection) {
-  return stiffened::column_reduction(unrecorded_here, lambda_c, imperfection);
+  return stiffened::column_reduction(plainly, lambda_c, imperfection);
 }
 
 double interpolated_reduction(double rho, double chi_c, double xi) {

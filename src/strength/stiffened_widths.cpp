@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include "boxbeam/strength/section_class.hpp"
 #include "boxbeam/strength/stiffened_plate.hpp"
 #include "out_of_plate.hpp"
 #include "stiffened_formulas.hpp"

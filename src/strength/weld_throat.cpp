@@ -23,7 +23,6 @@ DirectionalUtilisation directional_utilisation(const ThroatStress& stress,
 Length least_throat() { return si<Length>(0.003); }
 
 Stress weld_shear_strength(const WeldStrength& strength) {
-  constexpr NoDerivation plainly;
   return weld_shear_strength(plainly, strength);
 }
 

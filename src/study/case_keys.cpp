@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <string_view>
 
 #include "boxbeam/core/error.hpp"
@@ -51,23 +50,6 @@ bool has_dimension_of(std::string_view value, const Node& own) {
 }
 
 }  // namespace
-
-const Node* value_at(const Node& root, const std::string& key) {
-  const Node* node = &root;
-  for (const std::string& part : key_parts(key)) {
-    if (node->kind == Node::Kind::array) {
-      std::size_t index = 0;
-      const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
-      if (error != std::errc{} || end != part.data() + part.size() || index >= node->items.size())
-        return nullptr;
-      node = &node->items[index];
-    } else {
-      node = node->find(part);
-      if (node == nullptr) return nullptr;
-    }
-  }
-  return node;
-}
 
 std::vector<std::string> number_keys(const Node& root) {
   std::vector<std::string> keys;

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "boxbeam/mechanism/spatial/chain.hpp"
 #include "boxbeam/verification/animation.hpp"
 
 /// Instants of an animation: how many show its motion, and what is where in them.

@@ -1,4 +1,4 @@
-#include "axial_forces.hpp"
+#include "verdict_notes.hpp"
 
 #include <fmt/format.h>
 

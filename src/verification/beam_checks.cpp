@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <tuple>
 
-#include "boxbeam/core/error.hpp"
+#include "boxbeam/core/append.hpp"
 #include "boxbeam/strength/weld_throat.hpp"
 #include "boxbeam/verification/given_stresses.hpp"
 #include "boxbeam/verification/path_checks.hpp"
@@ -116,10 +114,6 @@ class StationChecks {
   StationExtremes* extremes_;
 };
 
-void append(std::vector<CheckResult> more, std::vector<CheckResult>& checks) {
-  std::move(more.begin(), more.end(), std::back_inserter(checks));
-}
-
 /// Keeps the worst of each criterion.
 void keep_worst(std::vector<CheckResult> of_station, std::vector<CheckResult>& worst) {
   for (CheckResult& result : of_station) {
@@ -194,21 +188,34 @@ bool is_fatigue(Criterion criterion) {
 
 /// Counts over all instants what is estimated near the largest of its criterion, until all of that
 /// is counted. How near follows from how far estimates were off.
-void count_near_largest(const Project& project, const std::deque<SituationRun>& runs,
-                        WholeLife& whole, std::vector<CheckResult>& checks) {
-  constexpr std::size_t most_at_once = 16;
-  constexpr double near = 0.03, largest_margin = 0.3;
-  WholeSummary& summary = whole.summary;
-  summary.estimate_error = 0.0;
-  summary.margin = near;
-  const auto uses_above = [&](double share) {
+class NearLargest {
+ public:
+  NearLargest(const Project& project, const std::deque<SituationRun>& runs, WholeLife& whole,
+              std::vector<CheckResult>& checks)
+      : project_(&project), runs_(&runs), whole_(&whole), checks_(&checks) {
+    whole.summary.estimate_error = 0.0;
+    whole.summary.margin = near;
+  }
+
+  void count() {
+    // First those that are least like what has been counted: they show how good estimates are.
+    count(least_like_counted());
+    for (std::vector<CheckResult*> chosen = not_counted(); !chosen.empty(); chosen = not_counted())
+      count(chosen);
+  }
+
+ private:
+  static constexpr double near = 0.03;
+
+  /// Those of fatigue whose use is above a share of the largest of their criterion, largest first.
+  std::vector<CheckResult*> uses_above(double share) const {
     Utilisations largest;
-    for (const CheckResult& result : checks) {
+    for (const CheckResult& result : *checks_) {
       double& of = largest.of(result.check.criterion);
       of = std::max(of, result.check.utilisation());
     }
     std::vector<CheckResult*> found;
-    for (CheckResult& result : checks) {
+    for (CheckResult& result : *checks_) {
       const double least = share * largest.of(result.check.criterion);
       if (is_fatigue(result.check.criterion) && result.check.utilisation() >= least)
         found.push_back(&result);
@@ -218,70 +225,84 @@ void count_near_largest(const Project& project, const std::deque<SituationRun>& 
              b->check.utilisation() / largest.of(b->check.criterion);
     });
     return found;
-  };
-  const auto places_of = [&](const CheckResult& result) {
-    return whole_places_of(histories_at(runs, result.check.station), result.basis->point,
+  }
+
+  std::vector<WholePlace> places_of(const CheckResult& result) const {
+    return whole_places_of(histories_at(*runs_, result.check.station), result.basis->point,
                            result.check.criterion);
-  };
-  const auto again = [&](CheckResult& result) {
-    auto counted = check_fatigue(project, histories_at(runs, result.check.station),
+  }
+
+  void check_again(CheckResult& result) const {
+    auto counted = check_fatigue(*project_, histories_at(*runs_, result.check.station),
                                  result.basis->point, result.check.criterion);
     if (counted) result = std::move(*counted);
-  };
-  const auto count = [&](const std::vector<CheckResult*>& chosen) {
+  }
+
+  void count(const std::vector<CheckResult*>& chosen) {
+    constexpr double largest_margin = 0.3;
     std::vector<double> before;
     std::vector<WholePlace> places;
     for (const CheckResult* result : chosen) {
       before.push_back(result->check.utilisation());
       for (WholePlace& place : places_of(*result)) places.push_back(std::move(place));
     }
-    whole.count(places);
+    whole_->count(places);
+    WholeSummary& summary = whole_->summary;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
-      again(*chosen[i]);
+      check_again(*chosen[i]);
       const double apart = std::abs(before[i] / chosen[i]->check.utilisation() - 1.0);
       summary.estimate_error = std::max(summary.estimate_error, apart);
     }
     summary.margin = std::clamp(2.0 * summary.estimate_error, near, largest_margin);
     // The others by what is known now.
     for (CheckResult* const result : uses_above(1.0 - 2.0 * summary.margin)) {
-      if (std::find(chosen.begin(), chosen.end(), result) == chosen.end()) again(*result);
+      if (std::find(chosen.begin(), chosen.end(), result) == chosen.end()) check_again(*result);
     }
-  };
+  }
 
-  // First those that are least like what has been counted: they show how good estimates are.
-  constexpr double much_used = 0.5;
-  constexpr std::size_t most_unlike = 4;
-  std::vector<CheckResult*> known;
-  std::vector<WholePlace> theirs;
-  for (CheckResult* const result : uses_above(much_used)) {
-    if (result->check.criterion == Criterion::combined_fatigue) continue;
-    known.push_back(result);
-    theirs.push_back(places_of(*result).front());
+  std::vector<CheckResult*> least_like_counted() const {
+    constexpr double much_used = 0.5;
+    constexpr std::size_t most_unlike = 4;
+    std::vector<CheckResult*> known;
+    std::vector<WholePlace> theirs;
+    for (CheckResult* const result : uses_above(much_used)) {
+      if (result->check.criterion == Criterion::combined_fatigue) continue;
+      known.push_back(result);
+      theirs.push_back(places_of(*result).front());
+    }
+    const std::vector<WholePlace> unlike =
+        whole_->unlike(theirs, std::vector<double>(theirs.size(), 1.0), most_unlike);
+    std::vector<CheckResult*> tried;
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      const bool is_chosen = std::any_of(unlike.begin(), unlike.end(), [&](const WholePlace& of) {
+        return of.factors == theirs[i].factors;
+      });
+      if (is_chosen) tried.push_back(known[i]);
+    }
+    return tried;
   }
-  const std::vector<WholePlace> unlike =
-      whole.unlike(theirs, std::vector<double>(theirs.size(), 1.0), most_unlike);
-  std::vector<CheckResult*> tried;
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    const bool is_chosen = std::any_of(unlike.begin(), unlike.end(), [&](const WholePlace& of) {
-      return of.factors == theirs[i].factors;
-    });
-    if (is_chosen) tried.push_back(known[i]);
-  }
-  count(tried);
-  for (;;) {
+
+  /// Some of those near the largest that are only estimated.
+  std::vector<CheckResult*> not_counted() const {
+    constexpr std::size_t most_at_once = 16;
     std::vector<CheckResult*> chosen;
-    for (CheckResult* const result : uses_above(1.0 - summary.margin)) {
+    for (CheckResult* const result : uses_above(1.0 - whole_->summary.margin)) {
       const std::vector<WholePlace> own = places_of(*result);
-      const bool all_counted = std::all_of(
-          own.begin(), own.end(), [&](const WholePlace& place) { return whole.is_counted(place); });
+      const bool all_counted = std::all_of(own.begin(), own.end(), [&](const WholePlace& place) {
+        return whole_->is_counted(place);
+      });
       if (all_counted) continue;
       chosen.push_back(result);
       if (chosen.size() == most_at_once) break;
     }
-    if (chosen.empty()) return;
-    count(chosen);
+    return chosen;
   }
-}
+
+  const Project* project_;
+  const std::deque<SituationRun>* runs_;
+  WholeLife* whole_;
+  std::vector<CheckResult>* checks_;
+};
 
 }  // namespace
 
@@ -318,7 +339,7 @@ BeamChecks check_beam(const Project& project, const std::deque<SituationRun>& ru
   append(check_welds(project, runs, zones), beam.checks);
   if (WholeLife* const whole = whole_life_of(runs);
       whole != nullptr && project.fatigue.asked && !beam.checks.empty())
-    count_near_largest(project, runs, *whole, beam.checks);
+    NearLargest(project, runs, *whole, beam.checks).count();
   give_seam_throats(beam.checks);
   gates.look_at(beam.checks);
   beam.gates = gates.gates();

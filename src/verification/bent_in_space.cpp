@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 #include "boxbeam/core/error.hpp"
@@ -11,7 +10,6 @@
 #include "boxbeam/section/torsion.hpp"
 #include "elastic_motion_in_space.hpp"
 #include "members_in_space.hpp"
-#include "modal_transient.hpp"
 #include "sliding_joints.hpp"
 
 namespace boxbeam {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 
@@ -208,7 +207,6 @@ std::optional<CheckResult> check_yield(PointHistory& of) {
   Check& check = result.check;
   check.time = largest.time;
   check.acting = si<Stress>(largest.value);
-  constexpr NoDerivation plainly;
   check.resisting = yield_resistance(plainly, point.yield_strength, project.strength.gamma_M0);
   check.safety_factor = check.resisting / check.acting;
   check.required = project.strength.required;
@@ -296,7 +294,6 @@ std::optional<CheckResult> check_range(PointHistory& of) {
   const Project& project = *of.project;
   const std::vector<SituationHistory>& histories = *of.histories;
   const StressPoint& point = *of.point;
-  constexpr NoDerivation plainly;
   std::optional<CheckResult> worst;
   const auto look = [&](const StressFunction& stress, const Turns& turns) {
     const Stress limit = range_limit(plainly, point.yield_strength, stress.kind);
@@ -335,23 +332,16 @@ std::optional<CheckResult> check_range(PointHistory& of) {
 std::optional<CheckResult> check_throat(const Project& project,
                                         const std::vector<SituationHistory>& histories,
                                         const StressPoint& point) {
-  const SituationHistory* worst = &histories.front();
-  TurningPoint largest;
-  for (const SituationHistory& at : histories) {
-    TurningPoint in = at.history.largest(
-        [&](const CutForces& cut) { return std::abs(stress_of(point.influence.shear, cut)); });
-    in.value *= at.situation->load_factor;
-    if (in.value <= largest.value) continue;
-    worst = &at;
-    largest = in;
-  }
+  const WorstInstant worst = worst_instant_of(histories, [&](const CutForces& cut) {
+    return std::abs(stress_of(point.influence.shear, cut));
+  });
   const Material& joined = *point.joined.material;
   const auto tensile = tensile_strength_of(joined, point.joined.thickness);
-  if (!tensile || largest.value < no_stress_at(point)) return std::nullopt;
-  CheckResult result = start(Criterion::weld, project, point, *worst, shear_stress(point));
+  if (!tensile || worst.use < no_stress_at(point)) return std::nullopt;
+  CheckResult result = start(Criterion::weld, project, point, *worst.at, shear_stress(point));
   Check& check = result.check;
-  check.time = largest.time;
-  check.acting = si<Stress>(largest.value);
+  check.time = worst.largest.time;
+  check.acting = si<Stress>(worst.use);
   const WeldStrength strength{*tensile, joined.beta_w, project.strength.gamma_M2};
   check.resisting = weld_shear_strength(strength);
   check.safety_factor = check.resisting / check.acting;
@@ -359,9 +349,9 @@ std::optional<CheckResult> check_throat(const Project& project,
   check.source = "EN 1993-1-8:2005, 4.5.3.2(6), equation 4.1";
   CheckBasis& basis = *result.basis;
   basis.weld = strength;
-  basis.cut_at_time = basis.cut_at_highest = basis.cut_at_lowest = worst->history.at(largest.time);
+  basis.cut_at_time = basis.cut_at_highest = basis.cut_at_lowest = worst.at->history.at(check.time);
   basis.stress_at_time = stress_at(point.influence, basis.cut_at_time);
-  basis.highest = basis.lowest = {largest.time, basis.stress_at_time.shear.value(), basis.running};
+  basis.highest = basis.lowest = {check.time, basis.stress_at_time.shear.value(), basis.running};
   return result;
 }
 

@@ -1,4 +1,4 @@
-#include "choice_in_plane.hpp"
+#include "model_choices.hpp"
 
 #include <fmt/format.h>
 
@@ -15,8 +15,6 @@
 #include "boxbeam/verification/elastic_beside.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
 #include "boxbeam/verification/vibration_estimate.hpp"
-#include "mode_climb.hpp"
-#include "unvibrated_choice.hpp"
 
 namespace boxbeam {
 namespace {

@@ -1,4 +1,4 @@
-#include "choice_in_space.hpp"
+#include "model_choices.hpp"
 
 #include <fmt/format.h>
 
@@ -11,8 +11,6 @@
 #include "boxbeam/verification/elastic_beside.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
 #include "elastic_motion_in_space.hpp"
-#include "mode_climb.hpp"
-#include "unvibrated_choice.hpp"
 #include "vibration_in_space.hpp"
 
 namespace boxbeam {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/peak_over_time.hpp"

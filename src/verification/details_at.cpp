@@ -90,9 +90,4 @@ std::vector<ResistingDetail> details_at(const FatigueInput& fatigue, const Stati
   return deciding;
 }
 
-ResistingDetail detail_at(const FatigueInput& fatigue, const Station& station, DetailPlace on,
-                          Length plate, const BeamDetail* flat) {
-  return details_at(fatigue, station, {on, false}, plate, flat).front();
-}
-
 }  // namespace boxbeam

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <utility>
 
 #include "boxbeam/section/torsion.hpp"
 #include "boxbeam/verification/distorted_stretch.hpp"

@@ -35,7 +35,6 @@ std::vector<DistortedPoint> distorted_points_at(const Project& project,
       // One that penetrates fully is the plate itself.
       if (tensile && fillet.value() > 0.0) {
         constexpr double of_tensile = 0.9;
-        constexpr NoDerivation plainly;
         of.weld = {*tensile, joined.beta_w, strength.gamma_M2};
         of.resisting = weld_strength(plainly, of.weld).value();
         of.resisting_across = of_tensile * tensile->value() / strength.gamma_M2;

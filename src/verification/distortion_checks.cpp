@@ -5,15 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <limits>
-#include <optional>
 #include <utility>
 
 #include "boxbeam/verification/distorted_stretch.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
 #include "boxbeam/verification/slender_path.hpp"
-#include "check_sources.hpp"
-#include "counts_in_fatigue.hpp"
 #include "distorted_paths.hpp"
 #include "distortion_search.hpp"
 #include "holding_diaphragm.hpp"

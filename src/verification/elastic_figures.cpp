@@ -6,9 +6,8 @@
 #include <cmath>
 
 #include "boxbeam/mechanism/flexible/modal_response.hpp"
-#include "boxbeam/verification/elastic_model.hpp"
 #include "boxbeam/verification/elastic_posture.hpp"
-#include "boxbeam/verification/flexible_motion.hpp"
+#include "boxbeam/verification/flexible_motion_result.hpp"
 #include "boxbeam/verification/sudden_start.hpp"
 
 namespace boxbeam {

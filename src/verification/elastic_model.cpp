@@ -1,7 +1,5 @@
 #include "boxbeam/verification/elastic_model.hpp"
 
-#include <algorithm>
-
 namespace boxbeam {
 
 flexible::Mechanism modelled(flexible::Mechanism mechanism, const ElasticModel& model) {

@@ -12,7 +12,7 @@
 
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/mechanism/planar/tension.hpp"
+#include "boxbeam/mechanism/planar/reactions.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
 #include "modal_transient.hpp"
 #include "repeated_vibration.hpp"

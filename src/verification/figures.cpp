@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "boxbeam/verification/drawn_samples.hpp"
+#include "boxbeam/verification/drawn_histories.hpp"
 
 namespace boxbeam {
 namespace {

@@ -6,7 +6,6 @@
 #include "boxbeam/mechanism/flexible/beam_loads.hpp"
 #include "boxbeam/verification/elastic_figures.hpp"
 #include "boxbeam/verification/elastic_posture.hpp"
-#include "boxbeam/verification/flexible_motion.hpp"
 #include "boxbeam/verification/flexible_motion_result.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/sudden_start.hpp"

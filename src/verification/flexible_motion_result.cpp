@@ -5,11 +5,44 @@
 #include <cmath>
 
 #include "boxbeam/core/angle.hpp"
+#include "boxbeam/mechanism/flexible/modal_response.hpp"
 #include "boxbeam/mechanism/flexible/modes.hpp"
 #include "boxbeam/mechanism/flexible/response.hpp"
+#include "boxbeam/verification/elastic_model.hpp"
 
 namespace boxbeam {
 namespace {
+
+using flexible::LinkStretch;
+
+/// Static response to loads and to the inertia of a motion, as phasors.
+flexible::Deformation<flexible::Complex> static_response_to(
+    const flexible::Structure& structure, const flexible::LinkColumns<flexible::Complex>& inertial,
+    double frequency) {
+  const double square = std::pow(full_turn * frequency, 2);
+  flexible::LinkColumns<flexible::Complex> loads = flexible::harmonic_loads(structure);
+  const auto inertia = flexible::mass_times(structure, inertial);
+  for (std::size_t k = 0; k < loads.size(); ++k) loads[k] += square * inertia[k];
+  return flexible::DynamicStiffness<flexible::Complex>(structure, 0.0, 0.0).solve(loads);
+}
+
+template <int Degree>
+Polynomial<Degree> moved(const Polynomial<Degree>& p, double by, double length) {
+  return interpolate<Degree>([&](double x) { return p(by + x); }, length);
+}
+
+/// The piece of a stretch between two places of the link.
+LinkStretch piece_of(const LinkStretch& of, double from, double to) {
+  const double by = from - of.start;
+  const double length = to - from;
+  return {from,
+          length,
+          moved(of.EA, by, length),
+          moved(of.GA, by, length),
+          moved(of.EI, by, length),
+          moved(of.mass, by, length),
+          moved(of.rotary, by, length)};
+}
 
 constexpr std::size_t frequencies_shown = 8;
 
@@ -102,6 +135,67 @@ std::size_t coordinates_of(flexible::LinkKind kind, std::size_t springs) {
 }
 
 }  // namespace
+
+FlexibleMotion flexible_motion_of(const flexible::Mechanism& of, const ElasticModel& model) {
+  FlexibleMotion motion;
+  motion.mechanism = std::make_shared<const flexible::Mechanism>(modelled(of, model));
+  motion.structure =
+      std::make_shared<const flexible::Structure>(flexible::structure_of(*motion.mechanism));
+  const flexible::Structure& structure = *motion.structure;
+  const bool reduced = model.level == ModelLevel::quasi_static || model.level == ModelLevel::modal;
+  if (!reduced || of.frequency == 0.0) {
+    motion.response = flexible::response_of(structure);
+    motion.inertial = motion.response.harmonic.motion;
+    return motion;
+  }
+  motion.response.frequency = of.frequency;
+  motion.response.constant = flexible::static_response(structure);
+  motion.inertial = flexible::no_loads<flexible::Complex>(structure);
+  if (model.level == ModelLevel::modal) {
+    const flexible::ModalModel modes =
+        flexible::modal_model_of(structure, static_cast<std::size_t>(model.modes));
+    motion.inertial = flexible::harmonic_response(modes, of.frequency, false).motion;
+  }
+  motion.response.harmonic = static_response_to(structure, motion.inertial, of.frequency);
+  return motion;
+}
+
+flexible::Mechanism refined(const flexible::Structure& structure, int factor) {
+  flexible::Mechanism mechanism = *structure.mechanism;
+  for (std::size_t k = 0; k < mechanism.links.size(); ++k) {
+    flexible::Link& link = mechanism.links[k];
+    const std::vector<flexible::SpringElement>& parts = structure.links[k].springs;
+    if (parts.empty()) continue;
+    if (!mechanism.nodes_at_joints) {  // all parts are equal
+      link.parts = static_cast<int>(parts.size()) * factor;
+      continue;
+    }
+    // A stretch for every part, which then has one: ends of stretches are nodes.
+    const std::vector<LinkStretch> whole = std::move(link.stretches);
+    link.stretches.clear();
+    link.parts = 1;
+    auto of = whole.begin();
+    for (const flexible::SpringElement& part : parts) {
+      const double middle = 0.5 * (part.from + part.to);
+      while (of != whole.end() - 1 && middle >= of->start + of->length) ++of;
+      for (int i = 0; i < factor; ++i) {
+        const double step = (part.to - part.from) / factor;
+        const double to = i + 1 == factor ? part.to : part.from + step * (i + 1);
+        link.stretches.push_back(piece_of(*of, part.from + step * i, to));
+      }
+    }
+  }
+  return mechanism;
+}
+
+DiscretisationError discretisation_error(const Eigen::VectorXd& own, const Eigen::VectorXd& by_2,
+                                         const Eigen::VectorXd& by_4) {
+  const double d_1 = (own - by_2).norm();
+  const double d_2 = (by_2 - by_4).norm();
+  const double p = d_1 > 0.0 && d_2 > 0.0 ? std::log2(d_1 / d_2) : 0.0;
+  if (p >= 1.0 && p <= 5.0) return {1.25 * d_1 * std::exp2(p) / (std::exp2(p) - 1.0), p};
+  return {3.0 * std::max({d_1, d_2, (own - by_4).norm()}), {}};
+}
 
 FlexibleMotionResult flexible_motion_of(const Project& project) {
   const flexible::Mechanism& mechanism = flexible_of(project);

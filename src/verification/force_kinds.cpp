@@ -12,7 +12,7 @@ namespace boxbeam {
 namespace {
 
 /// What is so near each other is at one place, by the beam's length.
-constexpr double same_place = 1e-6;
+constexpr double hardly_apart = 1e-6;
 
 template <class Joints>
 auto named(const Joints& joints, const std::string& name) {
@@ -35,7 +35,7 @@ bool turns_freely_in(const frame::Structure& frame, const Project& project,
   for (int axis = 0; axis < 3; ++axis) {
     if (!(at->stiffness[3 + static_cast<std::size_t>(axis)] > 0.0)) continue;
     const auto about = [&](int of) {
-      return std::abs(at->axes.col(axis).dot(beam.col(of))) > same_place;
+      return std::abs(at->axes.col(axis).dot(beam.col(of))) > hardly_apart;
     };
     if (about(1) || (project.in_space && about(2))) return false;
   }
@@ -55,7 +55,7 @@ bool turns_freely_in(const spatial::Mechanism& mechanism, const Project& project
   if (named(mechanism.springs, name) != mechanism.springs.end()) return true;
   const spatial::BeamPlacement& placement = project.placement;
   const auto about_y = [&](const Eigen::Vector3d& axis_in_body) {
-    return std::abs(axis_in_body.dot(placement.axes.col(1))) > 1.0 - same_place;
+    return std::abs(axis_in_body.dot(placement.axes.col(1))) > 1.0 - hardly_apart;
   };
   const auto closing = named(mechanism.closing, name);
   if (closing != mechanism.closing.end()) {
@@ -187,8 +187,16 @@ Held held_by(const Project& project, const std::string& name) {
 }  // namespace
 
 bool stands_at_end(const TaperedBeam& beam, Length s) {
-  const Length length = beam.length(), near = same_place * length;
+  const Length length = beam.length(), near = hardly_apart * length;
   return s <= near || s >= length - near;
+}
+
+bool is_led_in(const TaperedBeam& beam, Length s, Length depth) {
+  const Length near = 1e-6 * std::max(beam.length(), depth);
+  return std::any_of(beam.introductions.begin(), beam.introductions.end(),
+                     [&](const LoadIntroduction& of) {
+                       return !of.stiff_length && s >= of.from - near && s <= of.to + near;
+                     });
 }
 
 void ForceKinds::learn(const SituationRun& run) {
@@ -204,7 +212,7 @@ void ForceKinds::learn(const SituationRun& run) {
     const BeamLoads loads = history.loads_at(history.time_of(i));
     const std::vector<double> held = run.motion->supports(loads);
     const auto holds = [&](Length s) {
-      const double near = same_place * project_->beam.length().value();
+      const double near = hardly_apart * project_->beam.length().value();
       return std::any_of(held.begin(), held.end(),
                          [&](double at) { return std::abs(at - s.value()) <= near; });
     };
@@ -213,7 +221,7 @@ void ForceKinds::learn(const SituationRun& run) {
       const std::size_t number = of_name[load.name]++;
       const std::size_t part = load.part > 0 ? load.part : number;
       const auto at = places.try_emplace({std::string(load.name), part}, load.s).first;
-      if (abs(load.s - at->second) > same_place * project_->beam.length())
+      if (abs(load.s - at->second) > hardly_apart * project_->beam.length())
         moving_.insert(at->first);
       if (!stands_at_end(project_->beam, load.s)) continue;
       const std::string name(load.name);

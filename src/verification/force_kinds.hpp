@@ -14,6 +14,9 @@ namespace boxbeam {
 /// Whether a place is one of the ends of the beam.
 bool stands_at_end(const TaperedBeam& beam, Length s);
 
+/// Whether bosses or plates lead in what stands at a place, of a section so deep.
+bool is_led_in(const TaperedBeam& beam, Length s, Length depth = {});
+
 /// What is to be known of the forces on a beam before they are looked at one by one.
 class ForceKinds {
  public:

@@ -1,10 +1,9 @@
-#include "given_cuts.hpp"
+#include "verdict_notes.hpp"
 
 #include <fmt/format.h>
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "bent_flanges.hpp"

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "boxbeam/fatigue/range_limit.hpp"
 #include "boxbeam/strength/yield.hpp"
 #include "check_sources.hpp"
 #include "details_at.hpp"
@@ -41,7 +40,6 @@ std::vector<CheckResult> check_given_stresses(const Project& project) {
     const Material& material =
         *first_to_yield(plates_around(project, given.s, given.thickness)).material;
     const Stress yield = yield_strength_of(material, given.thickness).value();
-    constexpr NoDerivation plainly;
     add(Criterion::yield, given.peak, yield,
         yield_resistance(plainly, yield, project.strength.gamma_M0), project.strength.required,
         yield_source(material));

@@ -34,7 +34,6 @@ std::optional<DistortionEstimate::Holding> holding_of(const Project& project, co
         si<Stress>(6.0 * 0.25 * d / (of.thickness.value() * 0.25 * least.value() * least.value()));
     holding.plate = std::max(holding.plate, (bent * project.strength.gamma_M0 / *yield).value());
   }
-  constexpr NoDerivation plainly;
   const WeldStrength strength{*tensile, joined.material->beta_w, project.strength.gamma_M2};
   const Length needed =
       std::sqrt(3.0) * holding.shear / (2.0 * cell.height * weld_strength(plainly, strength));

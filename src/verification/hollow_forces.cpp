@@ -251,7 +251,7 @@ class HollowForces {
       const double x = part * line.length.value();
       const Length s = line.start + si<Length>(x);
       const auto bears = bears_near({s, part < 1.0 ? Side::behind : Side::before});
-      if (!bears || bears->said || is_led_in(s, bears->depth)) continue;
+      if (!bears || bears->said || is_led_in(project_->beam, s, bears->depth)) continue;
       std::array<double, 2> q{};
       for (const std::size_t axis : {0U, 1U})
         q[axis] = std::max(line.outside[axis][0](x), line.outside[axis][1](x));
@@ -271,15 +271,6 @@ class HollowForces {
     const bool again = best && range > *best;
     WorstLine& worst = use > 1.0 || again ? stopping_line_ : said_line_;
     if (use > worst.use) worst = {use, s, q, felt ? range : 0.0, bears, again};
-  }
-
-  /// Whether bosses or plates lead in what stands there.
-  bool is_led_in(Length s, Length depth) const {
-    const auto& all = project_->beam.introductions;
-    const Length near = 1e-6 * std::max(project_->beam.length(), depth);
-    return std::any_of(all.begin(), all.end(), [&](const LoadIntroduction& of) {
-      return !of.stiff_length && s >= of.from - near && s <= of.to + near;
-    });
   }
 
   void look_at(const BeamLoads& loads, const PointLoad& load, double load_factor) {
@@ -308,7 +299,7 @@ class HollowForces {
   void keep(const PointLoad& load, Length s, const Bears& bears, Force force) {
     if (!(force > hardly_pressed * bears.least)) return;
     std::optional<Force> by_plate;
-    bool stops = force > bears.most && !bears.said && !is_led_in(s, bears.depth);
+    bool stops = force > bears.most && !bears.said && !is_led_in(project_->beam, s, bears.depth);
     if (stops) {
       for (const Diaphragm& of : project_->beam.diaphragms) {
         if (abs(of.s - s) > 1e-6 * std::max(project_->beam.length(), bears.depth)) continue;

@@ -1,7 +1,6 @@
 #include "boxbeam/verification/judged_section.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "boxbeam/project/plate_detail.hpp"
 #include "boxbeam/project/plate_material.hpp"

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "boxbeam/beam/cut_force_diagram.hpp"
 #include "boxbeam/project/project.hpp"
 
 namespace boxbeam {

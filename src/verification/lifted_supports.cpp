@@ -1,4 +1,4 @@
-#include "lifted_supports.hpp"
+#include "verdict_notes.hpp"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 #include "boxbeam/mechanism/flexible/modal_response.hpp"
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
 #include "boxbeam/mechanism/planar/constraints.hpp"
-#include "boxbeam/mechanism/planar/tension.hpp"
+#include "boxbeam/mechanism/planar/reactions.hpp"
 
 namespace boxbeam {
 namespace {

@@ -180,10 +180,7 @@ class LugLife {
     return of;
   }
 
-  Stress limit() const {
-    constexpr NoDerivation plainly;
-    return range_limit(plainly, lug_->yield_strength, StressKind::direct);
-  }
+  Stress limit() const { return range_limit(plainly, lug_->yield_strength, StressKind::direct); }
 
   const Project* project_;
   const LugInput* lug_;

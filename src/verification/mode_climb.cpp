@@ -1,4 +1,4 @@
-#include "mode_climb.hpp"
+#include "model_choices.hpp"
 
 #include <fmt/format.h>
 

@@ -7,12 +7,12 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/assembly.hpp"
-#include "boxbeam/mechanism/planar/chain_moments.hpp"
 #include "boxbeam/mechanism/planar/constraints.hpp"
+#include "boxbeam/mechanism/planar/degrees_of_freedom.hpp"
 #include "boxbeam/mechanism/planar/forces.hpp"
 #include "boxbeam/mechanism/planar/motion.hpp"
+#include "boxbeam/mechanism/planar/newton_chain.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
-#include "boxbeam/mechanism/planar/uniqueness.hpp"
 
 namespace boxbeam {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <functional>
-#include <iterator>
 
 #include "bent_flanges.hpp"
+#include "boxbeam/core/append.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
@@ -115,18 +115,12 @@ namespace {
 
 /// Plates of a pin that are not given, which are weakest beside and before its hole.
 void add_unknown_plates(const PinInput& pin, NeighbourChecks& checks) {
-  const auto said = [&](bool inner) {
-    return std::any_of(pin.lugs.begin(), pin.lugs.end(),
-                       [&](const LugInput& lug) { return lug.inner == inner; });
-  };
-  if (said(true) && said(false)) return;
+  const std::string unknown = unknown_plates_of(pin);
+  if (unknown.empty()) return;
   checks.not_judged.push_back({Criterion::pin,
                                fmt::format("{} of {} beside and before its hole (EN 1993-1-8, "
                                            "table 3.9)",
-                                           said(true)    ? "outer plates"
-                                           : said(false) ? "inner plate"
-                                                         : "plates",
-                                           pin.name),
+                                           unknown, pin.name),
                                "[[pins.lugs]] are not given"});
 }
 
@@ -388,9 +382,9 @@ NeighbourChecks check_rods(const Project& project, const std::deque<SituationRun
 NeighbourChecks check_neighbours(const Project& project, const std::deque<SituationRun>& runs) {
   NeighbourChecks all = check_pins(project, runs);
   for (NeighbourChecks more : {check_lugs(project, runs), check_rods(project, runs)}) {
-    std::move(more.results.begin(), more.results.end(), std::back_inserter(all.results));
-    std::move(more.gates.begin(), more.gates.end(), std::back_inserter(all.gates));
-    std::move(more.not_judged.begin(), more.not_judged.end(), std::back_inserter(all.not_judged));
+    append(std::move(more.results), all.results);
+    append(std::move(more.gates), all.gates);
+    append(std::move(more.not_judged), all.not_judged);
   }
   return all;
 }

@@ -83,7 +83,6 @@ CheckResult check_of(const Project& project, const PatchSearch& search, WorstPat
   const double use = basis.load_factor / search.factor_of(basis);
   // By the force alone, or with the beam's own stress.
   if (const auto* const seam = std::get_if<PatchedSeam>(&basis.bears)) {
-    constexpr NoDerivation plainly;
     check.resisting = weld_strength(plainly, seam->strength);
     check.acting = si<Stress>(use * check.resisting.value());
     check.source =

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 #include "bent_flanges.hpp"
@@ -11,7 +10,6 @@
 #include "boxbeam/strength/shear_buckling.hpp"
 #include "boxbeam/strength/stiffened_plate.hpp"
 #include "boxbeam/strength/transverse_stiffener.hpp"
-#include "boxbeam/verification/slender_path.hpp"
 #include "patched_path.hpp"
 #include "plate_panels.hpp"
 

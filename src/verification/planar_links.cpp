@@ -8,7 +8,6 @@
 
 #include "boxbeam/mechanism/planar/constraints.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
-#include "boxbeam/mechanism/planar/tension.hpp"
 
 namespace boxbeam {
 namespace {
@@ -22,7 +21,6 @@ struct StoppedMechanism {
   const ElasticBody& elastic;
   flexible::Mechanism* added;  ///< lines that stretch and wheels of elastic links, with what holds
                                ///< them
-
   double angle_of(int body) const {
     return body == planar::ground ? 0.0 : state.q[3 * static_cast<Eigen::Index>(body) + 2];
   }

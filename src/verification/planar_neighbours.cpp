@@ -9,7 +9,6 @@
 #include "boxbeam/mechanism/planar/forces.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
 #include "boxbeam/mechanism/planar/rest.hpp"
-#include "boxbeam/mechanism/planar/tension.hpp"
 #include "neighbour_loads.hpp"
 
 namespace boxbeam {

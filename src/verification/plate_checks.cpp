@@ -25,9 +25,6 @@ class PlateUses {
 
   double normal(const CutForces& cut) const { return normal(corner(cut)); }
   double normal(const CornerUse& corner) const { return gamma_M0_ * corner.use; }
-  static double shear(const ShearedPlate& plate, const CutForces& cut) {
-    return plate.force_of(cut) / plate.resists.resistance;
-  }
   WebInteraction together(const ShearedPlate& plate, const CutForces& cut) const {
     return together(plate, corner(cut), cut);
   }
@@ -95,7 +92,7 @@ class StationPlates {
     const ShearedPlate* in_plate = nullptr;
     double most_shear = 0.0;
     for (const ShearedPlate& plate : plates_->sheared) {
-      const auto shear = [&](const CutForces& cut) { return PlateUses::shear(plate, cut); };
+      const auto shear = [&](const CutForces& cut) { return shear_use_of(plate, cut); };
       if (plate.may_buckle) add(Criterion::shear_buckling, worst(shear), &plate);
       const WorstInstant of =
           worst([&](const CutForces& cut) { return uses_.together(plate, cut).use; });
@@ -176,7 +173,7 @@ bool says_more_together(const Project& project, const CheckResult& of) {
 WebInteraction interaction_of(const ShearedPlate& plate, const PlasticBox& plastic,
                               const CornerUse& corner, const CutForces& cut, double gamma_M0) {
   const double eta_1 = gamma_M0 * corner.use;
-  const double eta_3 = plate.force_of(cut) / plate.resists.resistance;
+  const double eta_3 = shear_use_of(plate, cut);
   if (!is_flange(plate.plate)) return plastic.web_under(cut, corner, gamma_M0, eta_1, eta_3);
   const double factor = interaction_factor(eta_1, eta_3);
   return {1.0 / factor, 0.0, factor, corner.M_y};
@@ -232,7 +229,7 @@ Utilisations plate_uses_of(const Project& project, const SlenderPlates& plates,
   for (const ShearedPlate& plate : plates.sheared) {
     if (plate.may_buckle) {
       look(Criterion::shear_buckling,
-           [&](const CutForces& cut) { return PlateUses::shear(plate, cut); });
+           [&](const CutForces& cut) { return shear_use_of(plate, cut); });
     }
     auto at = corners.cbegin();
     look(Criterion::interaction,

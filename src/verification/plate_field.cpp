@@ -13,13 +13,6 @@ constexpr std::size_t across = 8;  ///< quads of a wall
 constexpr std::size_t across_stiffener = 2;
 constexpr int solid_part = 8;
 
-std::string profile_word(const Profile& profile) {
-  constexpr std::array words{"box",   "rectangular tube", "round tube",
-                             "plate", "polygon",          "thin-walled path"};
-  static_assert(words.size() == std::variant_size_v<Profile>);
-  return words[profile.index()];
-}
-
 /// The middle plane of a solid rectangle: its longer side.
 std::array<Eigen::Vector2d, 2> middle_of(const Plate& plate) {
   const double y = 0.5 * plate.width.value(), z = 0.5 * plate.height.value();
@@ -86,7 +79,7 @@ class FieldBuilder {
 
   void note_left_out(std::size_t segment) {
     const Segment& of = project_->beam.segments[segment];
-    std::string words = of.name + ": " + profile_word(of.from.outer);
+    std::string words = of.name + ": " + to_text(of.from.outer);
     if (std::find(field_.left_out.begin(), field_.left_out.end(), words) == field_.left_out.end())
       field_.left_out.push_back(std::move(words));
   }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -100,14 +99,6 @@ class PressedSolids {
     return project_->beam.segments[segment_at(project_->beam, {s, Side::both})].name;
   }
 
-  bool is_led_in(Length s) const {
-    const Length near = 1e-6 * project_->beam.length();
-    const auto& all = project_->beam.introductions;
-    return std::any_of(all.begin(), all.end(), [&](const LoadIntroduction& of) {
-      return !of.stiff_length && s >= of.from - near && s <= of.to + near;
-    });
-  }
-
   std::optional<double> stiff_length_at(Length s) const {
     const Length near = 1e-6 * project_->beam.length();
     std::optional<double> least;
@@ -134,7 +125,7 @@ class PressedSolids {
   bool comes_by_edge(const PointLoad& load, bool along_z) const {
     if (along(load.force, along_z) == 0.0) return false;
     if (stands_at_end(project_->beam, load.s) && kinds_.clamps(load.name)) return false;
-    return !is_pin(load, along_z) && !is_led_in(load.s);
+    return !is_pin(load, along_z) && !is_led_in(project_->beam, load.s);
   }
 
   void look_at_bearing(const BeamLoads& loads, const PointLoad& load, bool along_z) {
@@ -195,7 +186,7 @@ class PressedSolids {
     }
     for (const LineLoad& line : loads.lines) {
       const double x = (at.s - line.start).value();
-      if (x < 0.0 || x > line.length.value() || is_led_in(at.s)) continue;
+      if (x < 0.0 || x > line.length.value() || is_led_in(project_->beam, at.s)) continue;
       const double size = line.outside[along_z ? 1 : 0][sense > 0.0 ? 0 : 1](x);
       if (!(size > 0.0)) continue;
       force += size * at.hole.diameter.value();

@@ -5,7 +5,6 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/flexible/beam_loads.hpp"
-#include "boxbeam/verification/elastic_model.hpp"
 
 namespace boxbeam {
 namespace {

@@ -2,11 +2,9 @@
 
 #include <deque>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "boxbeam/verification/patch_checks.hpp"
-#include "channel_life.hpp"
 #include "pressed_edges.hpp"
 #include "pressing_forces.hpp"
 

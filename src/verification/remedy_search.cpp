@@ -1,7 +1,5 @@
 #include "remedy_search.hpp"
 
-#include <algorithm>
-
 #include "boxbeam/core/error.hpp"
 
 namespace boxbeam {

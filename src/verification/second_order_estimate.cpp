@@ -6,7 +6,6 @@
 
 #include "beam_alone.hpp"
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/strength/column_buckling.hpp"
 #include "boxbeam/verification/design_factor.hpp"
 #include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/loaded_posture.hpp"

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include "boxbeam/strength/column_buckling.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
 #include "boxbeam/verification/second_order_estimate.hpp"
 

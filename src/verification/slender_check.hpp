@@ -1,12 +1,17 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "boxbeam/verification/checks.hpp"
+#include "boxbeam/verification/load_history.hpp"
 #include "boxbeam/verification/reduced_plates.hpp"
-#include "worst_instant.hpp"
+#include "boxbeam/verification/situation_run.hpp"
 
 namespace boxbeam {
+
+/// A use this small is none, as stress is (`no_stress_at`).
+inline constexpr double no_use = 1e-6;
 
 /// What is used of a section whose plates may buckle, of boxes and of paths alike.
 struct SlenderUse {

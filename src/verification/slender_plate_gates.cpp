@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "boxbeam/strength/effective_width.hpp"
-#include "boxbeam/strength/section_class.hpp"
 #include "boxbeam/verification/gates.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
 #include "boxbeam/verification/slender_path.hpp"

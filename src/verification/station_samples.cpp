@@ -256,7 +256,6 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
   const Turns &direct_turns = effect.direct, &shear_turns = effect.shear;
 
   Utilisations found;
-  constexpr NoDerivation plainly;
   const StrengthDemand& strength = project_->strength;
   if (yield && equivalent >= 1e-9 * point.yield_strength.value()) {
     const Stress resistance = yield_resistance(plainly, point.yield_strength, strength.gamma_M0);

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <deque>
-#include <limits>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/frame/statics.hpp"

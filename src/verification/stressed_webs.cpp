@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/strength/section_class.hpp"
 
 namespace boxbeam {

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <string>
 
 #include "bent_flanges.hpp"
 #include "boxbeam/project/plate_material.hpp"

@@ -1,4 +1,4 @@
-#include "unvibrated_choice.hpp"
+#include "model_choices.hpp"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,9 @@
 #include "boxbeam/verification/verify.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
-#include "axial_forces.hpp"
+#include "boxbeam/core/append.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/numerics/nine_digits.hpp"
 #include "boxbeam/verification/deflection.hpp"
@@ -21,17 +20,11 @@
 #include "boxbeam/verification/unsaid.hpp"
 #include "boxbeam/verification/unseen_time.hpp"
 #include "boxbeam/verification/warping_notes.hpp"
-#include "given_cuts.hpp"
-#include "lifted_supports.hpp"
+#include "verdict_notes.hpp"
 #include "verify_each.hpp"
 
 namespace boxbeam {
 namespace {
-
-template <class T>
-void append(std::vector<T> more, std::vector<T>& all) {
-  std::move(more.begin(), more.end(), std::back_inserter(all));
-}
 
 std::vector<CheckResult> all_checks(std::vector<CheckResult> of_beam,
                                     const NeighbourChecks& neighbours,

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string_view>
 
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"

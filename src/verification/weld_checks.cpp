@@ -4,11 +4,11 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <utility>
 
+#include "boxbeam/core/append.hpp"
 #include "boxbeam/project/plate_detail.hpp"
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/strength/weld_throat.hpp"
@@ -150,36 +150,27 @@ double equivalent_of(const StressPoint& point, const CutForces& cut) {
 std::optional<CheckResult> check_line(const Project& project, const WeldInput& weld,
                                       const std::vector<SituationHistory>& histories,
                                       const StressPoint& point) {
-  const SituationHistory* worst = nullptr;
-  TurningPoint largest;
-  for (const SituationHistory& at : histories) {
-    TurningPoint in =
-        at.history.largest([&](const CutForces& cut) { return equivalent_of(point, cut); });
-    in.value *= at.situation->load_factor;
-    if (worst != nullptr && in.value <= largest.value) continue;
-    worst = &at;
-    largest = in;
-  }
+  const WorstInstant worst =
+      worst_instant_of(histories, [&](const CutForces& cut) { return equivalent_of(point, cut); });
   const auto tensile = tensile_strength_of(*point.joined.material, point.joined.thickness);
-  if (!tensile || worst == nullptr || largest.value < no_stress_at(point)) return std::nullopt;
+  if (!tensile || worst.use < no_stress_at(point)) return std::nullopt;
   CheckResult result;
   Check& check = result.check;
   check.criterion = Criterion::weld;
   check.station = point.station;
   check.point = point.name;
   check.id = id_of(Criterion::weld, point.station, point.name);
-  check.situation = worst->situation->name;
-  check.time = largest.time;
-  check.acting = si<Stress>(largest.value);
+  check.situation = worst.at->situation->name;
+  check.time = worst.largest.time;
+  check.acting = si<Stress>(worst.use);
   CheckBasis& basis = result.basis.emplace();
   basis.point = point;
-  basis.running = index_of(project, *worst->situation);
-  basis.cut_at_time = basis.cut_at_highest = basis.cut_at_lowest = worst->history.at(largest.time);
+  basis.running = index_of(project, *worst.at->situation);
+  basis.cut_at_time = basis.cut_at_highest = basis.cut_at_lowest = worst.at->history.at(check.time);
   basis.stress_at_time = stress_at(point.influence, basis.cut_at_time);
   const double normal = basis.stress_at_time.normal.value();
-  basis.highest = basis.lowest = {largest.time, normal, basis.running};
+  basis.highest = basis.lowest = {check.time, normal, basis.running};
   // The first condition of equation 4.1, of equal legs the harder one.
-  constexpr NoDerivation plainly;
   basis.weld = {*tensile, point.joined.material->beta_w, project.strength.gamma_M2};
   check.resisting = weld_strength(plainly, basis.weld);
   check.safety_factor = check.resisting / check.acting;
@@ -241,10 +232,6 @@ std::vector<CheckResult> check_points(const Project& project, const WeldInput& w
     if (result) results.push_back(std::move(*result));
   }
   return results;
-}
-
-void append(std::vector<CheckResult> from, std::vector<CheckResult>& to) {
-  std::move(from.begin(), from.end(), std::back_inserter(to));
 }
 
 /// Throat and root.

@@ -188,11 +188,6 @@ StressPoint moved_along(const StressPoint& point, double part) {
   return moved;
 }
 
-StressPoint at_worst_edge(const StationSamples& samples, const StressPoint& point,
-                          Criterion criterion) {
-  return std::move(at_worst_edges(samples, point, {&criterion, 1}).front());
-}
-
 std::vector<StressPoint> at_worst_edges(const StationSamples& samples, const StressPoint& point,
                                         std::span<const Criterion> asked) {
   StressPoint whole = point;

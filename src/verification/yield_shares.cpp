@@ -9,7 +9,6 @@
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/section/section_properties.hpp"
-#include "boxbeam/section/torsion.hpp"
 #include "boxbeam/strength/material.hpp"
 
 namespace boxbeam {

@@ -5,9 +5,7 @@
 #include <cmath>
 
 #include "catch.hpp"
-#include "src/report/gnuplot_svg.hpp"
-#include "src/report/latex_drawing.hpp"
-#include "src/report/svg.hpp"
+#include "src/report/drawing_forms.hpp"
 
 namespace drawing_test {
 

@@ -5,14 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "boxbeam/report/formula_tree.hpp"
 #include "catch.hpp"
 #include "support/formula_value.hpp"
 
 namespace formula_test {
 
-using boxbeam::report::is_formula;
 using boxbeam::report::latex_of_formula;
 using boxbeam::report::mathml_of_formula;
+using boxbeam::report::parse_formula;
 
 // Expected texts follow from the rules in formula.hpp, and from how LaTeX and MathML write them.
 
@@ -144,7 +145,7 @@ TEST_CASE("What is no formula stands as the words that it is", "[report][formula
         "sqrt(", "cos", "a = ", "50 % & more", "{a}",   "\\input{x}", "a_b_c",   "d/dx",
         "ø",     "σ",   "1..2", "a,b",         "min()", "\"quoted\"", "<script>"}) {
     INFO(words);
-    CHECK_FALSE(is_formula(words));
+    CHECK_FALSE(parse_formula(words));
     CHECK(braces_balance(latex_of_formula(words)));
     CHECK(tags_balance(mathml_of_formula(words)));
   }
@@ -157,11 +158,11 @@ TEST_CASE("Deep nesting and great length are no formula, and end", "[report][for
   for (const char* repeated : {"(", "sqrt(", "cos ", "int ", "-", "a^", "d/dx("}) {
     std::string text;
     for (int i = 0; i < 100000; ++i) text += repeated;
-    CHECK_FALSE(is_formula(text + "1"));
+    CHECK_FALSE(parse_formula(text + "1"));
     text.resize(3000);
-    CHECK_FALSE(is_formula(text + "("));
+    CHECK_FALSE(parse_formula(text + "("));
   }
-  CHECK(is_formula("((((1))))"));
+  CHECK(parse_formula("((((1))))"));
 }
 
 TEST_CASE("Any words are set with braces and tags that close", "[report][formula][property]") {

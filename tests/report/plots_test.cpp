@@ -12,10 +12,10 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/report/format.hpp"
 #include "catch.hpp"
-#include "src/report/gnuplot_svg.hpp"
-#include "src/report/svg.hpp"
+#include "src/report/drawing_forms.hpp"
 #include "support/program.hpp"
 #include "support/rig.hpp"
+#include "support/shown_figures.hpp"
 #include "support/svg_text.hpp"
 
 namespace plots_test {
@@ -96,7 +96,7 @@ TEST_CASE("every figure of every case is drawn without a warning, and its script
     CAPTURE(path);
     const Drawn& figures = drawn(path);
     std::vector<std::string> expected;
-    for (const std::string& name : figures_of(figures.project, figures.verification)) {
+    for (const std::string& name : test::shown_figures(figures.project, figures.verification)) {
       CAPTURE(name);
       expected.push_back(name + ".svg");
       const std::string before = figures.svg(name);
@@ -121,7 +121,7 @@ TEST_CASE("every figure of every case is drawn without a warning, and its script
 TEST_CASE("every kind of case has its figures, in the order of a report") {
   using Names = std::vector<std::string>;
   const auto names = [](const std::string& path) {
-    return figures_of(drawn(path).project, drawn(path).verification);
+    return test::shown_figures(drawn(path).project, drawn(path).verification);
   };
   CHECK(names("sections/sledge-rig/rig.toml") == Names{"sketch", "use", "mechanism", "motion",
                                                        "cut-forces", "utilisation", "section",
@@ -177,7 +177,7 @@ TEST_CASE("figures of cases whose names are long stay legible") {
     text.replace(at, std::string(joint).size(),
                  "joints.hinge_of_the_upper_bracket_on_the_left_side");
     const Drawn figures(parse_project("long.toml", text));
-    for (const std::string& name : figures_of(figures.project, figures.verification)) {
+    for (const std::string& name : test::shown_figures(figures.project, figures.verification)) {
       CAPTURE(name);
       test::check_legible(figures.svg(name));
     }
@@ -211,7 +211,8 @@ TEST_CASE("an axis that does not begin at zero says so") {
 
 TEST_CASE("no text of a figure leaves it, is small, or lies on another", "[unsanitized]") {
   for (const std::string& path : shipped) {
-    for (const std::string& name : figures_of(drawn(path).project, drawn(path).verification)) {
+    for (const std::string& name :
+         test::shown_figures(drawn(path).project, drawn(path).verification)) {
       CAPTURE(path, name);
       test::check_legible(drawn(path).svg(name));
     }
@@ -273,7 +274,7 @@ TEST_CASE("no two lines of a legend are called alike") {
 TEST_CASE("the same case draws the same bytes") {
   const Drawn& first = drawn("sections/sledge-rig/rig.toml");
   const Drawn second(shipped_case("sections/sledge-rig/rig.toml"));
-  for (const std::string& name : figures_of(first.project, first.verification)) {
+  for (const std::string& name : test::shown_figures(first.project, first.verification)) {
     CAPTURE(name);
     CHECK(first.svg(name) == second.svg(name));
     const fs::path tex = fs::path("tex") / (name + ".tex");

@@ -17,6 +17,7 @@
 #include "catch.hpp"
 #include "support/rig.hpp"
 #include "support/shipped_cases.hpp"
+#include "support/shown_figures.hpp"
 
 namespace report_test {
 
@@ -198,7 +199,7 @@ TEST_CASE("a report shows the figures that are drawn and no others, each once", 
   for (const test::ShippedCase& of : test::shipped_cases()) {
     INFO(of.path);
     const Document document = report_of(of.project, of.verification, ReportLevel::full);
-    const std::vector<std::string> drawn = figures_of(of.project, of.verification);
+    const std::vector<std::string> drawn = test::shown_figures(of.project, of.verification);
     const std::set<std::string> shown = pictures_of(document);
     CHECK(shown == std::set<std::string>(drawn.begin(), drawn.end()));
     std::size_t count = 0;
@@ -436,6 +437,18 @@ TEST_CASE("a stress range is never called an amplitude", "[report]") {
       }
     }
   }
+}
+
+TEST_CASE("what the category of a detail asks of the shop stands beside it", "[report]") {
+  const Project project = read_project(test::project_file("sections/sledge-rig/rig-detailed.toml"));
+  const std::set<std::string> said =
+      contents_of(report_of(project, verify(project), ReportLevel::full));
+  // EN 1993-1-9:2005, table 8.1, detail 4, requirements.
+  const auto stands = [](const std::string& of) {
+    return of.find("table 8.1, row 4") != std::string::npos &&
+           of.find("no repair by filling with weld metal") != std::string::npos;
+  };
+  CHECK(std::count_if(said.begin(), said.end(), stands) == 1);
 }
 
 TEST_CASE("text keeps to its 110 columns", "[report]") {

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "boxbeam/report/format.hpp"
-#include "boxbeam/report/formula.hpp"
+#include "boxbeam/report/formula_tree.hpp"
 #include "boxbeam/report/report.hpp"
 #include "boxbeam/report/text_writer.hpp"
 #include "catch.hpp"
@@ -123,10 +123,10 @@ Recalculation recalculated(const Sheet& sheet) {
 void check_by_calculator(const Sheet& sheet) {
   INFO(report::text_of(sheet).text);
   for (const Step& step : sheet.steps) {
-    CHECK(report::is_formula(step.symbol));
+    CHECK(report::parse_formula(step.symbol));
     for (const std::string& formula : step.formulas) {
       INFO(formula);
-      CHECK(report::is_formula(formula));
+      CHECK(report::parse_formula(formula));
     }
   }
   const Recalculation again = recalculated(sheet);
@@ -141,7 +141,7 @@ TEST_CASE("Every formula of every sheet is one, and so is every symbol",
   int formulas = 0;
   std::set<std::string> known;  // many stand in many sheets
   const auto is_one = [&](const std::string& text) {
-    return known.count(text) > 0 || (report::is_formula(text) && known.insert(text).second);
+    return known.count(text) > 0 || (report::parse_formula(text) && known.insert(text).second);
   };
   for_all_sheets([&](const Sheet& sheet, const Check&) {
     for (const Step& step : sheet.steps) {
@@ -282,9 +282,9 @@ std::set<std::string> symbols_of(const Project& project) {
     for (const Step& step : sheet.steps) {
       // What kinks press has curves of its own, whatever the case says of its details.
       if (result.check.criterion != Criterion::patch_fatigue) symbols.insert(step.symbol);
-      if (!report::is_formula(step.symbol)) FAIL("no symbol: " << step.symbol);
+      if (!report::parse_formula(step.symbol)) FAIL("no symbol: " << step.symbol);
       for (const std::string& formula : step.formulas) {
-        if (!report::is_formula(formula)) FAIL("no formula: " << formula);
+        if (!report::parse_formula(formula)) FAIL("no formula: " << formula);
       }
     }
     if (sheet.steps.back().formulas.back() != text::significant(result.check.safety_factor, 4))

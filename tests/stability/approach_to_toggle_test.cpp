@@ -54,7 +54,7 @@ std::optional<Sample> sample_at(const test::FourBar& bar, double delta, int sign
   sample.velocity_error =
       static_cast<double>(std::abs(static_cast<long double>(state.v[8]) - exact.rocker_rate) /
                           std::abs(exact.rocker_rate));
-  sample.digits = degrees_of_freedom_of(mechanism, state.q).digits_left();
+  sample.digits = digits_left_at(degrees_of_freedom_of(mechanism, state.q).condition);
   return sample;
 }
 

@@ -325,7 +325,7 @@ TEST_CASE("an aligned slider-crank with r = l: the rank falls, and is said") {
   CHECK(freedom.by_rank == 2);
   CHECK(freedom.gap > 1e10);
   CHECK(freedom.condition == 0.0);
-  CHECK(freedom.digits_left() == 0.0);
+  CHECK(digits_left_at(freedom.condition) == 0.0);
   CHECK_THROWS_AS(InstantSolver(mechanism).solve_at(0.0, q), AnalysisError);
   std::cout << "stability: aligned slider-crank r = l: two freedoms, one driver; gap "
             << freedom.gap << "; its velocities are refused\n";

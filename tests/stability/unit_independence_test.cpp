@@ -184,8 +184,9 @@ void check(const std::string& name, const Mechanism& in_m, bool branches = true)
     CHECK(freedom_m.moving == freedom_mm.moving);
     CHECK(freedom_m.unique == freedom_mm.unique);
     CHECK(freedom_m.condition == Approx(freedom_mm.condition).epsilon(1e-9));
-    CHECK(freedom_m.digits_left() == Approx(freedom_mm.digits_left()).margin(1e-6));
-    digits = freedom_m.digits_left();
+    CHECK(digits_left_at(freedom_m.condition) ==
+          Approx(digits_left_at(freedom_mm.condition)).margin(1e-6));
+    digits = digits_left_at(freedom_m.condition);
     const double span = time_span_of(in_m).length;
     for (int i = 0; i <= 48; ++i) {
       if (i > 0) {

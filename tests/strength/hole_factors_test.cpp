@@ -1,4 +1,4 @@
-#include "boxbeam/strength/hole_factors.hpp"
+#include "boxbeam/strength/hole_concentration.hpp"
 
 #include "catch.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "boxbeam/report/formula.hpp"
+#include "boxbeam/report/formula_tree.hpp"
 #include "catch.hpp"
 #include "src/report/derivation_text.hpp"
 #include "support/formula_value.hpp"
@@ -21,7 +21,7 @@ inline std::vector<std::string> wrong_in(const boxbeam::report::Steps& steps,
   for (const boxbeam::report::Step& step : steps) {
     std::optional<FormulaValue> before;
     for (const std::string& formula : step.formulas) {
-      if (!boxbeam::report::is_formula(formula))
+      if (!boxbeam::report::parse_formula(formula))
         wrong.push_back(step.symbol + ": no formula: " + formula);
       const auto value = value_of(formula, known);
       if (!value) continue;

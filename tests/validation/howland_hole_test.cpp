@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "boxbeam/strength/hole_factors.hpp"
+#include "boxbeam/strength/hole_concentration.hpp"
 #include "catch.hpp"
 
 namespace howland_hole_test {

@@ -3,7 +3,7 @@
 // finite-element results as fitted there, straight holes, hole radius a fifth of the half-width;
 // factors on the remote (gross) stress.
 
-#include "boxbeam/strength/hole_factors.hpp"
+#include "boxbeam/strength/hole_concentration.hpp"
 #include "catch.hpp"
 
 namespace nasa_tp_3192_test {

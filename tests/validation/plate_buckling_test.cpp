@@ -12,6 +12,7 @@
 #include "boxbeam/strength/reduced_stress.hpp"
 #include "boxbeam/strength/shear_buckling.hpp"
 #include "catch.hpp"
+#include "src/strength/column_formulas.hpp"
 
 namespace plate_buckling_test {
 
@@ -207,9 +208,9 @@ TEST_CASE("MSB04, Dlubal and xcfem: critical forces, slenderness and reduction o
   };
   // Steel Buildings in Europe, MSB04, A.5: HE 300 B (I_z = 8563 cm^4), 5.6 m; chi_y by curve b.
   CHECK(critical(8563.0, 5.6) == Approx(5657e3).epsilon(1e-3));
-  CHECK(column_reduction(0.655, BucklingCurve::b) == Approx(0.808).epsilon(1e-3));
+  CHECK(column::reduction(plainly, 0.655, BucklingCurve::b) == Approx(0.808).epsilon(1e-3));
   const auto slenderness = [](double cm2, double N_cr) {
-    return column_slenderness(si<Area>(1e-4 * cm2), 235e6 * pascal, si<Force>(N_cr));
+    return column::slenderness(plainly, si<Area>(1e-4 * cm2), 235e6 * pascal, si<Force>(N_cr));
   };
   // lambda_z of the same, A = 149.1 cm^2, S235.
   CHECK(slenderness(149.1, critical(8563.0, 5.6)) == Approx(0.787).epsilon(1e-3));
@@ -224,8 +225,8 @@ TEST_CASE("MSB04, Dlubal and xcfem: critical forces, slenderness and reduction o
       si<SecondMoment>(pi / 64.0 * (std::pow(outer, 4) - std::pow(inner, 4)));
   const Force euler = euler_force(210e9 * pascal, inertia, 4.0 * metre);
   const Stress yield = 355e6 * pascal;
-  CHECK(column_reduction(column_slenderness(area, yield, euler), BucklingCurve::a) ==
-        Approx(0.8778).epsilon(1e-3));
+  CHECK(column::reduction(plainly, column::slenderness(plainly, area, yield, euler),
+                          BucklingCurve::a) == Approx(0.8778).epsilon(1e-3));
 }
 
 }  // namespace plate_buckling_test

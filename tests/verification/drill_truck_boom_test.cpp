@@ -10,7 +10,7 @@
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/report/remarks.hpp"
 #include "boxbeam/section/section_properties.hpp"
-#include "boxbeam/verification/flexible_motion.hpp"
+#include "boxbeam/verification/flexible_motion_result.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
 #include "support/program.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/mechanism/planar/tension.hpp"
+#include "boxbeam/mechanism/planar/reactions.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
 #include "support/apart.hpp"

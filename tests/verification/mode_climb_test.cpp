@@ -1,6 +1,6 @@
 // The climb to more modes where it is the parts of elastic links that miss, by figures given here.
 
-#include "src/verification/mode_climb.hpp"
+#include "src/verification/model_choices.hpp"
 
 #include <algorithm>
 #include <deque>

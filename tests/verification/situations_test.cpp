@@ -228,8 +228,9 @@ TEST_CASE("on a hole's edge the place with the largest range of the change is fo
       for (const HoleEdge& edge : point.edges) {
         largest = std::max(largest, range_at(edge.influence));
       }
+      const Criterion by = Criterion::fatigue;
       const StressPoint worst =
-          at_worst_edge(StationSamples(project, histories), point, Criterion::fatigue);
+          at_worst_edges(StationSamples(project, histories), point, {&by, 1}).front();
       // Between two places of the list, 3 degrees apart, a peak has at most 0.4 % more.
       CHECK(range_at(worst.influence) >= largest * (1.0 - 1e-9));
       CHECK(range_at(worst.influence) <= largest * 1.004);
@@ -251,7 +252,7 @@ TEST_CASE("the edge of a hole has the same worst places whether criteria are ask
     const std::vector<StressPoint> together = at_worst_edges(samples, point, stress_criteria);
     REQUIRE(together.size() == stress_criteria.size());
     for (std::size_t k = 0; k < stress_criteria.size(); ++k) {
-      const StressPoint alone = at_worst_edge(samples, point, stress_criteria[k]);
+      const StressPoint alone = at_worst_edges(samples, point, {&stress_criteria[k], 1}).front();
       CHECK(together[k].influence.normal == alone.influence.normal);
       CHECK(together[k].concentration->edge.angle == alone.concentration->edge.angle);
       CHECK(together[k].edges.empty());

@@ -265,4 +265,7 @@ struct NoDerivation {
   static constexpr void note(const Words&, const Values&...) {}
 };
 
+/// The recorder that keeps nothing.
+inline constexpr NoDerivation plainly;
+
 }  // namespace boxbeam

@@ -21,7 +21,6 @@ using Area = boost::units::quantity<units::si::area>;
 using Volume = boost::units::quantity<units::si::volume>;
 using Mass = boost::units::quantity<units::si::mass>;
 using Time = boost::units::quantity<units::si::time>;
-using Frequency = boost::units::quantity<units::si::frequency>;
 using Force = boost::units::quantity<units::si::force>;
 using Stress = boost::units::quantity<units::si::pressure>;
 using Density = boost::units::quantity<units::si::mass_density>;

@@ -79,6 +79,9 @@ struct CaseDocument {
 /// it. A part with dots of its own stands in quotes: situations.1.set."drivers.crank.speed".
 std::vector<std::string> key_parts(const std::string& key);
 
+/// What stands under a dotted key, items of arrays by their number; nullptr where nothing does.
+const Node* value_at(const Node& root, const std::string& key);
+
 /// Puts a value under a key of a tree; tables on the way that are missing are made, and the item
 /// behind the last one of an array is added. Returns what is wrong where the key leads into no
 /// table or array item. Precondition: at least one part.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -38,6 +39,16 @@ struct PinInput {
   std::vector<LugInput> lugs;
   double required = 1.0;
 };
+
+/// Plates of a pin that are not given, in words; "" where all are.
+inline std::string unknown_plates_of(const PinInput& pin) {
+  const auto said = [&](bool inner) {
+    return std::any_of(pin.lugs.begin(), pin.lugs.end(),
+                       [&](const LugInput& lug) { return lug.inner == inner; });
+  };
+  if (said(true)) return said(false) ? "" : "outer plates";
+  return said(false) ? "inner plate" : "plates";
+}
 
 /// A rod between two points of one body, in the plane or in space.
 struct PlanarRod {

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "boxbeam/report/mark.hpp"
+#include "boxbeam/report/marked_text.hpp"
 #include "boxbeam/study/design_rows.hpp"
 #include "boxbeam/verification/cycle_figure.hpp"
 

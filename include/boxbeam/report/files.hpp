@@ -8,4 +8,7 @@ namespace boxbeam {
 /// Creates missing folders. Throws OutputError.
 void write_file(const std::string& path, const std::string& content);
 
+/// All of a file; "" where it cannot be read.
+std::string content_of(const std::string& path);
+
 }  // namespace boxbeam

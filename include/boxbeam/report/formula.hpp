@@ -18,9 +18,6 @@
 /// (unbalanced parentheses, other signs) is typeset as the words that it is.
 namespace boxbeam::report {
 
-/// Whether words are a formula by these rules.
-bool is_formula(const std::string& text);
-
 /// A formula for LaTeX's mathematics mode, without delimiters; lines may break at its outer signs.
 std::string latex_of_formula(const std::string& formula);
 

@@ -4,9 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "boxbeam/report/mark.hpp"
-
 namespace boxbeam::report {
+
+/// How a row, a step or a verdict is to be marked.
+enum class Mark { none, passes, fails, not_applicable };
+
+/// "passes", "FAILS", "not applicable".
+const char* to_text(Mark mark);
 
 /// A text with the words in it that say a result, for a terminal that shows them in colour. Colour
 /// adds nothing: the words say it as well.

@@ -7,10 +7,6 @@
 
 namespace boxbeam {
 
-/// Names of the figures of a verification, in the order of a report: "mechanism", "motion",
-/// "cut-forces", ...
-std::vector<std::string> figures_of(const Project& project, const Verification& verification);
-
 /// Draws the figures of a verification into a folder by gnuplot, NAME.svg each, and where
 /// `tex_folder` is not empty NAME.tex there, for the PDF. The scripts stay in its folder "plots",
 /// with their data inside, so that a figure can be restyled: `gnuplot plots/cut-forces.gp`. Returns

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/report/marked_text.hpp"
 #include "boxbeam/verification/verify.hpp"

@@ -128,6 +128,9 @@ struct Hole {
 /// Whether holes are known in a profile: boxes, rectangular tubes and plates.
 bool takes_holes(const Profile& profile);
 
+/// "box", "rectangular tube", ...
+const char* to_text(const Profile& profile);
+
 /// The section between two of the same kind: every dimension and every place varies linearly with
 /// `fraction`. Precondition: same_kind.
 Section interpolate(const Section& from, const Section& to, double fraction);

@@ -34,6 +34,10 @@ struct WallCells {
 /// Precondition: no walls cross away from nodes.
 WallCells wall_cells_of(const WallGraph& graph);
 
+/// Of the cells of walls only how they are cut open: what hangs on each wall, and the material of
+/// each component.
+WallCells opened_walls_of(const WallGraph& graph);
+
 /// Length over thickness of a wall between its nodes along the mid-line.
 double slenderness_of(const WallGraph& graph, const Wall& wall);
 

@@ -19,15 +19,4 @@ double imperfection_factor(BucklingCurve curve);
 /// L_cr  buckling length in the plane of bending. Source: Euler.
 Force euler_force(Stress youngs_modulus, SecondMoment inertia, Length buckling_length);
 
-/// Relative slenderness lambda = sqrt(A f_y/N_cr); A the effective area in class 4.
-/// Source: EN 1993-1-1:2005, 6.3.1.2(1).
-double column_slenderness(Area area, Stress yield_strength, Force critical_force);
-
-/// Reduction factor for flexural buckling, at most 1.
-///
-///     chi = 1/(Phi + sqrt(Phi^2 - lambda^2)),  Phi = [1 + alpha (lambda - 0.2) + lambda^2]/2
-///
-/// Source: EN 1993-1-1:2005, 6.3.1.2(1), equation 6.49.
-double column_reduction(double slenderness, BucklingCurve curve);
-
 }  // namespace boxbeam

@@ -10,9 +10,6 @@
 /// Keys of a case as the command line and studies name them.
 namespace boxbeam {
 
-/// What stands under a key, "beam.segments.0.length"; nullptr where nothing does.
-const Node* value_at(const Node& root, const std::string& key);
-
 /// All keys whose values are numbers or quantities, in the order of the file.
 std::vector<std::string> number_keys(const Node& root);
 

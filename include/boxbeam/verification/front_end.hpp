@@ -12,12 +12,11 @@
 #include "boxbeam/verification/animation.hpp"
 #include "boxbeam/verification/any_motion_result.hpp"
 #include "boxbeam/verification/beam_shift.hpp"
-#include "boxbeam/verification/closure_summary.hpp"
 #include "boxbeam/verification/load_history.hpp"
 #include "boxbeam/verification/loaded_posture.hpp"
+#include "boxbeam/verification/motion_summary.hpp"
 #include "boxbeam/verification/posture.hpp"
 #include "boxbeam/verification/situation_run.hpp"
-#include "boxbeam/verification/support_reaction.hpp"
 
 namespace boxbeam {
 

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/verification/bending_zones.hpp"
 #include "boxbeam/verification/checks.hpp"
 #include "boxbeam/verification/model_choice.hpp"

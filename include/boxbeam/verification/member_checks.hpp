@@ -4,7 +4,6 @@
 
 #include "boxbeam/verification/bending_zones.hpp"
 #include "boxbeam/verification/checks.hpp"
-#include "boxbeam/verification/model_choice.hpp"
 
 namespace boxbeam {
 

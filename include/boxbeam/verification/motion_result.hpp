@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "boxbeam/mechanism/common/sticking_spans.hpp"
+#include "boxbeam/mechanism/common/sticking.hpp"
 #include "boxbeam/mechanism/planar/degrees_of_freedom.hpp"
 #include "boxbeam/project/project.hpp"
 

@@ -1,15 +1,39 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <deque>
 #include <optional>
+#include <string>
 #include <vector>
 
-#include "boxbeam/verification/closure_summary.hpp"
+#include "boxbeam/core/units.hpp"
+#include "boxbeam/mechanism/planar/degrees_of_freedom.hpp"
 #include "boxbeam/verification/situation_run.hpp"
-#include "boxbeam/verification/support_reaction.hpp"
 
 namespace boxbeam {
+
+/// What is left of the arithmetic at the instant nearest to a dead point.
+struct DigitsLeft {
+  double left = 0.0;  ///< decimal digits of velocities
+  Time time;
+};
+
+/// What there is to know of a mechanism whose joints are equations to be solved.
+struct ClosureSummary {
+  planar::DegreesOfFreedom freedom;
+  std::vector<int> branch;            ///< sign per loop
+  DigitsLeft digits;                  ///< meaningless where forces decide the motion
+  std::vector<double> change_points;  ///< times at which two branches cross [s]
+  double largest_residual = 0.0;      ///< of the constraints, over all instants [m, rad]
+};
+
+/// The least and the largest that a support does to what it holds, over the time that is looked at:
+/// force and couple, world axes [N, N m].
+struct SupportReaction {
+  std::string name;
+  std::array<double, 6> low{}, high{};
+};
 
 /// What is to be known of the motion in a situation.
 struct MotionSummary {

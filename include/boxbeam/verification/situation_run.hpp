@@ -53,6 +53,24 @@ struct SituationHistory {
   StationHistory history;
 };
 
+/// Where a use is largest.
+struct WorstInstant {
+  const SituationHistory* at;
+  TurningPoint largest;  ///< without load factor
+  double use = 0.0;      ///< with it
+};
+
+template <class Use>
+WorstInstant worst_instant_of(const std::vector<SituationHistory>& histories, const Use& use) {
+  WorstInstant worst{&histories.front(), {}, 0.0};
+  for (const SituationHistory& at : histories) {
+    const TurningPoint in = at.history.largest(use);
+    const double with_factor = at.situation->load_factor * in.value;
+    if (with_factor > worst.use) worst = {&at, in, with_factor};
+  }
+  return worst;
+}
+
 /// The motion of a mechanism of rigid bodies in the plane.
 const planar::Motion& planar_motion_of(const SituationRun& run);
 /// A mechanism in space, prepared for any time.

@@ -80,14 +80,6 @@ struct ResistingDetail {
   double range_factor = 1.0;  ///< the largest stress factor of all details there
 };
 
-/// The weakest detail of the stretches that a station lies in, each with the strength that it has
-/// in a plate of this thickness, or that of the whole beam. The end of a stretch belongs to it on
-/// both sides, and on the side where none goes on, that of the whole beam counts as well. Beside
-/// them the weld of a diaphragm that stands there, and that of a flat at the place, if any.
-/// Compression counts 60 % only where none of them is welded as it is.
-ResistingDetail detail_at(const FatigueInput& fatigue, const Station& station, DetailPlace on,
-                          Length plate, const BeamDetail* flat = nullptr);
-
 /// The throat of the seam that a point on it has: of a seam that penetrates fully the web's
 /// thickness. Precondition: on_throat.
 Length seam_throat_of(const StressPoint& point);

@@ -6,12 +6,9 @@
 
 namespace boxbeam {
 
-/// A point on a hole's edge moved to the place where a criterion is worst: equivalent stress, or
-/// the cycles of the whole life, at whatever angle; any other point as it is.
-StressPoint at_worst_edge(const StationSamples& samples, const StressPoint& point,
-                          Criterion criterion);
-
-/// The same by each of some criteria, in their order.
+/// A point on a hole's edge moved to the places where each of some criteria is worst, in their
+/// order: equivalent stress, or the cycles of the whole life, at whatever angle; any other point as
+/// it is.
 std::vector<StressPoint> at_worst_edges(const StationSamples& samples, const StressPoint& point,
                                         std::span<const Criterion> asked);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 
 #include "boxbeam/mechanism/flexible/response.hpp"
 #include "stretch_at.hpp"

@@ -1,9 +1,6 @@
 #include "boxbeam/mechanism/flexible/link_stiffness.hpp"
 
-#include <algorithm>
-#include <cassert>
 #include <cmath>
-#include <complex>
 #include <type_traits>
 
 #include "boxbeam/core/error.hpp"

@@ -1,4 +1,4 @@
-#include "lowest_modes.hpp"
+#include "mode_searches.hpp"
 
 #include <fmt/format.h>
 

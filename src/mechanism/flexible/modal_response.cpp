@@ -4,9 +4,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <cassert>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <tuple>
 

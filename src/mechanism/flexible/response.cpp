@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "boxbeam/core/error.hpp"
 #include "frequency.hpp"
@@ -71,7 +70,7 @@ Deformation<Scalar> response_off_resonance(const Structure& structure,
       resonance) {
     return result;
   }
-  const char* damping = is_damped(structure)
+  const char* damping = is_damped(*structure.mechanism)
                             ? "whose damping is less than a millionth of the critical one"
                             : "which has no damping";
   throw AnalysisError(
@@ -144,8 +143,7 @@ LinkColumns<Complex> harmonic_loads(const Structure& structure) {
   return columns;
 }
 
-bool is_damped(const Structure& structure) {
-  const Mechanism& mechanism = *structure.mechanism;
+bool is_damped(const Mechanism& mechanism) {
   return std::any_of(mechanism.links.begin(), mechanism.links.end(),
                      [](const Link& link) { return link.retardation != 0.0; }) ||
          std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [](const Joint& joint) {
@@ -165,7 +163,7 @@ Deformation<Complex> harmonic_response(const Structure& structure, double freque
     return at_coarse_nodes(finer, harmonic_response(finer.structure, frequency));
   }
   const LinkColumns<Complex> loads = harmonic_loads(structure);
-  if (!is_damped(structure)) return undamped_response(structure, loads, frequency);
+  if (!is_damped(*structure.mechanism)) return undamped_response(structure, loads, frequency);
   const double omega = omega_of(frequency);
   const DynamicStiffness<Complex> stiffness(structure, omega * omega, omega);
   return response_off_resonance(structure, stiffness, loads, frequency);

@@ -5,12 +5,9 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
-#include <utility>
 
-#include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/section/cut_forces.hpp"
-#include "geometric_stiffness.hpp"
 #include "rigid_arms.hpp"
 #include "rigid_ties.hpp"
 

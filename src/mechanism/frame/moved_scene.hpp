@@ -5,7 +5,6 @@
 
 #include "boxbeam/mechanism/frame/beam_vibration.hpp"
 #include "held_scene.hpp"
-#include "rigid_arms.hpp"
 
 /// What acts in a scene whose nodes and bodies are moved, by coordinates (`SceneRows`).
 namespace boxbeam::frame {

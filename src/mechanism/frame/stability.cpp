@@ -4,7 +4,6 @@
 #include <cmath>
 #include <memory>
 #include <span>
-#include <utility>
 
 #include "geometric_stiffness.hpp"
 #include "rigid_arms.hpp"

@@ -1,10 +1,7 @@
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "boxbeam/core/angle.hpp"
-#include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/frame/beam_vibration.hpp"
 #include "boxbeam/section/cut_forces.hpp"
 #include "lowest_modes.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "boxbeam/mechanism/planar/constraints.hpp"
@@ -94,7 +95,20 @@ Eigen::SparseMatrix<double> rows_of(const Eigen::SparseMatrix<double>& matrix,
 
 }  // namespace
 
-double DegreesOfFreedom::digits_left() const { return digits_left_at(condition); }
+void judge_uniqueness(const Mechanism& mechanism, const Eigen::VectorXd& q,
+                      DegreesOfFreedom& freedom) {
+  if (freedom.redundant == 0) return;
+  const DegreesOfFreedom here = degrees_of_freedom_of(mechanism, q);
+  // A position that is singular itself says nothing of the others.
+  if (here.redundant != freedom.redundant) return;
+  for (std::size_t row = 0; row < here.unique.size(); ++row) {
+    if (here.unique[row] == 0) freedom.unique[row] = 0;
+  }
+  std::vector<int> both;
+  std::set_union(here.repeating.begin(), here.repeating.end(), freedom.repeating.begin(),
+                 freedom.repeating.end(), std::back_inserter(both));
+  freedom.repeating = both;
+}
 
 double digits_left_at(double condition) {
   if (!(condition > 0.0)) return 0.0;

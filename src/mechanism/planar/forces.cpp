@@ -1,6 +1,5 @@
 #include "boxbeam/mechanism/planar/forces.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "boxbeam/mechanism/planar/constraints.hpp"

@@ -308,6 +308,21 @@ FreeSolver::Step FreeSolver::before_bend(const State& known, Step step, double s
   return step;
 }
 
+bool FreeSolver::stop_at_change(Way& way, const State& state, Step& step) {
+  // Backwards nobody knows what was lost.
+  const auto found = way.direction > 0.0 ? first_change(state, step.end) : std::nullopt;
+  if (!found) return true;
+  Step until_change = step_to(*found, state);
+  if (!until_change.solved) {
+    way.dt *= 0.5;
+    if (std::abs(way.dt) <= way.smallest) refuse_unseen_change(state.time);
+    return false;
+  }
+  step = std::move(until_change);
+  change(step.end);
+  return true;
+}
+
 State FreeSolver::advance(double time, const State& known) {
   State state = known;
   if (const Passage* passage = passage_of(known)) {
@@ -368,18 +383,7 @@ State FreeSolver::advance(double time, const State& known) {
     const double next =
         std::max(std::abs(dt) * std::min(5.0, longer), std::abs(dt) < wanted ? wanted : 0.0);
     if (!is_near_singular(step.pivot)) step = before_bend(state, std::move(step), smallest);
-    // Backwards nobody knows what was lost.
-    const auto found = direction > 0.0 ? first_change(state, step.end) : std::nullopt;
-    if (found) {
-      Step until_change = step_to(*found, state);
-      if (!until_change.solved) {
-        dt *= 0.5;
-        if (std::abs(dt) > smallest) continue;
-        refuse_unseen_change(state.time);
-      }
-      step = std::move(until_change);
-      change(step.end);
-    }
+    if (!stop_at_change(way, state, step)) continue;
     way.inside = is_near_singular(step.end_pivot);
     ++steps_;
     state = std::move(step.end);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "boxbeam/core/error.hpp"
 #include "boxbeam/core/index_by_name.hpp"
 #include "joint_kinds.hpp"
 

@@ -9,8 +9,8 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/common/rough_times.hpp"
 #include "boxbeam/mechanism/planar/assembly.hpp"
+#include "boxbeam/mechanism/planar/degrees_of_freedom.hpp"
 #include "boxbeam/mechanism/planar/reach.hpp"
-#include "boxbeam/mechanism/planar/uniqueness.hpp"
 
 namespace boxbeam::planar {
 namespace {

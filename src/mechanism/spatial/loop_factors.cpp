@@ -1,7 +1,6 @@
 #include "loop_factors.hpp"
 
 #include <limits>
-#include <utility>
 
 namespace boxbeam::spatial {
 namespace {

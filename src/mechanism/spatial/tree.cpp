@@ -1,7 +1,6 @@
 #include "boxbeam/mechanism/spatial/tree.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <cmath>
 #include <utility>
 
 #include "boxbeam/core/code_points.hpp"

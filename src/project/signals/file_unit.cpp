@@ -89,10 +89,9 @@ NameWithUnit split_unit(std::string_view text) {
     std::string_view name = trimmed(text.substr(0, open));
     // OpenFAST's tools write "RootMyc1_[kN-m]".
     if (name.ends_with('_')) name.remove_suffix(1);
-    return {std::string(name), std::string(trimmed(text.substr(open + 1, text.size() - open - 2))),
-            true};
+    return {std::string(name), std::string(trimmed(text.substr(open + 1, text.size() - open - 2)))};
   }
-  return {std::string(text), {}, false};
+  return {std::string(text), {}};
 }
 
 }  // namespace boxbeam

@@ -18,7 +18,6 @@ std::variant<ParsedQuantity, std::string> parse_file_unit(std::string_view unit)
 struct NameWithUnit {
   std::string name;
   std::string unit;
-  bool has_unit = false;
 };
 NameWithUnit split_unit(std::string_view text);
 

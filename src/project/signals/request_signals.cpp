@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <limits>
 #include <utility>
 
 #include "number_rows.hpp"

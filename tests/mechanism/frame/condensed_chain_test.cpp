@@ -1,4 +1,4 @@
-#include "src/mechanism/frame/condensed_chain.hpp"
+#include "src/mechanism/frame/held_scene.hpp"
 
 #include <Eigen/Dense>
 #include <random>

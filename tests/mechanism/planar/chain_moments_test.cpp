@@ -1,6 +1,6 @@
 // The moments of the published Newton chain, kept for comparison.
 
-#include "boxbeam/mechanism/planar/chain_moments.hpp"
+#include "boxbeam/mechanism/planar/newton_chain.hpp"
 
 #include "catch.hpp"
 #include "support/csv.hpp"

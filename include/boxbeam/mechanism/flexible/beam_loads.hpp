@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "boxbeam/beam/beam_loads.hpp"
 #include "boxbeam/mechanism/flexible/response.hpp"
 

@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 #include <complex>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "boxbeam/mechanism/flexible/link_stiffness.hpp"
@@ -147,7 +146,7 @@ template <class Scalar>
 LinkColumns<Scalar> at_finer_nodes(const FinerStructure& finer, const LinkColumns<Scalar>& of);
 
 /// Whether any link or joint damps.
-bool is_damped(const Structure& structure);
+bool is_damped(const Mechanism& mechanism);
 
 /// Static and harmonic response. A motion is static + Im(harmonic e^(i omega t)).
 struct Response {

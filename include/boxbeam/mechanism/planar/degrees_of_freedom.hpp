@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string>
 #include <vector>
 
 #include "boxbeam/mechanism/planar/mechanism.hpp"
@@ -25,8 +24,6 @@ struct DegreesOfFreedom {
   /// Per equation: whether its multiplier is determined. A multiplier is unique where no
   /// redundancy has a part in its equation. Source: Wojtyra, Multibody System Dynamics 13 (2005).
   std::vector<char> unique;
-
-  double digits_left() const;
 };
 
 /// Decimal digits of velocities that are left of the sixteen of the arithmetic at a condition of
@@ -45,5 +42,11 @@ bool is_unique(const DegreesOfFreedom& freedom, int joint);
 
 /// Condition of the Jacobian with drivers in a position, for every instant: 0 where it is singular.
 double condition_of(const Mechanism& mechanism, const Eigen::VectorXd& q);
+
+/// Multipliers that are unique in one position may be shared in another: unique is what is so in
+/// this position as well, repeating what repeats in either. A position that is singular itself says
+/// nothing.
+void judge_uniqueness(const Mechanism& mechanism, const Eigen::VectorXd& q,
+                      DegreesOfFreedom& freedom);
 
 }  // namespace boxbeam::planar

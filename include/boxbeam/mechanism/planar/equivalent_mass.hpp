@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "boxbeam/mechanism/planar/motion.hpp"
 
 namespace boxbeam::planar {

@@ -90,6 +90,9 @@ class FreeSolver {
   /// The step, or as much of it as ends in front of a bend of friction, which its error does not
   /// show, and of where a contact begins to stick or to slide.
   Step before_bend(const State& known, Step step, double smallest);
+  /// Ends a step where what acts one way begins or ends to act, and changes that there. False where
+  /// no step leads there, which is to be tried again at half its length.
+  bool stop_at_change(Way& way, const State& state, Step& step);
   /// What acts one way and has got to the other side of its length in a state.
   bool has_changed(const OneSided& of, const State& state) const;
   bool has_changed(const State& state) const;

@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "boxbeam/mechanism/planar/constraints.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "boxbeam/mechanism/common/sticking_spans.hpp"
+#include "boxbeam/mechanism/common/sticking.hpp"
 #include "boxbeam/mechanism/spatial/forced_equations.hpp"
 
 namespace boxbeam::spatial {
