@@ -318,7 +318,7 @@ TEST_CASE("A part of next to no length beside long ones bends by no shear of its
     mechanism.loads = {load, none};
     const Structure structure = structure_of(mechanism);
     const CutForceDiagram diagram =
-        cut_forces_of(response_of_beam(structure, 0, beam_of_length(L)).sine);
+        cut_forces_of(response_of_beam(structure, 0, test::beam_of_length(L)).sine);
     const auto shear = [&](double part) {
       return diagram.at({si<Length>(place + part * sliver), Side::both}).V_z.value();
     };
