@@ -71,23 +71,15 @@ LugInput read_lug(TableReader table, const PinInput& pin) {
   return lug;
 }
 
-/// Whether a joint in space turns about the pin in it, and whether it keeps an axis for it.
-bool turns_about_pin(const spatial::Mechanism& mechanism, int joint) {
+/// Whether the force of a joint in space is that of a pin, across its axis or anywhere.
+bool may_have_pin(const spatial::Mechanism& mechanism, int joint) {
+  using Kind = spatial::ClosingKind;
   const auto index = static_cast<std::size_t>(joint);
-  // Where there is no joint that has been said already.
-  if (index >= mechanism.joints.size() + mechanism.closing.size()) return true;
   if (index < mechanism.joints.size())
     return mechanism.joints[index].kind == spatial::JointKind::revolute;
-  const spatial::ClosingKind kind = mechanism.closing[index - mechanism.joints.size()].kind;
-  return kind == spatial::ClosingKind::revolute || kind == spatial::ClosingKind::cylindrical;
-}
-
-bool may_have_pin(const spatial::Mechanism& mechanism, int joint) {
-  const auto index = static_cast<std::size_t>(joint);
-  if (turns_about_pin(mechanism, joint)) return true;
-  if (index < mechanism.joints.size()) return false;
-  const spatial::ClosingKind kind = mechanism.closing[index - mechanism.joints.size()].kind;
-  return kind == spatial::ClosingKind::spherical || kind == spatial::ClosingKind::distance;
+  const Kind kind = mechanism.closing[index - mechanism.joints.size()].kind;
+  return kind == Kind::revolute || kind == Kind::cylindrical || kind == Kind::spherical ||
+         kind == Kind::distance;
 }
 
 /// Whether the force of a joint in the plane is all that it bears: a moment is not judged by a pin.
@@ -170,11 +162,6 @@ PinInput read_pin(TableReader table, const Project& project) {
   for (TableReader& of : table.tables(
            {"lugs", "its plates, checked beside and before the hole and there in fatigue"})) {
     LugInput lug = read_lug(of, pin);
-    if (project.in_space && !turns_about_pin(spatial_of(project), pin.joint))
-      of.problem("plate",
-                 "the joint of the pin keeps no axis, so that the way in which it pulls at its "
-                 "plates is not known",
-                 "of lugs the pin is in a joint of kind \"revolute\" or \"cylindrical\"");
     if (std::any_of(pin.lugs.begin(), pin.lugs.end(),
                     [&](const LugInput& other) { return other.inner == lug.inner; }))
       of.problem("plate", "this plate is there already", "write \"inner\" and \"outer\" once each");
