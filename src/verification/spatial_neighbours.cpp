@@ -182,7 +182,7 @@ class SpatialNeighbours : public NeighbourLoads {
   /// The body that carries and the one that is carried, or a and b.
   std::array<int, 2> indices_of(int joint) const {
     if (closes(joint)) return {closing(joint).a.body, closing(joint).b.body};
-    return {carrying(joint).parent, joint};
+    return {spatial::carrier_of_ball(*mechanism_, joint).value_or(carrying(joint).parent), joint};
   }
 
   std::string name_of(int body) const {
@@ -192,7 +192,9 @@ class SpatialNeighbours : public NeighbourLoads {
 
   bool keeps_axis(int joint) const {
     using Kind = spatial::ClosingKind;
-    if (!closes(joint)) return carrying(joint).kind == spatial::JointKind::revolute;
+    if (!closes(joint))
+      return carrying(joint).kind == spatial::JointKind::revolute &&
+             !spatial::carrier_of_ball(*mechanism_, joint);
     return closing(joint).kind == Kind::revolute || closing(joint).kind == Kind::cylindrical;
   }
   bool is_rod(int joint) const {

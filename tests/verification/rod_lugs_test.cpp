@@ -13,6 +13,7 @@
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
 #include "support/box_boom.hpp"
+#include "support/refusals.hpp"
 
 namespace rod_lugs_test {
 
@@ -113,6 +114,40 @@ TEST_CASE("plates of a ball are judged along the worst of all directions") {
   CHECK(std::none_of(of.not_judged.begin(), of.not_judged.end(), [](const NotJudged& unsaid) {
     return unsaid.what.find("inner plate") != std::string::npos;
   }));
+}
+
+TEST_CASE("the pin of a ball that carries a body bears all of its force") {
+  // A load hangs in a ball at the tip, 3 kN to and fro, whatever axes the turns of the ball have;
+  // of a cylindrical joint across its axis; a turn of the ball by itself is no pin.
+  const auto text = [](const std::string& joint, const std::string& drivers,
+                       const std::string& name) {
+    return test::box_boom::boom(
+        "[joints.heel]\nkind = \"fixed\"\nconnect = [\"ground\", \"arm.heel\"]\n[bodies.load]\n"
+        "points = { O = [\"0 m\", \"0 m\", \"0 m\"] }\n[joints.hook]\n" +
+            joint + "connect = [\"arm.tip\", \"load.O\"]\n" + drivers,
+        "direction = \"-x\"\nsize = \"1 kN\"\n[forces.swing]\nkind = \"force\"\npoint = "
+        "\"load.O\"\ndirection = [0, 0.6, 0.8]\nlaw = { kind = \"harmonic\", mean = \"0 kN\", "
+        "amplitude = \"3 kN\", frequency = \"0.001 Hz\" }\n",
+        pin(name));
+  };
+  const auto held = [](int count, const char* last) {
+    std::string drivers;
+    for (int i = 1; i <= count; ++i)
+      drivers += fmt::format(
+          "[drivers.d{0}]\njoint = \"hook.{0}\"\nkind = \"hold\"\nvalue = "
+          "\"{1}\"\n",
+          i, i == count ? last : "0 deg");
+    return drivers;
+  };
+  const std::string ball = "kind = \"spherical\"\n";
+  const auto& tired = lug_of(text(ball, held(3, "0 deg"), "hook"));
+  CHECK(std::get<TiredLug>(tired.basis).range.value() == Approx(6e3).epsilon(1e-4));
+  const std::string along_z = "kind = \"cylindrical\"\naxis = \"z\"\n";
+  const auto& across = lug_of(text(along_z, held(2, "0 m"), "hook"));
+  CHECK(std::get<TiredLug>(across.basis).range.value() == Approx(0.6 * 6e3).epsilon(1e-5));
+  CHECK(test::refusal_of([&] {
+          parse_project("lugs.toml", text(ball, held(3, "0 deg"), "hook.1"));
+        }).find("write joint = \"hook\"") != std::string::npos);
 }
 
 }  // namespace rod_lugs_test
