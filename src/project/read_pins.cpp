@@ -172,8 +172,10 @@ PinInput read_pin(TableReader table, const Project& project) {
   pin.joint = joint_of_pin(table, project);
   PinJoint& geometry = pin.geometry;
   geometry.diameter = si<Length>(table.positive({"diameter", "of the pin"}, wanted::length));
-  geometry.hole = si<Length>(
-      table.positive({"hole", "of its hole"}, wanted::length, geometry.diameter.value()));
+  const Key hole{"hole", "of its hole; as wide as the pin where not said"};
+  geometry.hole = table.has_quantity(hole, wanted::length)
+                      ? si<Length>(table.positive(hole, wanted::length))
+                      : geometry.diameter;
   geometry.inner_plate = si<Length>(table.positive({"inner_plate", "thickness"}, wanted::length));
   geometry.outer_plate = si<Length>(table.positive({"outer_plate", "thickness"}, wanted::length));
   geometry.gap = si<Length>(table.not_negative({"gap", "between the plates"}, wanted::length, 0.0));
