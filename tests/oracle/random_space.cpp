@@ -2,10 +2,43 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "random_text.hpp"
 
 namespace oracle {
+
+namespace {
+
+/// What holds a boom: a body, a cylinder that moves, or a rod.
+struct BoomHold {
+  bool by_body = false, moves = false;
+  double reach = 0.0, tilt = 0.0, frequency = 0.0;
+};
+
+std::string hold(Draw& draw, const BoomHold& of) {
+  if (of.by_body) {
+    return fmt::format(
+        "\n[bodies.strut]\nmass = \"{:.3g} kg\"\nuniform_rod = [\"a\", \"b\"]\npoints = {{ a = "
+        "[\"0 m\", \"0 m\", \"0 m\"], b = [\"{:.9g} m\", \"0 m\", \"0 m\"] "
+        "}}\n\n[joints.foot]\nkind = \"universal\"\nconnect = [\"column.ram\", "
+        "\"strut.a\"]\naxis = \"y\"\nsecond_axis = \"z\"\nstart = [\"{:.6g} rad\", \"0 "
+        "rad\"]\n\n[joints.hold]\nkind = \"spherical\"\nconnect = [\"strut.b\", "
+        "\"boom.lug\"]\ncloses = true\n",
+        draw.real(10, 60), of.reach, of.tilt);
+  }
+  std::string text =
+      "\n[joints.hold]\nkind = \"distance\"\nconnect = [\"column.ram\", \"boom.lug\"]\n";
+  text += of.moves ? fmt::format(
+                         "\n[drivers.hold]\njoint = \"hold\"\nkind = \"harmonic\"\nmean = \"{:.6g} "
+                         "m\"\namplitude = \"{:.3g} m\"\nfrequency = \"{:.4g} Hz\"\nphase = \"90 "
+                         "deg\"\n",
+                         of.reach, 0.1 * draw.real(0.2, 1.0), of.frequency)
+                   : fmt::format("length = \"{:.9g} m\"\n", of.reach);
+  return text;
+}
+
+}  // namespace
 
 /// A boom on a column that slews, held by a rod without mass or a cylinder beside its plane or in
 /// it, or by a body between a universal joint and a ball; with a pin and, without mass, a rod
@@ -42,25 +75,9 @@ BeamWriter write_luffing(Draw& draw, RandomCase& of) {
       "\"slew\"\nkind = \"harmonic\"\nmean = \"0 deg\"\namplitude = \"{:.0f} deg\"\nfrequency = "
       "\"{:.4g} Hz\"\n",
       raised, draw.real(10, 120), frequency);
-  if (by_body) {
-    const double tilt = -std::atan2(lug * std::sin(raised) + below, lug * std::cos(raised));
-    text += fmt::format(
-        "\n[bodies.strut]\nmass = \"{:.3g} kg\"\nuniform_rod = [\"a\", \"b\"]\npoints = {{ a = "
-        "[\"0 m\", \"0 m\", \"0 m\"], b = [\"{:.9g} m\", \"0 m\", \"0 m\"] "
-        "}}\n\n[joints.foot]\nkind = \"universal\"\nconnect = [\"column.ram\", "
-        "\"strut.a\"]\naxis = \"y\"\nsecond_axis = \"z\"\nstart = [\"{:.6g} rad\", \"0 "
-        "rad\"]\n\n[joints.hold]\nkind = \"spherical\"\nconnect = [\"strut.b\", "
-        "\"boom.lug\"]\ncloses = true\n",
-        draw.real(10, 60), reach, tilt);
-  } else {
-    text += "\n[joints.hold]\nkind = \"distance\"\nconnect = [\"column.ram\", \"boom.lug\"]\n";
-    text += moves ? fmt::format(
-                        "\n[drivers.hold]\njoint = \"hold\"\nkind = \"harmonic\"\nmean = \"{:.6g} "
-                        "m\"\namplitude = \"{:.3g} m\"\nfrequency = \"{:.4g} Hz\"\nphase = \"90 "
-                        "deg\"\n",
-                        reach, 0.1 * draw.real(0.2, 1.0), frequency)
-                  : fmt::format("length = \"{:.9g} m\"\n", reach);
-  }
+  // Up from the foot.
+  const double tilt = -std::atan2(lug * std::sin(raised) + below, lug * std::cos(raised));
+  text += hold(draw, {by_body, moves, reach, tilt, frequency});
   if (draw.chance(0.7)) {
     text += fmt::format(
         "\n[forces.F]\nkind = \"force\"\npoint = \"boom.mid\"\ndirection = [{:.3f}, {:.3f}, "
