@@ -140,8 +140,11 @@ Project read_for_beam(const CaseDocument& document, const Node& tree, std::size_
   check_dynamics(root, project);
   root.finish();
   if (beam > 0) {  // of the mechanism, not of a beam
-    project.pins.clear();
-    project.rods.clear();
+    // Where beams have demands of their own, pins and rods are held to those of each.
+    if (!readers::differ_in_demands(document.root)) {
+      project.pins.clear();
+      project.rods.clear();
+    }
     project.equivalent_mass.reset();
     project.hand_formulas.clear();
   }

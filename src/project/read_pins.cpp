@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "boxbeam/project/detail_reader.hpp"
 #include "boxbeam/project/sn_catalogue.hpp"
@@ -71,23 +72,15 @@ LugInput read_lug(TableReader table, const PinInput& pin) {
   return lug;
 }
 
-/// Whether a joint in space turns about the pin in it, and whether it keeps an axis for it.
-bool turns_about_pin(const spatial::Mechanism& mechanism, int joint) {
+/// Whether the force of a joint in space is that of a pin, across its axis or anywhere.
+bool may_have_pin(const spatial::Mechanism& mechanism, int joint) {
+  using Kind = spatial::ClosingKind;
   const auto index = static_cast<std::size_t>(joint);
-  // Where there is no joint that has been said already.
-  if (index >= mechanism.joints.size() + mechanism.closing.size()) return true;
   if (index < mechanism.joints.size())
     return mechanism.joints[index].kind == spatial::JointKind::revolute;
-  const spatial::ClosingKind kind = mechanism.closing[index - mechanism.joints.size()].kind;
-  return kind == spatial::ClosingKind::revolute || kind == spatial::ClosingKind::cylindrical;
-}
-
-bool may_have_pin(const spatial::Mechanism& mechanism, int joint) {
-  const auto index = static_cast<std::size_t>(joint);
-  if (turns_about_pin(mechanism, joint)) return true;
-  if (index < mechanism.joints.size()) return false;
-  const spatial::ClosingKind kind = mechanism.closing[index - mechanism.joints.size()].kind;
-  return kind == spatial::ClosingKind::spherical || kind == spatial::ClosingKind::distance;
+  const Kind kind = mechanism.closing[index - mechanism.joints.size()].kind;
+  return kind == Kind::revolute || kind == Kind::cylindrical || kind == Kind::spherical ||
+         kind == Kind::distance;
 }
 
 /// Whether the force of a joint in the plane is all that it bears: a moment is not judged by a pin.
@@ -107,6 +100,39 @@ int joint_of_planar_pin(TableReader& table, const Key& key, const planar::Mechan
   return joint;
 }
 
+/// The ball, as it is written, of which a joint is one of the turns; "" of other joints.
+std::string ball_of(const spatial::Mechanism& mechanism, int joint) {
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    if (!spatial::carrier_of_ball(mechanism, static_cast<int>(i))) continue;
+    int turn = static_cast<int>(i);
+    for (int k = 0; k < 3; ++k) {
+      const spatial::Joint& of = mechanism.joints[static_cast<std::size_t>(turn)];
+      if (turn == joint) return of.name.substr(0, of.name.rfind('.'));
+      turn = of.parent;
+    }
+  }
+  return "";
+}
+
+/// The movement in which the pin of a carrying joint of several is, by its index: the last turn of
+/// a ball, the turn of a cylindrical joint.
+std::optional<int> movement_with_pin(const spatial::Mechanism& mechanism, const std::string& name) {
+  std::vector<int> movements;
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    if (mechanism.joints[i].name == fmt::format("{}.{}", name, movements.size() + 1))
+      movements.push_back(static_cast<int>(i));
+  }
+  if (movements.empty()) return std::nullopt;
+  if (spatial::carrier_of_ball(mechanism, movements.back())) return movements.back();
+  const auto kind_of = [&](int joint) {
+    return mechanism.joints[static_cast<std::size_t>(joint)].kind;
+  };
+  if (movements.size() == 2 && kind_of(movements[0]) == spatial::JointKind::revolute &&
+      kind_of(movements[1]) == spatial::JointKind::prismatic)
+    return movements[0];
+  return std::nullopt;
+}
+
 /// The joint of a pin: in space behind those that carry bodies those that close loops.
 int joint_of_pin(TableReader& table, const Project& project) {
   const Key key{"joint", "in which it is"};
@@ -114,6 +140,7 @@ int joint_of_pin(TableReader& table, const Project& project) {
   const spatial::Mechanism& mechanism = spatial_of(project);
   const std::string name = table.text(key);
   if (name.empty()) return 0;
+  if (const auto movement = movement_with_pin(mechanism, name)) return *movement;
   std::vector<std::string> names;
   for (const spatial::Joint& joint : mechanism.joints) names.push_back(joint.name);
   for (const spatial::ClosingJoint& joint : mechanism.closing) names.push_back(joint.name);
@@ -124,10 +151,16 @@ int joint_of_pin(TableReader& table, const Project& project) {
     return 0;
   }
   const int joint = static_cast<int>(found - names.begin());
-  if (!may_have_pin(mechanism, joint))
+  if (const std::string ball = ball_of(mechanism, joint); !ball.empty())
+    table.problem(
+        key.name,
+        fmt::format("\"{}\" is one of the turns of a ball, which bears a force anywhere", name),
+        fmt::format("write joint = \"{}\"", ball));
+  else if (!may_have_pin(mechanism, joint))
     table.problem(key.name, fmt::format("joint \"{}\" does not turn about a pin", name),
                   "a pin is in a joint of kind \"revolute\", \"cylindrical\", \"spherical\" or "
-                  "\"distance\"");
+                  "\"distance\"; a universal one \"cross\" has two, in \"cross.1\" and "
+                  "\"cross.2\"");
   return joint;
 }
 
@@ -139,8 +172,10 @@ PinInput read_pin(TableReader table, const Project& project) {
   pin.joint = joint_of_pin(table, project);
   PinJoint& geometry = pin.geometry;
   geometry.diameter = si<Length>(table.positive({"diameter", "of the pin"}, wanted::length));
-  geometry.hole = si<Length>(
-      table.positive({"hole", "of its hole"}, wanted::length, geometry.diameter.value()));
+  const Key hole{"hole", "of its hole; as wide as the pin where not said"};
+  geometry.hole = table.has_quantity(hole, wanted::length)
+                      ? si<Length>(table.positive(hole, wanted::length))
+                      : geometry.diameter;
   geometry.inner_plate = si<Length>(table.positive({"inner_plate", "thickness"}, wanted::length));
   geometry.outer_plate = si<Length>(table.positive({"outer_plate", "thickness"}, wanted::length));
   geometry.gap = si<Length>(table.not_negative({"gap", "between the plates"}, wanted::length, 0.0));
@@ -170,11 +205,6 @@ PinInput read_pin(TableReader table, const Project& project) {
   for (TableReader& of : table.tables(
            {"lugs", "its plates, checked beside and before the hole and there in fatigue"})) {
     LugInput lug = read_lug(of, pin);
-    if (project.in_space && !turns_about_pin(spatial_of(project), pin.joint))
-      of.problem("plate",
-                 "the joint of the pin keeps no axis, so that the way in which it pulls at its "
-                 "plates is not known",
-                 "of lugs the pin is in a joint of kind \"revolute\" or \"cylindrical\"");
     if (std::any_of(pin.lugs.begin(), pin.lugs.end(),
                     [&](const LugInput& other) { return other.inner == lug.inner; }))
       of.problem("plate", "this plate is there already", "write \"inner\" and \"outer\" once each");

@@ -70,6 +70,15 @@ Node case_of_beam(const Node& root, std::size_t beam) {
   return of;
 }
 
+bool differ_in_demands(const Node& root) {
+  const std::vector<Node>* const beams = beams_of(root);
+  if (beams == nullptr) return false;
+  return std::any_of(beams->begin(), beams->end(), [](const Node& beam) {
+    return beam.find("material") != nullptr || beam.find("strength") != nullptr ||
+           beam.find("fatigue") != nullptr;
+  });
+}
+
 void check_beams(ProblemList& problems, const Node& root) {
   const std::vector<Node>* const beams = beams_of(root);
   if (beams == nullptr) return;

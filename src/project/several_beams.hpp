@@ -10,6 +10,10 @@ namespace boxbeam::readers {
 /// fatigue, points, welds and deflection goes before what the case says for all, key by key.
 Node case_of_beam(const Node& root, std::size_t beam);
 
+/// Whether a beam of several says itself of what material it is, or what is wanted of it: of what
+/// is beside the beams, too, where that says nothing.
+bool differ_in_demands(const Node& root);
+
 /// Notes what stands along a beam and belongs to none where there are several, and names that are
 /// missing or stand twice.
 void check_beams(ProblemList& problems, const Node& root);

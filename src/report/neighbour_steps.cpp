@@ -51,11 +51,8 @@ Steps steps_of_basis(const Project& project, const Check& check, const TiredLug&
   const LugInput& lug = *of.lug;
   Derivation steps;
   const Traced range = steps.given("d_F", of.range, "range of the pin's force");
-  steps.note([&] {
-    return fmt::format(
-        "of its component at {:.1f} deg in the axes of {}, that takes most of the life",
-        of.direction * 180.0 / std::numbers::pi, of.in);
-  });
+  steps.note(
+      [&] { return fmt::format("of its component {}, that takes most of the life", of.seen); });
   const Traced A_net = lug_net_area(steps, lug.plate);
   const Traced share = steps.given("p", of.share, {}, "of the force, for this plate");
   const Traced K_t = lug.own_factor

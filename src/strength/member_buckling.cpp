@@ -1,6 +1,8 @@
 #include "boxbeam/strength/member_buckling.hpp"
 
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include "boxbeam/core/derivation.hpp"
 #include "column_formulas.hpp"
@@ -12,15 +14,29 @@ double chi_at(double lambda, BucklingCurve curve) {
   return column::reduction<const NoDerivation, double>(plainly, lambda, curve);
 }
 
+/// What bends about an axis, which has a letter.
+struct BentAbout {
+  std::string_view axis;
+  double m = 0.0, C_m = 1.0;
+};
+
+/// k of a member that buckles about one axis, of the moment about the other or the same.
+Symbol k_of(const BentAbout& by, const BentAbout& about) {
+  if (by.axis == "y") return {"k_y", about.axis};
+  return {"k_z", about.axis};
+}
+
 /// k_yy or k_zz. Source: EN 1993-1-1:2005, table B.1, class 3 and 4.
 template <class Record, class Number>
-auto moment_factor(Record& record, const char* name, const char* C_name, double C_m,
-                   const Number& lambda, const Number& n_b) {
-  const auto C = record.given(C_name, C_m, {ValueKind::factor}, "table B.3; 1 on the safe side");
+auto moment_factor(Record& record, Symbol name, const BentAbout& about, const Number& lambda,
+                   const Number& n_b) {
+  const auto C = record.given({"C_m", about.axis}, about.C_m, {ValueKind::factor},
+                              "table B.3; 1 on the safe side");
   return Number(record.define(name, C * (1.0 + 0.6 * least_of<Number>({lambda, 1.0}) * n_b)));
 }
 
-/// By the moments of the straight beam: k_yy m_y/chi_LT + k_yz m_z, or k_zy m_y/chi_LT + k_zz m_z.
+/// By the moments of the straight beam, s its stronger axis and w the other: k_ss m_s/chi_LT + k_sw
+/// m_w, or k_ws m_s/chi_LT + k_ww m_w.
 template <class Record, class Number>
 Number straight_moments(Record& record, const MemberLoad& load, const Number& lambda,
                         const Number& chi, BucklingCurve curve, double gamma_M1) {
@@ -29,45 +45,55 @@ Number straight_moments(Record& record, const MemberLoad& load, const Number& la
   const Number n_b(record.define(
       "n_b", record.known("gamma_M1", gamma_M1, {ValueKind::factor}) * record.known("n", n) / chi,
       "N/N_b,Rd"));
+  BentAbout strong{"y", of.m_y, of.C_my}, weak{"z", of.m_z, of.C_mz};
+  if (of.lies) std::swap(strong, weak);
+  const bool by_weak = of.about_z != of.lies;
   // Of the other plane, whose own check says how it comes to this.
   const bool buckles = of.other > no_buckling_below;
-  const auto other_factor = [&](const char* name, const char* C_name, double C_m) {
+  const auto other_factor = [&](Symbol name, const BentAbout& about) {
+    const std::string_view axis = of.about_z ? "y" : "z";
     const double slender = std::sqrt(of.other / n);
-    const auto lambda_o = record.given(of.about_z ? "lambda_y" : "lambda_z", slender, {});
+    const auto lambda_o = record.given({"lambda_", axis}, slender, {});
     const auto n_o = record.given(
-        of.about_z ? "n_y" : "n_z", gamma_M1 * n / (buckles ? chi_at(slender, curve) : 1.0), {},
+        {"n_", axis}, gamma_M1 * n / (buckles ? chi_at(slender, curve) : 1.0), {},
         buckles ? "N/N_b,Rd in the other plane" : "in the other plane it cannot buckle");
-    return moment_factor(record, name, C_name, C_m, Number(lambda_o), Number(n_o));
+    return moment_factor(record, name, about, Number(lambda_o), Number(n_o));
   };
-  const auto k_y = [&] {
-    return of.about_z ? other_factor("k_yy", "C_my", of.C_my)
-                      : moment_factor(record, "k_yy", "C_my", of.C_my, lambda, n_b);
+  const auto own_factor = [&](Symbol name, const BentAbout& about) {
+    return moment_factor(record, name, about, lambda, n_b);
   };
-  const auto by_y = [&] {
-    const auto m_y = record.given("m_y", of.m_y, {}, "largest M_y/(W_y f_y) of the straight beam");
+  const auto moment_of = [&](const BentAbout& about) {
+    return record.given({"m_", about.axis}, about.m, {},
+                        about.axis == "y" ? "largest M_y/(W_y f_y) of the straight beam"
+                                          : "largest M_z/(W_z f_y) of the straight beam");
+  };
+  const auto by_strong = [&] {
+    const auto m = moment_of(strong);
     Number k(1.0);
-    if (!of.about_z)
-      k = k_y();
+    if (!by_weak)
+      k = own_factor(k_of(strong, strong), strong);
     else if (of.twists)
-      k = Number(record.given("k_zy", 1.0, {ValueKind::factor}, "table B.2, at most"));
+      k = Number(record.given(k_of(weak, strong), 1.0, {ValueKind::factor}, "table B.2, at most"));
     else
-      k = Number(record.define("k_zy", 0.8 * k_y()));
-    if (of.turning <= no_turning_over_below) return Number(k * m_y);
-    const double slender = std::sqrt(of.turning / of.m_y);
-    return Number(k * m_y /
+      k = Number(
+          record.define(k_of(weak, strong), 0.8 * other_factor(k_of(strong, strong), strong)));
+    if (of.turning <= no_turning_over_below) return Number(k * m);
+    const double slender = std::sqrt(of.turning / strong.m);
+    return Number(k * m /
                   record.given("chi_LT", chi_at(slender, BucklingCurve::d), {ValueKind::factor},
-                               "curve d, lambda_LT = sqrt((M/M_cr)/m_y)"));
+                               of.lies ? "curve d, lambda_LT = sqrt((M/M_cr)/m_z)"
+                                       : "curve d, lambda_LT = sqrt((M/M_cr)/m_y)"));
   };
-  const auto by_z = [&] {
-    const auto m_z = record.given("m_z", of.m_z, {}, "largest M_z/(W_z f_y) of the straight beam");
-    return Number((of.about_z ? moment_factor(record, "k_zz", "C_mz", of.C_mz, lambda, n_b)
-                              : other_factor("k_yz", "C_mz", of.C_mz)) *
-                  m_z);
+  const auto by_other = [&] {
+    const auto m = moment_of(weak);
+    return Number(
+        (by_weak ? own_factor(k_of(weak, weak), weak) : other_factor(k_of(strong, weak), weak)) *
+        m);
   };
   Number sum(0.0);
-  if (of.m_y > 0.0) sum = by_y();
-  if (of.m_z > 0.0) sum = Number(sum + by_z());
-  return Number(record.define("m_k", sum, of.about_z ? "equation 6.62" : "equation 6.61"));
+  if (strong.m > 0.0) sum = by_strong();
+  if (weak.m > 0.0) sum = Number(sum + by_other());
+  return Number(record.define("m_k", sum, by_weak ? "equation 6.62" : "equation 6.61"));
 }
 
 template <class Record>

@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,20 +17,21 @@
 namespace boxbeam {
 namespace {
 
-/// The force of a joint in one situation, across its pin in axes of one of its bodies.
+/// The force of a joint in one situation, as one of the frames of its pin sees it.
 class TurningForce {
  public:
-  TurningForce(NeighbourLoads& loads, int joint, std::size_t body)
-      : loads_(&loads), joint_(joint), body_(body) {
+  TurningForce(NeighbourLoads& loads, int joint, std::size_t frame)
+      : loads_(&loads), joint_(joint), frame_(frame) {
     for (const SampledInstant& instant : loads.span().instants)
       samples_.push_back(force_at(instant.at));
   }
 
-  /// The turning points of its component along a direction, as stresses by a factor.
-  SituationTurns turns_along(const Eigen::Vector2d& way, double factor) {
+  /// The turning points of its component along a direction, as stresses by a factor; where it is
+  /// only looked for a direction, among the instants.
+  SituationTurns turns_along(const Eigen::Vector3d& way, double factor, bool between_instants) {
     const SampledTime& span = loads_->span();
     std::vector<double> values;
-    for (const Eigen::Vector2d& force : samples_) values.push_back(factor * way.dot(force));
+    for (const Eigen::Vector3d& force : samples_) values.push_back(factor * way.dot(force));
     const TurningSamples found = turning_samples_of(values);
     const bool closed = loads_->run().loads.closed();
     SituationTurns turns{{}, values.front(), closed ? values.front() : values.back()};
@@ -35,7 +39,7 @@ class TurningForce {
       const double sign = maximum ? 1.0 : -1.0;
       const SampledInstant& at = span.instants[sample];
       Extremum best{at.at, sign * values[sample]};
-      if (at.to > at.from) {
+      if (between_instants && at.to > at.from) {
         const Extremum between =
             find_maximum([&](double time) { return sign * factor * way.dot(force_at(time)); },
                          at.from, at.to, 14);
@@ -58,18 +62,17 @@ class TurningForce {
     return time > span.begin + span.period ? time - span.period : time;
   }
 
-  Eigen::Vector2d force_at(double time) { return loads_->force_across(joint_, body_, time); }
+  Eigen::Vector3d force_at(double time) { return loads_->force_seen(joint_, frame_, time); }
 
   NeighbourLoads* loads_;
   int joint_;
-  std::size_t body_;
-  std::vector<Eigen::Vector2d> samples_;
+  std::size_t frame_;
+  std::vector<Eigen::Vector3d> samples_;
 };
 
 /// What the components of a force along a direction do to a lug.
 struct AlongDirection {
-  double angle = 0.0;
-  std::string in;
+  Eigen::Vector3d way = Eigen::Vector3d::UnitX();
   LifeChannel channel;
   ChannelLife life;
   Turns turns;
@@ -87,32 +90,40 @@ class LugLife {
           const LugInput& lug)
       : project_(&project), lug_(&lug), pin_(&pin) {
     stress_per_force_ = share_of(lug) * lug.detail.stress_factor / lug_net_area(lug.plate).value();
-    for (const std::size_t body : {0U, 1U}) {
+    for (const PinFrame& of : runs.front()->frames_of(pin.joint)) {
+      const std::size_t index = frames_.size();
       Frame& frame = frames_.emplace_back();
-      frame.name = runs.front()->bodies_of(pin.joint)[body];
+      frame.of = of;
       for (const auto& run : runs)
         frame.runs.emplace_back(index_of(project, *run->run().situation),
-                                TurningForce(*run, pin.joint, body));
+                                TurningForce(*run, pin.joint, index));
     }
   }
 
   /// The direction in which it is used most; a largest range of zero where nothing changes.
   AlongDirection worst() {
-    constexpr int directions = 36;
-    constexpr double step = std::numbers::pi / directions;
     AlongDirection worst;
-    Frame* in = nullptr;
     for (Frame& frame : frames_) {
-      for (int i = 0; i < directions; ++i) {
-        AlongDirection at = along(frame, i * step);
-        if (in != nullptr && at.use() <= worst.use()) continue;
+      const bool anywhere = frame.of.ways > 2;
+      Eigen::Vector3d most = Eigen::Vector3d::UnitX();
+      double use = -1.0;
+      for (const Eigen::Vector3d& way : directions_of(frame.of.ways)) {
+        AlongDirection at = along(frame, way, !anywhere);
+        if (at.use() > use) {
+          use = at.use();
+          most = way;
+        }
+        if (anywhere || (in_ != nullptr && at.use() <= worst.use())) continue;
         worst = std::move(at);
-        in = &frame;
+        in_ = &frame;
       }
+      if (!anywhere) continue;
+      AlongDirection at = turned_to_worst(frame, along(frame, most, true));
+      if (in_ != nullptr && at.use() <= worst.use()) continue;
+      worst = std::move(at);
+      in_ = &frame;
     }
-    const Extremum between = find_maximum([&](double angle) { return along(*in, angle).use(); },
-                                          worst.angle - step, worst.angle + step, 10);
-    if (between.value > worst.use()) worst = along(*in, between.at);
+    if (in_->of.ways == 2) worst = turned_to_worst(*in_, std::move(worst));
     return worst;
   }
 
@@ -121,8 +132,7 @@ class LugLife {
     const std::size_t situation = by_range ? of.of_largest : of.life.governing;
     const auto [highest, lowest] = extremes_in(*project_, situation, of.turns);
     const Extreme& larger = std::abs(highest.value) >= std::abs(lowest.value) ? highest : lowest;
-    const double angle = of.angle < 0.0 ? of.angle + std::numbers::pi : of.angle;
-    TiredLug tired{lug_, share_of(*lug_), {}, angle, of.in, {}, {}};
+    TiredLug tired{lug_, share_of(*lug_), {}, angle_of(of.way), seen(of.way), {}, {}};
     tired.range = si<Force>((highest.value - lowest.value) / stress_per_force_);
     NeighbourResult result{
         check_begun(Criterion::lug_fatigue, name_of(*pin_, *lug_), *project_, larger), {}};
@@ -149,18 +159,77 @@ class LugLife {
 
  private:
   struct Frame {
-    std::string name;
+    PinFrame of;
     std::vector<std::pair<std::size_t, TurningForce>> runs;
   };
 
-  AlongDirection along(Frame& frame, double angle) {
+  static constexpr double step = std::numbers::pi / 36;
+
+  /// Of one half of all: along what is opposite ranges are the same.
+  static std::vector<Eigen::Vector3d> directions_of(int ways) {
+    if (ways == 1) return {Eigen::Vector3d::UnitX()};
+    std::vector<Eigen::Vector3d> all;
+    const auto add_ring = [&](double radius, double height, int count) {
+      for (int i = 0; i < count; ++i) {
+        const double angle = (ways == 2 ? 1.0 : 2.0) * std::numbers::pi * i / count;
+        all.emplace_back(radius * std::cos(angle), radius * std::sin(angle), height);
+      }
+    };
+    if (ways == 2) {
+      add_ring(1.0, 0.0, 36);
+      return all;
+    }
+    // Rings twice as far apart as directions across an axis.
+    for (int ring = 0; ring < 18; ring += 2) {
+      const double up = ring * step;
+      add_ring(std::cos(up), std::sin(up), static_cast<int>(std::ceil(36.0 * std::cos(up))));
+    }
+    all.emplace_back(Eigen::Vector3d::UnitZ());
+    return all;
+  }
+
+  /// Turned to where it is used most near a direction: across the axis of the pin, or every way.
+  AlongDirection turned_to_worst(Frame& frame, AlongDirection from) {
+    const bool anywhere = frame.of.ways > 2;
+    const double reach = anywhere ? 2.0 * step : step;
+    for (int turn = 0; turn < (anywhere ? 4 : 1); ++turn) {
+      const Eigen::Vector3d way = from.way;
+      Eigen::Vector3d beside(-way.y(), way.x(), 0.0);
+      if (anywhere) beside = way.unitOrthogonal();
+      if (turn % 2 == 1) beside = way.cross(beside).eval();
+      const auto at = [&](double angle) {
+        return along(frame, std::cos(angle) * way + std::sin(angle) * beside, true);
+      };
+      const Extremum between =
+          find_maximum([&](double angle) { return at(angle).use(); }, -reach, reach, 10);
+      if (between.value > from.use()) from = at(between.at);
+    }
+    return from;
+  }
+
+  /// Between 0 and pi.
+  static double angle_of(const Eigen::Vector3d& way) {
+    const double angle = std::atan2(way.y(), way.x());
+    return angle < 0.0 ? angle + std::numbers::pi : angle;
+  }
+
+  /// In words, where a direction lies.
+  std::string seen(const Eigen::Vector3d& way) const {
+    const std::string& name = in_->of.name;
+    if (in_->of.ways == 1) return "along " + name;
+    if (in_->of.ways == 2)
+      return fmt::format("at {:.1f} deg in the axes of {}",
+                         angle_of(way) * 180.0 / std::numbers::pi, name);
+    return fmt::format("along ({:.2f}, {:.2f}, {:.2f}) in the axes of {}", way.x(), way.y(),
+                       way.z(), name);
+  }
+
+  AlongDirection along(Frame& frame, const Eigen::Vector3d& way, bool between_instants) {
     AlongDirection of;
-    of.angle = angle;
-    of.in = frame.name;
+    of.way = way;
     of.turns.resize(project_->situations.size());
-    const Eigen::Vector2d way(std::cos(angle), std::sin(angle));
     for (auto& [situation, force] : frame.runs)
-      of.turns[situation] = force.turns_along(way, stress_per_force_);
+      of.turns[situation] = force.turns_along(way, stress_per_force_, between_instants);
     of.channel.curve = curve_of(lug_->detail.detail);
     for (const SituationCycles& cycles : life_cycles_of(*project_, of.turns, false)) {
       for (SpectrumRow& row :
@@ -187,6 +256,7 @@ class LugLife {
   const PinInput* pin_;
   double stress_per_force_ = 0.0;  ///< of the pin [1/m^2]
   std::vector<Frame> frames_;
+  Frame* in_ = nullptr;  ///< in which it is used most
 };
 
 bool bears_force(const Project& project, const NeighbourRuns& runs, const PinInput& pin) {

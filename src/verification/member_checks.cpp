@@ -161,6 +161,32 @@ BucklingCurve bending_curve_of(const TaperedBeam& beam) {
                                                                            : BucklingCurve::c;
 }
 
+/// About which axes a beam is the stronger one somewhere along it.
+struct StrongerAxes {
+  bool y = false, z = false;
+};
+
+StrongerAxes stronger_axes_of(const TaperedBeam& beam) {
+  constexpr int steps = 8;
+  constexpr double alike = 1.0 + 1e-9;
+  StrongerAxes of;
+  for (const Segment& segment : beam.segments) {
+    for (int i = 0; i <= steps; ++i) {
+      const SectionProperties at =
+          properties_of(interpolate(segment.from, segment.to, static_cast<double>(i) / steps));
+      (at.I_z > alike * at.I_y ? of.z : of.y) = true;
+    }
+  }
+  return of;
+}
+
+/// N/N_cr of bending about the weaker axis, in which a beam that turns over bends. Of one that lies
+/// along z as well, for what a whole in space bends in is taken for it.
+double sideways_part(const SecondOrderEstimate& estimate, const StrongerAxes& stronger) {
+  const double across = estimate.across ? estimate.across->part : 0.0;
+  return stronger.z ? std::max(across, estimate.in_plane.part) : across;
+}
+
 }  // namespace
 
 std::vector<CheckResult> check_member(const Project& project, const std::vector<BendingZone>& zones,
@@ -189,22 +215,35 @@ std::vector<CheckResult> check_member(const Project& project, const std::vector<
   const BucklingCurve curve = bending_curve_of(project.beam);
   const double in_plane = estimate.in_plane.part;
   const double across = estimate.across ? estimate.across->part : 0.0;
-  const auto bends = [&](const BucklingLoad& of, const char* how, bool about_z) {
+  const StrongerAxes stronger = stronger_axes_of(project.beam);
+  // Where along a beam now the one and now the other axis is the stronger, the worse of both.
+  const auto bends = [&](const BucklingLoad& of, const char* how, std::optional<bool> about_z) {
     load.critical = of.part;
-    straight.about_z = about_z;
-    straight.other = about_z ? in_plane : across;
-    const double use = flexural_use(load, curve, gamma_M1);
+    double most = -1.0;
+    MemberLoad worst;
+    for (const bool lies : {false, true}) {
+      // What twists bends about both axes, by whichever a section is the stronger one.
+      if (lies ? !stronger.z : about_z && !stronger.y) continue;
+      straight.lies = lies;
+      straight.about_z = about_z.value_or(!lies);
+      straight.other = straight.about_z ? in_plane : across;
+      const double use = flexural_use(load, curve, gamma_M1);
+      if (use <= most) continue;
+      most = use;
+      worst = load;
+    }
     checks.push_back(
-        check_of(project, use, how, of.situation, of.when, {false, curve, of.held, load}));
+        check_of(project, most, how, of.situation, of.when, {false, curve, of.held, worst}));
   };
   const auto counted = [](double part) { return part > no_buckling_below && part < 1.0; };
   if (counted(in_plane))
     bends(estimate.in_plane, project.in_space ? "along z" : "in the plane of motion", false);
   if (counted(across))
     bends(*estimate.across, project.in_space ? "along y" : "across the plane of motion", true);
-  if (twisting) bends(*twisting, "by twisting", true);
+  if (twisting) bends(*twisting, "by twisting", std::nullopt);
   if (const auto& of = estimate.lateral; of && of->part > no_turning_over_below && of->part < 1.0) {
-    load.critical = of->part + (twisting ? std::max(across, twisting->part) : across);
+    const double sideways = sideways_part(estimate, stronger);
+    load.critical = of->part + (twisting ? std::max(sideways, twisting->part) : sideways);
     const double use = lateral_use(load, BucklingCurve::d, gamma_M1);
     const bool given = std::holds_alternative<recorded::Loads>(project.mechanism);
     if (!(use > 0.0) && given)

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -23,6 +22,13 @@ struct AxialForces {
 struct BesidePin {
   double along = 0.0;   ///< force along the pin, by size [N]
   double moment = 0.0;  ///< moment across it, by size [N m]
+};
+
+/// In whose axes the force on a pin is looked at: its direction turns in those of others.
+struct PinFrame {
+  std::string name;  ///< of a body, "the ground", "the rod"
+  /// 1: along the rod whose end the pin is; 2: across the pin's axis; 3: the joint keeps no axis.
+  int ways = 2;
 };
 
 /// How the mass of a body lies about the line of a rod between two points of it.
@@ -71,15 +77,15 @@ class NeighbourLoads {
   /// Whether rigid bodies determine what a joint bears.
   virtual bool determines(int joint) const = 0;
   virtual std::string joint_name(int joint) const = 0;
-  /// Of the bodies of a joint, in their order; "the ground".
-  virtual std::array<std::string, 2> bodies_of(int joint) const = 0;
+  /// Of the bodies of a joint and, where it is one, of the rod without mass between them.
+  virtual std::vector<PinFrame> frames_of(int joint) const = 0;
   /// Those that take hold of a rod, or are one.
   virtual std::vector<int> joints_of(const RodInput& rod) const = 0;
 
   /// The size of the force on the pin of a joint [N].
   virtual double force_in(int joint, double time) = 0;
-  /// The same force in two axes across the pin that turn with one of the joint's bodies [N].
-  virtual Eigen::Vector2d force_across(int joint, std::size_t body, double time) = 0;
+  /// The same force in axes that turn with one of the joint's frames, by its ways [N].
+  virtual Eigen::Vector3d force_seen(int joint, std::size_t frame, double time) = 0;
   virtual BesidePin beside_pin(int joint, double time) = 0;
 
   virtual AxialForces axial_forces_in(const RodInput& rod, double time) = 0;

@@ -1,5 +1,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <type_traits>
 #include <variant>
@@ -33,9 +34,11 @@ class PlanarNeighbours : public NeighbourLoads {
 
   std::string joint_name(int joint) const override { return joint_at(joint).name; }
 
-  std::array<std::string, 2> bodies_of(int joint) const override {
-    const std::array<int, 2> bodies = indices_of(joint);
-    return {name_of(bodies[0]), name_of(bodies[1])};
+  std::vector<PinFrame> frames_of(int joint) const override {
+    std::vector<PinFrame> frames;
+    for (const int body : indices_of(joint)) frames.push_back({name_of(body)});
+    if (planar::is_rod(joint_at(joint))) frames.push_back({"the rod", 1});
+    return frames;
   }
 
   std::vector<int> joints_of(const RodInput& rod) const override {
@@ -54,11 +57,16 @@ class PlanarNeighbours : public NeighbourLoads {
 
   double force_in(int joint, double time) override { return reaction_of(joint, time).norm(); }
 
-  Eigen::Vector2d force_across(int joint, std::size_t body, double time) override {
+  Eigen::Vector3d force_seen(int joint, std::size_t frame, double time) override {
     const Eigen::Vector2d force = reaction_of(joint, time);
-    const int of = indices_of(joint)[body];
+    const std::array<int, 2> bodies = indices_of(joint);
+    if (frame == bodies.size())
+      return {planar::tension_in_joint(*mechanism_, state_, static_cast<std::size_t>(joint)), 0.0,
+              0.0};
+    const int of = bodies[frame];
     const double angle = of == planar::ground ? 0.0 : state_.q[3 * of + 2];
-    return Eigen::Rotation2Dd(-angle) * force;
+    const Eigen::Vector2d own = Eigen::Rotation2Dd(-angle) * force;
+    return {own.x(), own.y(), 0.0};
   }
 
   BesidePin beside_pin(int, double) override { return {}; }

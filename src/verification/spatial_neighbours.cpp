@@ -51,9 +51,12 @@ class SpatialNeighbours : public NeighbourLoads {
     return closes(joint) ? closing(joint).name : carrying(joint).name;
   }
 
-  std::array<std::string, 2> bodies_of(int joint) const override {
-    const std::array<int, 2> of = indices_of(joint);
-    return {name_of(of[0]), name_of(of[1])};
+  std::vector<PinFrame> frames_of(int joint) const override {
+    std::vector<PinFrame> frames;
+    const int ways = keeps_axis(joint) ? 2 : 3;
+    for (const int body : indices_of(joint)) frames.push_back({name_of(body), ways});
+    if (is_rod(joint)) frames.push_back({"the rod", 1});
+    return frames;
   }
 
   std::vector<int> joints_of(const RodInput& rod) const override {
@@ -78,15 +81,22 @@ class SpatialNeighbours : public NeighbourLoads {
     return axis ? (force - axis->dot(force) * *axis).norm() : force.norm();
   }
 
-  Eigen::Vector2d force_across(int joint, std::size_t body, double time) override {
+  Eigen::Vector3d force_seen(int joint, std::size_t frame, double time) override {
     look_at(time);
-    const int of = indices_of(joint)[body];
+    const std::array<int, 2> bodies = indices_of(joint);
+    if (frame == bodies.size()) {
+      const std::size_t closing = static_cast<std::size_t>(joint) - mechanism_->joints.size();
+      return {tension_of(RodLink{false, closing}), 0.0, 0.0};
+    }
+    const Eigen::Vector3d force =
+        spatial::in_axes(state_, bodies[frame], wrenches_[static_cast<std::size_t>(joint)].force);
+    if (!keeps_axis(joint)) return force;
     // The axis is the same in both bodies' own axes at every time.
     const Eigen::Matrix3d& turn = closes(joint) ? closing(joint).turn : carrying(joint).turn;
     const Eigen::Vector3d& axis = closes(joint) ? closing(joint).axis : carrying(joint).axis;
-    const Eigen::Vector3d own = body == 0 ? axis : Eigen::Vector3d(turn.transpose() * axis);
-    return across(own) *
-           spatial::in_axes(state_, of, wrenches_[static_cast<std::size_t>(joint)].force);
+    const Eigen::Vector2d own =
+        across(frame == 0 ? axis : Eigen::Vector3d(turn.transpose() * axis)) * force;
+    return {own.x(), own.y(), 0.0};
   }
 
   BesidePin beside_pin(int joint, double time) override {
@@ -172,7 +182,7 @@ class SpatialNeighbours : public NeighbourLoads {
   /// The body that carries and the one that is carried, or a and b.
   std::array<int, 2> indices_of(int joint) const {
     if (closes(joint)) return {closing(joint).a.body, closing(joint).b.body};
-    return {carrying(joint).parent, joint};
+    return {spatial::carrier_of_ball(*mechanism_, joint).value_or(carrying(joint).parent), joint};
   }
 
   std::string name_of(int body) const {
@@ -180,17 +190,22 @@ class SpatialNeighbours : public NeighbourLoads {
                                    : mechanism_->bodies[static_cast<std::size_t>(body)].name;
   }
 
+  bool keeps_axis(int joint) const {
+    using Kind = spatial::ClosingKind;
+    if (!closes(joint))
+      return carrying(joint).kind == spatial::JointKind::revolute &&
+             !spatial::carrier_of_ball(*mechanism_, joint);
+    return closing(joint).kind == Kind::revolute || closing(joint).kind == Kind::cylindrical;
+  }
+  bool is_rod(int joint) const {
+    return closes(joint) && closing(joint).kind == spatial::ClosingKind::distance;
+  }
+
   /// The axis of a pin in the world; nothing of joints that have none.
   std::optional<Eigen::Vector3d> axis_of(int joint) const {
-    if (!closes(joint)) {
-      const spatial::Joint& of = carrying(joint);
-      if (of.kind != spatial::JointKind::revolute) return std::nullopt;
-      return spatial::in_world(state_, of.parent, of.axis);
-    }
-    const spatial::ClosingJoint& of = closing(joint);
-    if (of.kind != spatial::ClosingKind::revolute && of.kind != spatial::ClosingKind::cylindrical)
-      return std::nullopt;
-    return spatial::in_world(state_, of.a.body, of.axis);
+    if (!keeps_axis(joint)) return std::nullopt;
+    if (closes(joint)) return spatial::in_world(state_, closing(joint).a.body, closing(joint).axis);
+    return spatial::in_world(state_, carrying(joint).parent, carrying(joint).axis);
   }
 
   /// Of a joint that keeps a distance, or of a spring.

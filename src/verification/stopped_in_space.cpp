@@ -137,18 +137,26 @@ class StoppedFrame {
     return stiffer * std::max(along_, 48.0 * about_ / (length * length));
   }
 
+  /// Of what slides where it is now: all that takes hold of a body lies along its bar.
   void find_places() {
-    const auto add = [&](int body, const Vector3d& place) {
-      if (body != spatial::ground) places_[static_cast<std::size_t>(body)].push_back(place);
+    places_.resize(mechanism_->bodies.size());
+    const auto add = [&](int body, const spatial::Attachment& place) {
+      if (body == spatial::ground) return;
+      const spatial::BodyMotion& of = state_->bodies[static_cast<std::size_t>(body)];
+      places_[static_cast<std::size_t>(body)].push_back(
+          of.R_WB.transpose() * (spatial::position_of(*state_, place) - of.position));
     };
-    for (const spatial::Joint& joint : mechanism_->joints) places_.push_back({joint.point});
-    for (const spatial::Joint& joint : mechanism_->joints) add(joint.parent, joint.at);
-    const auto add_ends = [&](const auto& of) {
-      for (const spatial::Attachment& end : {of.a, of.b}) add(end.body, end.p);
-    };
-    for (const spatial::ClosingJoint& joint : mechanism_->closing)
-      if (!spatial::has_teeth(joint.kind)) add_ends(joint);
-    for (const spatial::Spring& spring : mechanism_->springs) add_ends(spring);
+    for (int i = 0; const spatial::Joint& joint : mechanism_->joints) {
+      for (const int body : {i, joint.parent}) add(body, {i, joint.point});
+      ++i;
+    }
+    for (const spatial::ClosingJoint& joint : mechanism_->closing) {
+      if (spatial::has_teeth(joint.kind)) continue;
+      for (const spatial::Attachment& end : {joint.a, joint.b}) add(end.body, end);
+      if (joint.kind != spatial::ClosingKind::distance) add(joint.a.body, joint.b);
+    }
+    for (const spatial::Spring& spring : mechanism_->springs)
+      for (const spatial::Attachment& end : {spring.a, spring.b}) add(end.body, end);
   }
 
   void add_body(int body) {
@@ -206,9 +214,7 @@ class StoppedFrame {
   static Matrix3d axes_with(const Vector3d& x) { return axes_with(x, x.unitOrthogonal()); }
   static Matrix3d axes_with(const Vector3d& x, const Vector3d& y) {
     Matrix3d axes;
-    axes.col(0) = x;
-    axes.col(1) = y;
-    axes.col(2) = x.cross(y);
+    axes << x, y, x.cross(y);
     return axes;
   }
 

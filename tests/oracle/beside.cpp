@@ -1,9 +1,7 @@
 #include "beside.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "boxbeam/mechanism/planar/reactions.hpp"
 #include "boxbeam/section/shear_area.hpp"
@@ -90,51 +88,6 @@ void look_at_deflection(const Project& project, const std::vector<Run>& sampled,
         const double off = std::abs(w[i] - w_from - slope * (at[i] - from));
         found.note(Criterion::deflection, times * off / input.limit.value(),
                    {si<Length>(at[i]), Side::both}, "axis");
-      }
-    }
-  }
-}
-
-void look_at_neighbours(const Project& project, const std::deque<SituationRun>& runs,
-                        const std::vector<Run>& sampled, Findings& found) {
-  if (project.pins.empty() && project.rods.empty()) return;
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    const SituationRun& run = runs[r];
-    const planar::Mechanism& mechanism = planar_in(project, *run.situation);
-    planar::StateFinder finder(mechanism, planar_motion_of(run));
-    for (const Time& time : sampled[r].times) {
-      const planar::State state = finder.at(time.value());
-      const auto reactions = planar::reactions_of(mechanism, state);
-      for (const PinInput& pin : project.pins) {
-        for (const planar::Reaction& reaction : reactions) {
-          if (reaction.joint != pin.joint) continue;
-          found.note(Criterion::pin,
-                     pin_utilisation(sampled[r].load_factor * reaction.force.norm(), pin,
-                                     project.strength),
-                     {}, pin.name);
-        }
-      }
-      for (const RodInput& input : project.rods) {
-        const auto& rod = std::get<PlanarRod>(input.place);
-        const double angle = state.q[3 * rod.from.body + 2];
-        const Eigen::Vector2d way = rod.to.p - rod.from.p;
-        const Eigen::Vector2d along(
-            (std::cos(angle) * way.x() - std::sin(angle) * way.y()) / way.norm(),
-            (std::sin(angle) * way.x() + std::cos(angle) * way.y()) / way.norm());
-        double push_from = 0.0, push_to = 0.0;
-        for (const planar::Reaction& reaction : reactions) {
-          if (reaction.on != rod.from.body) continue;
-          if ((reaction.point - rod.from.p).norm() < 1e-9 * way.norm())
-            push_from += reaction.force.dot(along);
-          if ((reaction.point - rod.to.p).norm() < 1e-9 * way.norm())
-            push_to -= reaction.force.dot(along);
-        }
-        for (const double push : {push_from, push_to}) {
-          const Criterion criterion = push > 0.0 ? Criterion::buckling : Criterion::rod;
-          found.note(criterion,
-                     rod_utilisation(sampled[r].load_factor * push, input, project.strength), {},
-                     input.name);
-        }
       }
     }
   }

@@ -31,8 +31,4 @@ std::vector<Run> sample(const Project& project, const std::deque<SituationRun>& 
 void look_at_deflection(const Project& project, const std::vector<Run>& sampled,
                         std::set<double> borders, int stations, Findings& found);
 
-/// Pins and rods of the plane.
-void look_at_neighbours(const Project& project, const std::deque<SituationRun>& runs,
-                        const std::vector<Run>& sampled, Findings& found);
-
 }  // namespace oracle

@@ -13,11 +13,12 @@
 
 #include "beside.hpp"
 #include "boxbeam/fatigue/damage.hpp"
-#include "boxbeam/fatigue/rainflow.hpp"
 #include "boxbeam/verification/bending_zones.hpp"
 #include "combined_cases.hpp"
 #include "instants.hpp"
+#include "life.hpp"
 #include "member.hpp"
+#include "neighbours.hpp"
 #include "rules.hpp"
 #include "section_stress.hpp"
 #include "slender_walls.hpp"
@@ -67,6 +68,7 @@ class Search {
         density_(density),
         rules_(project),
         sampled_(sample(project, runs, density.instants)),
+        life_(project, sampled_),
         zones_(bending_zones_of(project, runs)),
         combined_(combinations_of(combining, project, sampled_)) {
     for (const Situation& situation : project.situations) all_cycles_ += situation.cycles;
@@ -80,8 +82,7 @@ class Search {
     look_at_deflection(project_, sampled_, cut_places_of(project_, sampled_, zones_),
                        density_.stations, found_);
     look_at_member(project_, sampled_, rules_, found_);
-    if (std::holds_alternative<planar::Mechanism>(project_.mechanism))
-      look_at_neighbours(project_, runs_, sampled_, found_);
+    look_at_neighbours(project_, runs_, sampled_, life_, found_);
     return std::move(found_);
   }
 
@@ -319,80 +320,11 @@ class Search {
   // --------------------------------------------------------------------------------- ranges,
   // cycles
 
-  /// A stress over the instants of each situation that runs, by its index in the case.
-  using Histories = std::vector<std::vector<double>>;
-
   const Histories& histories_of(const Factors& factors, double times, Histories& histories) const {
     histories.resize(project_.situations.size());
     for (std::size_t r = 0; r < sampled_.size(); ++r)
       add_up(r, factors, times, histories[sampled_[r].situation]);
     return histories;
-  }
-
-  /// Lowest and highest in a situation, or in those of which it is made.
-  std::pair<double, double> extremes(const Histories& histories, std::size_t i) const {
-    const Situation& situation = project_.situations[i];
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    const auto take = [&](std::size_t of) {
-      if (histories[of].size() == 0) return;
-      const auto [lowest, highest] = extremes_of(histories[of]);
-      low = std::min(low, lowest);
-      high = std::max(high, highest);
-    };
-    if (situation.between.empty()) take(i);
-    for (const std::size_t part : situation.between) take(part);
-    return {low, high};
-  }
-
-  double largest_range(const Histories& histories) const {
-    double largest = 0.0;
-    for (std::size_t i = 0; i < project_.situations.size(); ++i) {
-      if (project_.situations[i].cycles == 0.0) continue;
-      const auto [low, high] = extremes(histories, i);
-      largest = std::max(largest, high - low);
-    }
-    return largest;
-  }
-
-  /// All cycles of the life.
-  std::vector<Cycle> cycles_of(const Histories& histories, bool reduced) const {
-    std::vector<Cycle> all;
-    for (std::size_t i = 0; i < project_.situations.size(); ++i) {
-      const Situation& situation = project_.situations[i];
-      if (situation.cycles == 0.0) continue;
-      std::vector<Cycle> cycles;
-      if (!situation.between.empty() && !situation.in_order) {
-        const auto [low, high] = extremes(histories, i);
-        cycles = {{si<Stress>(high - low), si<Stress>(0.5 * (high + low)), 1.0}};
-      } else {
-        std::vector<double> history = histories[i];
-        for (const std::size_t part : situation.between) {
-          const std::vector<double>& of = histories[part];
-          history.insert(history.end(), of.begin(), of.end());
-          if (closed(part)) history.push_back(of[0]);
-        }
-        cycles = count_cycles(history, {Counting::periodic});
-      }
-      for (Cycle& cycle : cycles) {
-        cycle.count *= situation.cycles;
-        if (reduced) {
-          // 7.2.1: the compressive part counts 60 %.
-          const double high = cycle.mean.value() + 0.5 * cycle.range.value();
-          const double low = high - cycle.range.value();
-          const double tension = std::max(high, 0.0) - std::max(low, 0.0);
-          cycle.range = si<Stress>(tension + 0.6 * (high - low - tension));
-        }
-        all.push_back(cycle);
-      }
-    }
-    return all;
-  }
-
-  bool closed(std::size_t situation) const {
-    for (const Run& run : sampled_) {
-      if (run.situation == situation) return run.closed;
-    }
-    return true;
   }
 
   void look_at_ranges(const Place& place, const Bounds& bounds, const Resisting& direct,
@@ -403,7 +335,7 @@ class Search {
       if (!beats(Criterion::stress_range, gamma * times * bounds.range_of(factors) / limit)) return;
       ++found_.evaluations;
       note(Criterion::stress_range,
-           gamma * largest_range(histories_of(factors, times, direct_)) / limit, place.name);
+           gamma * life_.largest_range(histories_of(factors, times, direct_)) / limit, place.name);
     };
     if (direct.detail != nullptr) look(place.normal, direct.range_factor, 1.5 * f_y);
     if (shear != nullptr) look(place.shear, 1.0, 1.5 / std::numbers::sqrt3 * f_y);
@@ -474,7 +406,7 @@ class Search {
     // With the ranges and cycles themselves most places can be seen to be milder.
     if (direct_may) {
       histories_of(place.normal, times, of_direct);
-      const double range = largest_range(of_direct);
+      const double range = life_.largest_range(of_direct);
       direct_counts = range >= nothing;
       by_direct = bound_of(direct.detail->detail, range, 2.0 * reckoned_cycles * all_cycles_);
       if (together || beats(Criterion::fatigue, by_direct))
@@ -483,7 +415,7 @@ class Search {
     }
     if (shear_may) {
       histories_of(place.shear, 1.0, of_shear);
-      const double range = largest_range(of_shear);
+      const double range = life_.largest_range(of_shear);
       shear_counts = range >= nothing;
       by_shear = bound_of(*shear, range, 2.0 * reckoned_cycles * all_cycles_);
       if (together || beats(Criterion::shear_fatigue, by_shear))
@@ -495,7 +427,8 @@ class Search {
                            beats(Criterion::combined_fatigue, std::max(by_direct, by_shear));
     std::vector<FatigueChannel> channels;
     const auto add = [&](const Histories& histories, bool reduced, const Detail& detail) {
-      channels.push_back({cycles_of(histories, reduced), rules_.curve_of(detail, place.plate)});
+      channels.push_back(
+          {life_.cycles_of(histories, reduced), rules_.curve_of(detail, place.plate)});
     };
     const auto use = [&](Criterion criterion) {
       note(criterion, fatigue.required / largest_factor(channels, demand), place.name);
@@ -523,6 +456,7 @@ class Search {
   Density density_;
   Rules rules_;
   std::vector<Run> sampled_;
+  Life life_;
   std::vector<BendingZone> zones_;
   std::vector<Combination> combined_;
   std::vector<double> load_factors_;  ///< of all cuts

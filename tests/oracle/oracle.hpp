@@ -15,13 +15,13 @@
 /// jumps or bends), which instants, which places of the section; the stresses there
 /// (section_stress.hpp); which detail, plate and weld hold where; how the cycles of the situations
 /// come together; which load cases act together by EN 1990; the plates of other steels; the
-/// formulas of yield, throats, ranges, pins, rods, deflection, section class and need of a shear
-/// buckling check.
+/// formulas of yield, throats, ranges, pins and their plates, rods, deflection, section class and
+/// need of a shear buckling check.
 ///
-/// It shares with the program: reading the case, the motion, the loads on the beam at an instant
-/// and their integration to cut forces; the section between two others; counting of cycles, S-N
-/// lines and Miner's sum; how much of a wide flange shear lag leaves (beta); strengths of a steel
-/// by thickness; the shear area of a section; and the torsion constant of a welded box.
+/// It shares with the program: reading the case, the motion, the reactions, the loads on the beam
+/// at an instant and their integration to cut forces; the section between two others; counting of
+/// cycles, S-N lines and Miner's sum; how much of a wide flange shear lag leaves (beta); strengths
+/// of a steel by thickness; the shear area of a section; and the torsion constant of a welded box.
 ///
 /// It covers boxes, sharp rectangular tubes, round tubes, one in the other, and solid plates;
 /// not: stresses given in the case, named points, welds around a profile, holes in solid plates,

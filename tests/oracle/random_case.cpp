@@ -276,6 +276,12 @@ RandomCase random_case(std::uint64_t number) {
     write_strut(draw, of);
     return of;
   }
+  Draw of_kind(number + 0x27d4eb2fULL);
+  if (of_kind.chance(0.12)) {
+    const BeamWriter beam = write_luffing(of_kind, of);
+    add_parts(of_parts, beam, of);
+    return of;
+  }
   if (of_parts.chance(0.15)) {
     const BeamWriter beam =
         of_parts.chance(0.6) ? write_given_loads(draw, of) : write_frame(draw, of);

@@ -32,12 +32,12 @@ struct RandomCase {
 };
 
 /// The same case for the same number on every machine: a beam in a plane (a crank's lever, a lever
-/// on which a load slides, a cantilever, a beam on two supports), in space (a jib) or of elastic
-/// links, of boxes, tubes, plates or one profile in another, tapered and prismatic by turns, with
-/// details by stretch, holes, stiffeners, pins, rods, a limit of deflection, forces on and off the
-/// axis that are constant, harmonic or follow a table, and one or several situations; under forces
-/// of a file; under load cases that combine; with diaphragms, restraints, plates of other steels
-/// and partial factors.
+/// on which a load slides, a cantilever, a beam on two supports), in space (a jib, a boom that
+/// luffs) or of elastic links, of boxes, tubes, plates or one profile in another, tapered and
+/// prismatic by turns, with details by stretch, holes, stiffeners, pins, their plates, rods, a
+/// limit of deflection, forces on and off the axis that are constant, harmonic or follow a table,
+/// and one or several situations; under forces of a file; under load cases that combine; with
+/// diaphragms, restraints, plates of other steels and partial factors.
 RandomCase random_case(std::uint64_t number);
 
 }  // namespace oracle

@@ -80,6 +80,21 @@ std::string restraints(Draw& draw, const BeamWriter& beam) {
   return text;
 }
 
+/// Plates of a pin of 20 to 70 mm.
+std::string lugs(Draw& draw) {
+  std::string both;
+  for (const char* const plate : {"inner", "outer"}) {
+    if (both.empty() ? draw.chance(0.2) : draw.chance(0.4)) continue;
+    std::string one = fmt::format("{{ plate = \"{}\", width = {}", plate, mm(draw.real(0.15, 0.4)));
+    if (draw.chance(0.6)) one += fmt::format(", end = {}", mm(draw.real(0.06, 0.15)));
+    if (draw.chance(0.4)) one += fmt::format(", stress_factor = {:.3g}", draw.real(1.5, 5.0));
+    if (draw.chance(0.5))
+      one += fmt::format(", category = {}", draw.one_of({125, 100, 80, 63, 50, 36}));
+    both += (both.empty() ? "" : ", ") + one + " }";
+  }
+  return both.empty() ? "" : "lugs = [" + both + "]\n";
+}
+
 }  // namespace
 
 void add_parts(Draw& draw, const BeamWriter& beam, RandomCase& of) {
@@ -103,6 +118,7 @@ void add_parts(Draw& draw, const BeamWriter& beam, RandomCase& of) {
                         draw.chance(0.5) ? "into = \"webs\"" : "stiff_length = \"60 mm\"");
   }
   if (draw.chance(0.25)) text += restraints(draw, beam);
+  if (draw.chance(0.6)) put_behind(text, "\n[[pins]]\n", lugs(draw));
 }
 
 BeamWriter write_given_loads(Draw& draw, RandomCase& of) {

@@ -27,6 +27,8 @@ void add_parts(Draw& draw, const BeamWriter& beam, RandomCase& of);
 BeamWriter write_given_loads(Draw& draw, RandomCase& of);
 /// A beam that is pressed so that it may buckle, under forces that do not change.
 void write_strut(Draw& draw, RandomCase& of);
+/// A boom in space that luffs on a rod, a cylinder or a body.
+BeamWriter write_luffing(Draw& draw, RandomCase& of);
 /// A beam on two supports under load cases that combine.
 BeamWriter write_frame(Draw& draw, RandomCase& of);
 

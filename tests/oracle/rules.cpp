@@ -126,6 +126,25 @@ double pin_utilisation(double force, const PinInput& pin, const StrengthDemand& 
   return pin.required * std::max({shear, bending, inner, outer, std::hypot(shear, bending)});
 }
 
+double lug_utilisation(double force, const PinInput& pin, const LugInput& lug,
+                       const StrengthDemand& factors) {
+  const double t = lug.plate.thickness.value(), d_0 = lug.plate.hole.value();
+  // Beside the hole c >= F gamma_M0/(2 t f_y) + d_0/3, before it a >= .. + 2 d_0/3.
+  double left = 0.5 * (lug.plate.width.value() - d_0) - d_0 / 3.0;
+  if (lug.plate.end) left = std::min(left, lug.plate.end->value() - 2.0 * d_0 / 3.0);
+  const double on = lug.inner ? force : 0.5 * force;
+  return pin.required * on * factors.gamma_M0 / (2.0 * t * lug.yield_strength.value() * left);
+}
+
+double lug_stress(double force, const LugInput& lug) {
+  // No more of the width counts than K_t is known of.
+  const double d_0 = lug.plate.hole.value(), w = std::min(lug.plate.width.value(), d_0 / 0.15);
+  const double x = d_0 / w;
+  const double K_t = lug.own_factor ? lug.detail.stress_factor
+                                    : 12.882 - 52.714 * x + 89.762 * x * x - 51.667 * x * x * x;
+  return K_t * (lug.inner ? force : 0.5 * force) / ((w - d_0) * lug.plate.thickness.value());
+}
+
 double rod_utilisation(double compression, const RodInput& rod, const StrengthDemand& factors) {
   const LocalSection section{rod.section, {}, {}, false, 1.0, 1.0};
   const Plane plane = plane_of(section, false, false);

@@ -60,6 +60,14 @@ class Rules {
 double pin_utilisation(double force, const boxbeam::PinInput& pin,
                        const boxbeam::StrengthDemand& factors);
 
+/// Utilisation of a plate of a pin beside and before its hole, under the pin's force [N]: EN
+/// 1993-1-8, table 3.9, type A.
+double lug_utilisation(double force, const boxbeam::PinInput& pin, const boxbeam::LugInput& lug,
+                       const boxbeam::StrengthDemand& factors);
+/// The stress at the hole of a plate of a pin under the pin's force [Pa]: K_t of a lug under a
+/// close pin (Peterson), or what the case gives, times that of the net section.
+double lug_stress(double force, const boxbeam::LugInput& lug);
+
 /// Utilisation of a rod under a compression or, negative, a tension [N]: EN 1993-1-1, 6.3.1, 6.2.3.
 double rod_utilisation(double compression, const boxbeam::RodInput& rod,
                        const boxbeam::StrengthDemand& factors);

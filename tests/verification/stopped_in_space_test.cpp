@@ -172,6 +172,44 @@ length = "2 m"
   CHECK(of.model.second_order.across->part == Approx(P / N_cr).epsilon(0.01));
 }
 
+// Closed form, and the same of either body beneath.
+TEST_CASE("a cylinder of two bodies that is pressed tilts as a strut of its length",
+          "[stability]") {
+  const double h = 2.0, N_cr = h * 3.0 * E * I_z / (L * L * L);
+  // Of so much stroke, the head so far above the piston's point.
+  const auto cylinder = [](double stroke, double above) {
+    return fmt::format(R"([bodies.barrel]
+points = {{ o = ["0 m", "0 m", "0 m"] }}
+[bodies.piston]
+points = {{ o = ["0 m", "0 m", "0 m"], head = ["0 m", "0 m", "{} m"] }}
+[joints.foot]
+kind = "universal"
+connect = ["ground", "barrel.o"]
+at = ["4 m", "0 m", "-2 m"]
+axis = "x"
+second_axis = "y"
+[joints.head]
+kind = "spherical"
+connect = ["piston.head", "arm.tip"]
+closes = true
+[joints.stroke]
+kind = "prismatic"
+connect = ["barrel.o", "piston.o"]
+axis = "z"
+[drivers.stroke]
+joint = "stroke"
+kind = "hold"
+value = "{} m"
+)",
+                       above, stroke);
+  };
+  for (const std::string& of : {cylinder(2.0, 0.0), cylinder(0.5, 1.5)}) {
+    const auto factor = critical(pressed(hinged + of, "[0, 0, -1]"));
+    REQUIRE(factor);
+    CHECK(*factor * P == Approx(N_cr).epsilon(0.01));
+  }
+}
+
 TEST_CASE("in the plane in which it luffs a boom buckles as the mechanism in the plane does",
           "[stability]") {
   // By the exact elements of the plane, whatever the force in the strut.

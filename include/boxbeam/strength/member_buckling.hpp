@@ -20,12 +20,13 @@ struct MemberLoad {
   double critical = 0.0;    ///< 1/alpha_cr: N/N_cr, of lateral torsional buckling N/N_cr + M/M_cr
   /// What equations 6.61 and 6.62 ask for besides, of a member that bends.
   struct Straight {
-    bool about_z = false;  ///< it buckles across, by equation 6.62; else in the plane, by 6.61
-    bool twists = false;   ///< of open walls, table B.2; else table B.1
-    double m_y = 0.0;      ///< M_y/(W_y f_y) of the straight beam
-    double m_z = 0.0;      ///< M_z/(W_z f_y)
-    double other = 0.0;    ///< N/N_cr in the other plane
-    double turning = 0.0;  ///< M_y/M_cr
+    bool about_z = false;           ///< it buckles across, about z; else in the plane, about y
+    bool twists = false;            ///< of open walls, table B.2; else table B.1
+    bool lies = false;              ///< z is the stronger axis, as y is else
+    double m_y = 0.0;               ///< M_y/(W_y f_y) of the straight beam
+    double m_z = 0.0;               ///< M_z/(W_z f_y)
+    double other = 0.0;             ///< N/N_cr in the other plane
+    double turning = 0.0;           ///< M/M_cr, of the moment about the stronger axis
     double C_my = 1.0, C_mz = 1.0;  ///< equivalent uniform moment factors, table B.3
   } straight = {};
 };
@@ -41,7 +42,8 @@ struct MemberLoad {
 ///     k_yy = C_my (1 + 0.6 min(1, lambda_y) n_y),  n_y = gamma_M1 N/(chi_y A f_y),  k_yz = k_zz;
 ///
 /// across the plane k_zz m_z and k_zy m_y/chi_LT, k_zy = 0.8 k_yy, of open walls 1, which table B.2
-/// does not exceed. chi_LT by curve d, 1 up to M/M_cr = 0.04; N/N_cr up to 0.04 counts as no
+/// does not exceed. y is the stronger axis, as the code has it; of a section that lies y and z
+/// change places. chi_LT by curve d, 1 up to M/M_cr = 0.04; N/N_cr up to 0.04 counts as no
 /// buckling in the other plane. The code has it for uniform members; with the largest N, M, N/N_cr
 /// and M/M_cr of a beam, wherever they are, it is on the safe side, for each term grows with each
 /// of them. Source: EN 1993-1-1:2005, 6.3.1, 6.3.2.2, 6.3.3, equations 6.61 and 6.62, tables B.1

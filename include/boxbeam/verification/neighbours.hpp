@@ -39,8 +39,8 @@ struct TiredLug {
   const LugInput* lug = nullptr;
   double share = 1.0;      ///< of the pin's force
   Force range;             ///< of the whole force, along the direction below
-  double direction = 0.0;  ///< of the components that take most of the life, in the axes of `in`
-  std::string in;          ///< the body, or the ground
+  double direction = 0.0;  ///< of the components that take most of the life, across the pin's axis
+  std::string seen;        ///< where that is: "at 30.0 deg in the axes of crank", "along the rod"
   CheckBasis life;
   std::optional<Stress> limit;  ///< of the range, where this is reached before the life is used up
 };

@@ -115,4 +115,26 @@ TimeSpan time_span_of(const Mechanism& mechanism) {
   return span;
 }
 
+std::optional<int> carrier_of_ball(const Mechanism& mechanism, int joint) {
+  const auto turns = [&](int at) {
+    return mechanism.joints[static_cast<std::size_t>(at)].kind == JointKind::revolute;
+  };
+  // A body between two movements of one joint is called as the first of them is, "ball.1".
+  const auto is_between = [&](int body) {
+    if (body == ground) return false;
+    const auto index = static_cast<std::size_t>(body);
+    const std::string& name = mechanism.bodies[index].name;
+    return name == mechanism.joints[index].name && name.find('.') != std::string::npos;
+  };
+  int at = joint;
+  for (int before = 0; before < 2; ++before) {
+    const int parent = mechanism.joints[static_cast<std::size_t>(at)].parent;
+    if (!turns(at) || !is_between(parent)) return std::nullopt;
+    at = parent;
+  }
+  const int carrier = mechanism.joints[static_cast<std::size_t>(at)].parent;
+  if (!turns(at) || is_between(carrier) || is_between(joint)) return std::nullopt;
+  return carrier;
+}
+
 }  // namespace boxbeam::spatial

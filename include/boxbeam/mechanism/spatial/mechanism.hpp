@@ -234,6 +234,10 @@ struct Mechanism {
   Duration duration;
 };
 
+/// The body that carries a ball of which this joint is the last of three turns about one point, as
+/// balls carry bodies; nothing of other joints.
+std::optional<int> carrier_of_ball(const Mechanism& mechanism, int joint);
+
 /// Index of a body or joint by name, or -1.
 int body_index(const Mechanism& mechanism, std::string_view name);
 int joint_index(const Mechanism& mechanism, std::string_view name);
