@@ -90,7 +90,7 @@ Sensitivities sensitivities_of(const CaseOptions& options, const std::vector<Ver
   for (Sensitivity& input : inputs) {
     if (input.slopes.empty())
       of.not_verified.push_back(input.key);
-    else if (input.steepest() < least_slope)
+    else if (input.has_no_effect())
       ++of.without_effect;
     else
       of.inputs.push_back(std::move(input));

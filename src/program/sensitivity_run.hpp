@@ -7,8 +7,8 @@
 
 namespace boxbeam::program {
 
-/// What changes the factors of a case that has been verified: it is verified four times for each
-/// input, by as many threads as the machine runs at once.
+/// What changes the factors of a case that has been verified: it is verified four to six times
+/// for each input, by as many threads as the machine runs at once.
 Sensitivities sensitivities_of(const CaseOptions& options, const std::vector<VerifiedBeam>& beams,
                                Progress& progress);
 

@@ -121,7 +121,7 @@ auto lateral(Record& record, const MemberLoad& load, BucklingCurve curve, double
   const auto n = record.given("n", load.compressed, {}, "largest N/(A f_y)");
   const auto m = record.given("m", load.bent, {}, "largest M/(W f_y) of the bent beam");
   const auto critical =
-      record.given("n_cr", load.critical, {}, "N/N_cr across the plane and M/M_cr together");
+      record.given("n_cr", load.critical, {}, "N/N_cr about the weaker axis and M/M_cr together");
   using Number = decltype(n * 1.0);
   const Number alpha_ult(record.define("alpha_ult", 1.0 / (n + m)));
   const Number lambda(record.define("lambda", sqrt(alpha_ult * critical)));

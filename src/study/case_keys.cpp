@@ -67,7 +67,7 @@ std::optional<KeyTrouble> trouble_with_key(const CaseDocument& document, const s
                                            const std::string& first,
                                            const std::vector<std::vector<std::string>>& designs,
                                            const ReadWith& read) {
-  const std::string& path = document.lines.begin()->first;
+  const std::string& path = document.path;
   const Node* const own = value_at(document.root, key);
   if (own != nullptr && has_dimension_of(first, *own)) return std::nullopt;
   const std::string alone = obstacle_to({key + "=" + first}, read);

@@ -43,17 +43,31 @@ class RootSearch {
     constexpr double most = 1000.0;
     const double stride = std::max(1.0, std::ceil((last - first) / most));
     Tried before;
-    for (double value = first; value <= last; value += stride) {
+    for (double next = first; next < last + stride; next += stride) {
+      const double value = std::min(next, last);
       const Tried now{value, above_at(value)};
       if (!now.above) continue;
       if (std::abs(*now.above) <= tolerance(before.above ? std::abs(*before.above) : 0.0))
         add_root(value, *now.above);
       else if (before.above && *before.above * *now.above < 0.0)
-        found_.jumps.push_back({0.5 * (before.value + value), question_->wanted + *before.above,
-                                question_->wanted + *now.above, value - before.value});
+        add_whole_between(before, now);
       before = now;
     }
     return found_;
+  }
+
+  /// Down to neighbours, as far as there are results between.
+  void add_whole_between(Tried low, Tried high) {
+    while (high.value - low.value > 1.5) {
+      const double middle = std::floor(0.5 * (low.value + high.value));
+      const Tried now{middle, above_at(middle)};
+      if (!now.above) break;
+      if (std::abs(*now.above) <= tolerance(std::abs(*low.above)))
+        return add_root(middle, *now.above);
+      (*now.above * *low.above < 0.0 ? high : low) = now;
+    }
+    found_.jumps.push_back({0.5 * (low.value + high.value), question_->wanted + *low.above,
+                            question_->wanted + *high.above, high.value - low.value});
   }
 
   std::vector<double> scanned() const {

@@ -1,6 +1,6 @@
 #include "boxbeam/study/sensitivities.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 
 namespace boxbeam {
@@ -108,10 +108,13 @@ std::map<Criterion, Slope> slopes_of(const std::map<Criterion, double>& as_it_is
   return slopes;
 }
 
-double Sensitivity::steepest() const {
-  double most = 0.0;
-  for (const auto& [criterion, slope] : slopes) most = std::max(most, std::abs(slope.value()));
-  return most;
+bool Sensitivity::has_no_effect() const {
+  const auto is_nothing = [](const std::optional<SideSlope>& side) {
+    return !side || (side->is_known() && std::abs(side->slope) < least_slope);
+  };
+  return std::all_of(slopes.begin(), slopes.end(), [&](const auto& of) {
+    return is_nothing(of.second.down) && is_nothing(of.second.up);
+  });
 }
 
 }  // namespace boxbeam

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
+#include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/flexible/modal_response.hpp"
 #include "boxbeam/verification/elastic_posture.hpp"
 #include "boxbeam/verification/flexible_motion_result.hpp"
@@ -104,6 +106,7 @@ JointLines lines_over_period(const FlexibleMotion& motion) {
 JointLines lines_after_start(const flexible::ModalModel& model) {
   const flexible::Mechanism& mechanism = *model.structure->mechanism;
   JointLines lines = named_lines(mechanism);
+  if (model.damping.size() == 0) return lines;
   constexpr double most_steps = 4000.0;  // drawn; it ends sooner
   const StartSpan span = start_span_of(model);
   if (!span.is_resolved) return lines;
@@ -119,6 +122,22 @@ JointLines lines_after_start(const flexible::ModalModel& model) {
   return lines;
 }
 
+/// Of the exact form as many modes as a start has; where they are not found, what is not asked for
+/// hinders no verdict: those that are drawn, without damping.
+VibratingModes modes_to_draw(const flexible::Mechanism& mechanism) {
+  try {
+    return modes_beyond_drive(mechanism);
+  } catch (const AnalysisError&) {
+    if (mechanism.element != flexible::Element::exact) throw;
+    VibratingModes of;
+    of.mechanism = std::make_shared<const flexible::Mechanism>(mechanism);
+    of.structure =
+        std::make_shared<const flexible::Structure>(flexible::structure_of(*of.mechanism));
+    of.modal = {of.structure.get(), flexible::modes_of(*of.structure, modes_drawn), {}};
+    return of;
+  }
+}
+
 }  // namespace
 
 ElasticFigures elastic_figures_of(const Project& project, const SituationRun& run,
@@ -132,7 +151,7 @@ ElasticFigures elastic_figures_of(const Project& project, const SituationRun& ru
   figures.motion = flexible_motion_of(as_solved);
   figures.rest =
       posture_figure(project, {&structure, {flexible::no_loads<double>(structure), {}}, 1.0}, "");
-  const VibratingModes of = modes_beyond_drive(*motion.mechanism);
+  const VibratingModes of = modes_to_draw(*motion.mechanism);
   figures.modes = mode_figures(project, *of.structure, of.modal.modes);
   if (motion.response.frequency == 0.0) return figures;
   figures.over_frequency = motion.mechanism->element == flexible::Element::exact

@@ -210,7 +210,15 @@ TEST_CASE("of whole numbers all are looked at, and nothing between them", "[stud
   CHECK(passed.jumps[0].behind == 64.0);
   question.to = 1e6;
   question.at = squares(1.0);
-  CHECK(roots_of(question).trials <= 1001);
+  const Roots narrowed = roots_of(question);
+  CHECK(narrowed.trials <= 1001 + 10);
+  REQUIRE(narrowed.jumps.size() == 1);
+  CHECK(narrowed.jumps[0].value == 7.5);
+  CHECK(narrowed.jumps[0].apart == 1.0);
+  question.wanted = 49.0;
+  const Roots found = roots_of(question);
+  REQUIRE(found.roots.size() == 1);
+  CHECK(found.roots[0].value == 7.0);
 }
 
 }  // namespace roots_test

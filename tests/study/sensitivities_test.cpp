@@ -51,6 +51,24 @@ TEST_CASE("where only one side can be verified its slope is told", "[study]") {
   CHECK(slopes_of({{Criterion::yield, 1.0}}, [](double) { return std::nullopt; }).empty());
 }
 
+TEST_CASE("what is level on one side and not known on the other has an effect", "[study]") {
+  const auto with = [](const Slope& slope) {
+    Sensitivity input;
+    input.slopes[Criterion::yield] = slope;
+    return input;
+  };
+  const Slope falls = slope_of([](double x) { return x < 1.003 ? 1.0 : 0.9; });
+  const Slope bends = slope_of([](double x) { return std::min(1.0, 1.0 - 3.0 * (x - 1.002)); });
+  CHECK_FALSE(with(falls).has_no_effect());
+  CHECK_FALSE(with(bends).has_no_effect());
+  CHECK_FALSE(with(slope_of([](double x) { return 2.0 + 1e-3 * x; })).has_no_effect());
+  CHECK(with(slope_of([](double) { return 3.0; })).has_no_effect());
+  // Of one side alone, too.
+  CHECK(with(slope_of([](double x) {
+          return x > 1.0 ? std::nullopt : std::optional(3.0);
+        })).has_no_effect());
+}
+
 // Slope 1 before and 1 + jump behind a place some way from where it is asked for: what is stated
 // holds within its error on either side, or is not known.
 TEST_CASE("a kink or a jump close by is in what is stated, or it is said to be not known",

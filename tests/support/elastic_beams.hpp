@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "boxbeam/beam/tapered_beam.hpp"
 #include "boxbeam/mechanism/flexible/mechanism.hpp"
 #include "support/random_tree.hpp"
 

@@ -152,8 +152,8 @@ TEST_CASE("the pin of a ball that carries a body bears all of its force") {
 }
 
 TEST_CASE("pins between beams of unlike demands are held to those of each") {
-  // Two bars in line, of 1e4 and of 1e7 cycles, pulled to and fro; below the knee the plate's
-  // range that fails is as the cube root, and the lug's own curve is the same.
+  // Two cranks with a rod between them; below the knee the range that fails is as the cube root of
+  // the cycles.
   const auto bar = [](const char* name, double cycles) {
     return fmt::format(
         "[[beam]]\nname = \"{0}\"\nbody = \"{0}\"\ndensity = \"1 kg/m^3\"\nsegments = [{{ length = "

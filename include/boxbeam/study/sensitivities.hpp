@@ -54,8 +54,8 @@ struct Sensitivity {
   WrittenQuantity value;
   std::map<Criterion, Slope> slopes;
 
-  /// The steepest of all slopes, without sign.
-  double steepest() const;
+  /// Whether every slope is known and next to nothing, on every side that can be verified.
+  bool has_no_effect() const;
 };
 
 /// Of all inputs of a case that are numbers and not zero, the steepest of the governing criterion

@@ -2,7 +2,7 @@
 
 #include <Eigen/Dense>
 #include <boost/math/quadrature/gauss.hpp>
-#include <cmath>
+#include <cassert>
 #include <vector>
 
 #include "boxbeam/core/angle.hpp"
@@ -75,6 +75,7 @@ void add_damping_within(const Structure& structure, ModalModel& model) {
     const double omega = full_turn * model.modes[static_cast<std::size_t>(j)].frequency;
     squares[j] = omega * omega;
   }
+  assert(count == 0 || pieces_at(structure, squares.maxCoeff()) == 1);
   MatrixXd shapes(rows, count), beyond(rows, count);
   for (std::size_t k = 0; k < structure.links.size(); ++k) {
     const Link& link = structure.mechanism->links[k];

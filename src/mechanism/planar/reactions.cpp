@@ -1,5 +1,6 @@
 #include "boxbeam/mechanism/planar/reactions.hpp"
 
+#include <algorithm>
 #include <variant>
 
 #include "boxbeam/mechanism/planar/constraints.hpp"

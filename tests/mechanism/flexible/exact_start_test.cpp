@@ -98,7 +98,8 @@ TEST_CASE("exact starts: the moments of a cantilever are their series", "[exact]
     for (const double s : {1e-9, 0.25, 0.5, 0.837}) {
       CAPTURE(t, s);
       const double M = diagram.at({si<Length>(s), Side::both}).M_y.value();
-      CHECK(std::abs(M) == Approx(std::abs(moment_after(3.0, 9.0, s, t, count))).margin(3e-6));
+      // Hogging is positive in the series, as the force is.
+      CHECK(std::abs(-M - moment_after(3.0, 9.0, s, t, count)) < 3e-6);
     }
   }
 }

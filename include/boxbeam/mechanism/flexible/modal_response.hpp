@@ -22,6 +22,7 @@ struct ModalModel {
   Eigen::MatrixXd damping;  ///< phi^T C phi [1/s]
 };
 
+/// Precondition: a damped structure of the exact form is resolved at the last of its modes.
 ModalModel modal_model_of(const Structure& structure, std::size_t count);
 
 /// K q = f. Where motions are without strain: of what their inertia leaves of the loads, without
