@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
 
 #include "blocks.hpp"
@@ -114,10 +115,8 @@ std::vector<const CheckResult*> governing_checks(const Verification& verificatio
   for (const Criterion criterion : criteria) {
     if (const CheckResult* result = verification.governing(criterion)) governing.push_back(result);
   }
-  std::stable_sort(governing.begin(), governing.end(),
-                   [](const CheckResult* a, const CheckResult* b) {
-                     return a->check.utilisation() > b->check.utilisation();
-                   });
+  // As they stand among all checks, of which the first is named in the verdict.
+  std::sort(governing.begin(), governing.end(), std::less<>{});
   return governing;
 }
 

@@ -364,6 +364,22 @@ TEST_CASE("in a full report every check has its row, the worst of a station its 
   }
 }
 
+TEST_CASE("criteria that are used alike but for round-off stand as their checks do") {
+  const Project project = test::rig();
+  Verification verification = verify(project);
+  std::vector<CheckResult>& checks = verification.checks;
+  const auto other = std::find_if(checks.begin(), checks.end(), [&](const CheckResult& of) {
+    return of.check.criterion != checks.front().check.criterion;
+  });
+  REQUIRE(other != checks.end());
+  other->check.required = checks.front().check.required;
+  other->check.safety_factor = checks.front().check.safety_factor * (1.0 - 1e-14);
+  REQUIRE(other->check.utilisation() > checks.front().check.utilisation());
+  const auto& rows = report_of(project, verification).governing.rows;
+  CHECK(rows.at(0).front().text == to_text(checks.front().check.criterion));
+  CHECK(rows.at(1).front().text == to_text(other->check.criterion));
+}
+
 TEST_CASE(
     "governing: the worst check of every criterion, all checks from 50 % on, the rest counted",
     "[report]") {
