@@ -42,8 +42,8 @@ std::vector<CheckOfBeam> checks_of(const std::vector<VerifiedBeam>& beams) {
 
 void put_check(Fields& to, const CheckResult& result) {
   const Check& check = result.check;
-  const auto stress = [&](Stress PointStress::*part) {
-    return result.basis ? std::optional((result.basis->stress_at_time.*part).value())
+  const auto stress = [&](const auto& part_of) {
+    return result.basis ? std::optional(part_of(result.basis->stress_at_time).value())
                         : std::nullopt;
   };
   to.text({"id", "criterion, station with its side and point: \"yield/4.2-/fibre+z\""}, check.id);
@@ -68,8 +68,9 @@ void put_check(Fields& to, const CheckResult& result) {
   to.text({"unit", "of acting and resisting"}, check.acting.unit());
   to.text({"source", "standard and clause"}, check.source);
   to.number_or_null({"normal_stress", "nominal, at the check's time; null where it was given"},
-                    "Pa", stress(&PointStress::normal));
-  to.number_or_null({"shear_stress", "likewise"}, "Pa", stress(&PointStress::shear));
+                    "Pa", stress([](const PointStress& of) { return of.normal; }));
+  to.number_or_null({"shear_stress", "likewise"}, "Pa",
+                    stress([](const PointStress& of) { return of.shear; }));
   to.number_or_null(
       {"sufficient_throat",
        "of a weld: the least throat, 3 mm or more, with which its throat and its root "

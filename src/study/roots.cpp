@@ -42,9 +42,10 @@ class RootSearch {
     const double first = std::ceil(question_->from), last = std::floor(question_->to);
     constexpr double most = 1000.0;
     const double stride = std::max(1.0, std::ceil((last - first) / most));
+    const int steps = last < first ? -1 : static_cast<int>(std::ceil((last - first) / stride));
     Tried before;
-    for (double next = first; next < last + stride; next += stride) {
-      const double value = std::min(next, last);
+    for (int step = 0; step <= steps; ++step) {
+      const double value = std::min(first + step * stride, last);
       const Tried now{value, above_at(value)};
       if (!now.above) continue;
       if (std::abs(*now.above) <= tolerance(before.above ? std::abs(*before.above) : 0.0))

@@ -88,7 +88,7 @@ class SpatialNeighbours : public NeighbourLoads {
       const std::size_t closing = static_cast<std::size_t>(joint) - mechanism_->joints.size();
       return {tension_of(RodLink{false, closing}), 0.0, 0.0};
     }
-    const Eigen::Vector3d force =
+    Eigen::Vector3d force =
         spatial::in_axes(state_, bodies[frame], wrenches_[static_cast<std::size_t>(joint)].force);
     if (!keeps_axis(joint)) return force;
     // The axis is the same in both bodies' own axes at every time.
