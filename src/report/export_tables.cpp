@@ -108,8 +108,8 @@ std::string checks_csv(const Verification& verification) {
       "required,utilisation,source,normal_stress [Pa],shear_stress [Pa]\n";
   for (const CheckResult& result : verification.checks) {
     const Check& check = result.check;
-    const auto stress = [&](Stress PointStress::*part) {
-      return result.basis ? csv_cell((result.basis->stress_at_time.*part).value()) : "";
+    const auto stress = [&](const auto& part_of) {
+      return result.basis ? csv_cell(part_of(result.basis->stress_at_time).value()) : "";
     };
     text += csv_row({csv_cell(check.id), to_text(check.criterion), csv_cell(check.point),
                      check.on_beam ? csv_cell(check.station.s.value()) : "",
@@ -118,7 +118,8 @@ std::string checks_csv(const Verification& verification) {
                      csv_cell(check.resisting.value()), check.acting.unit(),
                      csv_cell(check.safety_factor), csv_cell(check.required),
                      csv_cell(check.utilisation()), csv_cell(check.source),
-                     stress(&PointStress::normal), stress(&PointStress::shear)});
+                     stress([](const PointStress& of) { return of.normal; }),
+                     stress([](const PointStress& of) { return of.shear; })});
   }
   return text;
 }

@@ -216,7 +216,8 @@ class HollowForces {
       if (of == &said_line_)
         found.not_judged.push_back({Criterion::patch_loading, what, why});
       else
-        found.gates.push_back(section_gate_at(*project_, {of->s, Side::both}, what + ": " + why));
+        found.gates.push_back(
+            section_gate_at(*project_, {of->s, Side::both}, fmt::format("{}: {}", what, why)));
     }
   }
 
