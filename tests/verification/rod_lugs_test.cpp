@@ -118,8 +118,8 @@ TEST_CASE("plates of a ball are judged along the worst of all directions") {
 }
 
 TEST_CASE("the pin of a ball that carries a body bears all of its force") {
-  // A load hangs in a ball at the tip, 3 kN to and fro, whatever axes the turns of the ball have;
-  // of a cylindrical joint across its axis; a turn of the ball by itself is no pin.
+  // A load hangs in a ball at the tip, 3 kN to and fro, however the ball is turned; of a
+  // cylindrical joint across its axis; a turn of the ball by itself is no pin.
   const auto text = [](const std::string& joint, const std::string& drivers,
                        const std::string& name) {
     return test::box_boom::boom(
@@ -131,23 +131,26 @@ TEST_CASE("the pin of a ball that carries a body bears all of its force") {
         "amplitude = \"3 kN\", frequency = \"0.001 Hz\" }\n",
         pin(name));
   };
-  const auto held = [](int count, const char* last) {
+  const auto held = [](int count, const char* turn, const char* last) {
     std::string drivers;
     for (int i = 1; i <= count; ++i)
       drivers += fmt::format(
           "[drivers.d{0}]\njoint = \"hook.{0}\"\nkind = \"hold\"\nvalue = "
           "\"{1}\"\n",
-          i, i == count ? last : "0 deg");
+          i, i == count ? last : turn);
     return drivers;
   };
   const std::string ball = "kind = \"spherical\"\n";
-  const auto& tired = lug_of(text(ball, held(3, "0 deg"), "hook"));
-  CHECK(std::get<TiredLug>(tired.basis).range.value() == Approx(6e3).epsilon(1e-4));
+  for (const char* turn : {"0 deg", "25 deg"}) {
+    CAPTURE(turn);
+    const auto& tired = lug_of(text(ball, held(3, turn, "-40 deg"), "hook"));
+    CHECK(std::get<TiredLug>(tired.basis).range.value() == Approx(6e3).epsilon(1e-4));
+  }
   const std::string along_z = "kind = \"cylindrical\"\naxis = \"z\"\n";
-  const auto& across = lug_of(text(along_z, held(2, "0 m"), "hook"));
+  const auto& across = lug_of(text(along_z, held(2, "0 deg", "0 m"), "hook"));
   CHECK(std::get<TiredLug>(across.basis).range.value() == Approx(0.6 * 6e3).epsilon(1e-5));
   CHECK(test::refusal_of([&] {
-          parse_project("lugs.toml", text(ball, held(3, "0 deg"), "hook.1"));
+          parse_project("lugs.toml", text(ball, held(3, "0 deg", "0 deg"), "hook.1"));
         }).find("write joint = \"hook\"") != std::string::npos);
 }
 
